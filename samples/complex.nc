@@ -8,7 +8,7 @@ G21 G90 G17 G94 G40
 G54
 T1 M6
 S6000 M3
-G0 X-60. Y-40. Z10.
+G0 G43 H1 X-60. Y-40. Z10.
 M8
 (a lattice of slots: four across, three along, one askew)
 G0 Z-3.
@@ -64,7 +64,7 @@ G0 Z10.
 (small arcs in all three planes: a ramp, and two dips)
 T2 M6
 S9000 M3
-G0 X-44. Y-5. Z10.
+G0 G43 H2 X-44. Y-5. Z10.
 G1 Z-2. F300.
 G2 X-41. Y-2. Z-5. I3. J0. F800.
 G1 X-26.
@@ -83,7 +83,7 @@ G0 Z10.
 (across the whole top, through everything)
 T1 M6
 S6000 M3
-G0 X-58. Y-58. Z10.
+G0 G43 H1 X-58. Y-58. Z10.
 G0 Z-7.
 G1 X58. Y58. F900.
 G0 Z10.

@@ -43,6 +43,7 @@ TEST(Check, ShowsTheLineWithACaretAndFails) {
               "[rapid-in-material]\n"
               "  | G0 X30.\n"
               "  | ^~\n"
+              "  at X-25 Y0 Z-2, within 40 x 10 x 2 mm, X -20 to 20, Y -5 to 5, Z -2 to 0\n"
               "  assumed tool: length 30 mm\n"
               "  assumed path: rapid moves are straight (--rapid linear)\n"
               "  hint: Retract before the move, or make it at feed.\n");
@@ -216,7 +217,11 @@ TEST(Check, ComparesThePartWithItsDesign) {
         EXPECT_EQ(ran.exit_code, 1);
         EXPECT_TRUE(contains(ran.out,
                              "deeper.nc:8:1: error: the part is cut into the design: depth 0.1 mm "
-                             "[gouge]\n  | G1 X30. F500.\n  | ^~\n  assumed design: 'design."))
+                             "[gouge]\n  | G1 X30. F500.\n  | ^~\n  at X"))
+            << ran.out;
+        EXPECT_TRUE(contains(ran.out,
+                             ", within 40 x 10 x 0.1 mm, X -20 to 20, Y -5 to 5, Z -2.1 to -2\n"
+                             "  assumed design: 'design."))
             << ran.out;
         EXPECT_TRUE(contains(ran.out, "gouged in 1 place, up to 0.1 mm, 40 mm3 in all")) << ran.out;
         EXPECT_TRUE(contains(folder.read("a.json"), "\"design\": {\n    \"file\": \"design."));

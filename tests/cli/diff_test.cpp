@@ -101,6 +101,32 @@ TEST(Diff, TellsWhereOfALongBlock) {
     EXPECT_NEAR(box["max"][1], 23.0, 0.1) << ran.out;
 }
 
+TEST(Diff, NamesFeedsSpeedsCoolantAndDwellsThatDiffer) {
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    const auto differs = [&](const std::string& from, const std::string& to) {
+        folder.write("b.nc", replaced(from, to));
+        EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc"}).exit_code, 0) << to;
+        const Ran ran = folder.run({"diff", "a.nc", "b.nc", "--process", "--json", "d.json"});
+        EXPECT_EQ(json::parse(folder.read("d.json"))["process"]["differs"], ran.exit_code == 1);
+        return ran;
+    };
+    const Ran feed = differs("X30. F500.", "X30. F400.");
+    EXPECT_EQ(feed.exit_code, 1);
+    EXPECT_NE(feed.out.find("- a.nc:8: T1, feed 500 mm/min"), std::string::npos) << feed.out;
+    EXPECT_NE(feed.out.find("+ b.nc:8: T1, feed 400 mm/min"), std::string::npos) << feed.out;
+    EXPECT_EQ(differs("M3", "M4").exit_code, 1);
+    EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2. M8\n").exit_code, 1);
+    EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2. M7 M8\n").exit_code, 1);
+    EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2.\nG4 P1.\n").exit_code, 1);
+    // The same by other words.
+    EXPECT_EQ(differs("G1 X30. F500.", "G1 X0. F500.\nX30.").exit_code, 0);
+    EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2. M8\nM9\n").exit_code, 0);
+    EXPECT_EQ(
+        differs("G1 X30. F500.", "G20 G1 X1.1811023622047243 F19.68503937007874\nG21").exit_code,
+        0);
+}
+
 TEST(Diff, LetsATolerancePass) {
     Folder folder;
     folder.write("a.nc", kSlot);

@@ -84,5 +84,14 @@ TEST(Samples, WaveIsMoreThanNineHundredShortMovesOfABall) {
     EXPECT_EQ(report["part"]["shells"], 1);
 }
 
+// With samples/ncsim.toml: the first check that somebody makes is clean.
+TEST(Samples, AreCleanWithTheirSetUps) {
+    Folder folder;
+    const Ran ran = folder.run({"check", sample("simple.nc"), sample("complex.nc"),
+                                sample("wave.nc"), sample("five-axis.nc")});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out;
+    EXPECT_NE(ran.out.find("4 programs: 4 clean"), std::string::npos) << ran.out;
+}
+
 }  // namespace
 }  // namespace ncsim::cli_test

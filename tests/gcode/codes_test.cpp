@@ -89,6 +89,10 @@ const std::vector<Case>& codes() {
         {"G4", By::Fanuc, "G4 P1500", "dwell 1.5"},
         {"G4", By::Fanuc, "G4 P1.5", "dwell 1.5"},
         {"G4", By::Fanuc, "G4 X1.5", "dwell 1.5"},
+        // A time is neither a spindle speed (Marlin, RepRapFirmware) nor a feed.
+        {"G4", By::Default, "S500 M3~G4 S3~G1 X1", "dwell 3; feed X1 Y0 Z0 F100 S500"},
+        {"G4", By::Default, "G4 F2~G1 X1", "dwell 2; feed X1 Y0 Z0 F100"},
+        {"G4", By::Default, "G4 P2 F50~G1 X1", "dwell 2; feed X1 Y0 Z0 F50"},
         {"G5", By::Default, "G5 X10 Y0 I0 J3 P0 Q-3",
          "spline X10 Y0 Z0 order 4 [0 0 *1] [0 3 *1] [10 -3 *1] [10 0 *1] F100"},
         {"G5.1", By::Default, "G5.1 X10 I5 J5",

@@ -98,6 +98,15 @@ TEST(ToolComments, KeepTheirOwnUnitInAProgramOfTheOther) {
     EXPECT_EQ(n.tools.at(0).spec.diameter, 12.7);
 }
 
+// FreeCAD's posts: the tool change is a comment, and the diameter is in mm in any program.
+TEST(ToolComments, BelongToTheToolThatACommentCalls) {
+    const ProgramNotes n =
+        notes("G20\nG0 Z1\n( M6 T3 )\n(Compensated Tool Path. Diameter: 8.0)\nG0 X0\n");
+    ASSERT_EQ(n.tools.size(), 1U);
+    EXPECT_EQ(n.tools[0].spec.number, 3);
+    EXPECT_EQ(n.tools[0].spec.diameter, 8.0);
+}
+
 TEST(ToolComments, WithoutANumberBelongToTheNextToolBeforeAnyMove) {
     const ProgramNotes n = notes("G21\n(End mill 3mm)\nT7 M6\nG0 X0\n(Ball end mill 4mm)\nT8 M6\n");
     ASSERT_EQ(n.tools.size(), 2U);

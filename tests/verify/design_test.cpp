@@ -98,6 +98,15 @@ TEST(Design, TellsHowFarBelowItsSurfaceSomethingIsMissing) {
     const auto flat = compare(deep.boundary(), mesh_of(shallow), kTolerance);
     ASSERT_EQ(flat.gouge.regions.size(), 1U);
     EXPECT_NEAR(flat.gouge.regions.front().below_mm, 0.5, 1e-9);
+    // The same of what is left: a thin wall, and a shallow pocket.
+    const auto left_over = compare(design.boundary(), mesh_of(part), kTolerance);
+    ASSERT_EQ(left_over.excess.regions.size(), 1U);
+    EXPECT_NEAR(left_over.excess.regions.front().depth_mm, 2.0, 0.05);
+    EXPECT_LE(left_over.excess.regions.front().below_mm, 0.05 + 1e-9);
+    EXPECT_GE(left_over.excess.regions.front().below_mm, 0.035);
+    const auto high = compare(shallow.boundary(), mesh_of(deep), kTolerance);
+    ASSERT_EQ(high.excess.regions.size(), 1U);
+    EXPECT_NEAR(high.excess.regions.front().below_mm, 0.5, 1e-9);
 }
 
 TEST(Design, WithinTheToleranceIsKept) {

@@ -62,6 +62,8 @@ cli::App* add_diff(cli::App& app, DiffOptions& o) {
     diff->add_option("--tol", o.tolerance_mm3, "Volume that may differ on each side, mm3 [0]")
         ->type_name("MM3")
         ->number_range(0.0, 1e15);
+    diff->add_flag("--process", o.process,
+                   "Exit code 1 if feeds, speeds, coolant, tools or dwells differ, too");
     diff->add_option("--json", o.json, "The difference, JSON")->type_name("FILE");
     diff->add_flag("--quiet,-q", o.quiet, "Only the exit code");
     return diff;
@@ -105,7 +107,7 @@ int run(const DiffOptions& options) {
     if (!options.quiet) put_text(report::text_of(d), outputs.takes_standard_output());
     outputs.write(options.json, [&](std::ostream& out) { report::write_difference(out, d); });
     outputs.commit();
-    return differs ? kFindings : kClean;
+    return differs || (options.process && d.process.differs()) ? kFindings : kClean;
 }
 
 }  // namespace ncsim::app

@@ -79,6 +79,7 @@ report::RunFacts run_facts(const Outcome& outcome) {
     facts.program = &outcome.survey;
     facts.cutting = simulation::cutting_facts(outcome.plan);
     facts.part = outcome.simulation;
+    if (outcome.on_machine) facts.on_machine = &*outcome.on_machine;
     facts.boundary = outcome.boundary;
     if (outcome.simplified) {
         facts.simplified = {*outcome.options.simplify, outcome.simplified->deviation_mm,

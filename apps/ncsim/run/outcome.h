@@ -46,6 +46,8 @@ struct Outcome {
     std::vector<simulation::CutOpen> sections{};
     /// What --machine told, if anything.
     const setup::MachineFile* machine = nullptr;
+    /// Times of the whole program on it.
+    std::optional<verify::Ledger> on_machine{};
     /// Assumptions of the run, for files that ncsim reads again; a text each.
     std::vector<std::string> assumed{};
 };

@@ -20,6 +20,7 @@
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/check.h"
 #include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/machine_time.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
@@ -246,6 +247,8 @@ int run(Options options) {
 
     Outcome outcome{options, plan, survey};
     outcome.machine = machine ? &*machine : nullptr;
+    if (machine && !o.at_line && survey.is_ready())
+        outcome.on_machine = simulation::times_on(plan, survey, machine->machine);
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     std::optional<simulation::Solid> true_surfaces, facets;

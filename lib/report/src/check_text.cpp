@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/report/check_text.h"
 
+#include "ncsim/report/describe.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/verify/rule.h"
 
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
@@ -37,6 +39,26 @@ void put_excerpt(std::string& text, const std::string& line, gcode::SourceSpan s
     text.append(std::clamp<std::size_t>(span.length, 1, room) - 1, '~').append(1, '\n');
 }
 
+// To a tenth of a micrometre, without -0.
+cda::Vec3 rounded(const cda::Vec3& v) {
+    const auto round = [](double x) { return std::round(1e4 * x) / 1e4 + 0.0; };
+    return {round(v.x), round(v.y), round(v.z)};
+}
+
+// Where it begins, and the box of all of it, whose height is the depth.
+void put_place(std::string& text, const Finding& f) {
+    if (!f.point) return;
+    const cda::Vec3 at = rounded(*f.point);
+    append(text, "  at X{:.6g} Y{:.6g} Z{:.6g}", at.x, at.y, at.z);
+    if (!f.box.is_empty()) {
+        cda::Box box;
+        box.add(rounded(f.box.min));
+        box.add(rounded(f.box.max));
+        append(text, ", within {}", describe(box));
+    }
+    text += '\n';
+}
+
 void put_finding(std::string& text, const Checked& checked, const Finding& f,
                  const std::string& line) {
     // As it was given, so that a click in a terminal finds it.
@@ -47,6 +69,7 @@ void put_finding(std::string& text, const Checked& checked, const Finding& f,
     append(text, ": {}: {}", verify::name_of(f.severity), one_line(headline(f)));
     append(text, " [{}{}{}]\n", f.rule, f.code.empty() ? "" : ":", f.code);
     put_excerpt(text, line, f.place.span);
+    put_place(text, f);
     if (f.count > 1 && f.last_motion > 0 && f.rule != "air-cut") {
         if (f.goes_on) {
             append(text, "  in {} motions up to line {}, and there may be more\n", f.count,

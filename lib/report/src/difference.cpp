@@ -32,6 +32,25 @@ void put_side(std::string& text, const OneSided& side, const std::string& has,
     }
 }
 
+void put_runs(std::string& text, const char* sign,
+              const std::vector<ProcessDifference::Run>& runs) {
+    constexpr std::size_t kShown = 5;
+    for (std::size_t i = 0; i < runs.size() && i < kShown; ++i) {
+        append(text, "  {} {}:{}: {}\n", sign, shown_path(runs[i].file), runs[i].line,
+               runs[i].condition);
+    }
+    if (runs.size() > kShown) append(text, "  {} and {} more\n", sign, runs.size() - kShown);
+}
+
+Json to_json(const std::vector<ProcessDifference::Run>& runs) {
+    Json json = Json::array();
+    for (const ProcessDifference::Run& run : runs) {
+        json.push_back(
+            {{"file", relative_path(run.file)}, {"line", run.line}, {"condition", run.condition}});
+    }
+    return json;
+}
+
 Json to_json(const OneSided& side, const std::string& cut_by) {
     Json json{{"volume_mm3", tidy(side.volume_mm3)}, {"regions", Json::array()}};
     for (const verify::Region& r : side.regions) {
@@ -63,6 +82,11 @@ std::string text_of(const Difference& d) {
         put_side(text, d.only_old, old_name, new_name);
         put_side(text, d.only_new, new_name, old_name);
     }
+    if (d.process.differs()) {
+        text += "feeds, speeds, coolant, tools or dwells differ\n";
+        put_runs(text, "-", d.process.only_old);
+        put_runs(text, "+", d.process.only_new);
+    }
     append(text, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", old_name, d.old_mm3, new_name, d.new_mm3,
            d.differs ? "the parts differ" : "the same part");
     return text;
@@ -79,7 +103,11 @@ void write_difference(std::ostream& out, const Difference& d) {
               {"old_mm3", tidy(d.old_mm3)},
               {"new_mm3", tidy(d.new_mm3)},
               {"only_in_old", to_json(d.only_old, d.new_name)},
-              {"only_in_new", to_json(d.only_new, d.old_name)}};
+              {"only_in_new", to_json(d.only_new, d.old_name)},
+              {"process",
+               {{"differs", d.process.differs()},
+                {"only_in_old", to_json(d.process.only_old)},
+                {"only_in_new", to_json(d.process.only_new)}}}};
     if (!d.stocks.empty()) json["stocks"] = d.stocks;
     out << to_text(json);
 }

@@ -47,6 +47,14 @@ Json time_json(const verify::Distances& distances) {
             {"dwell_seconds", tidy(time.dwells)}};
 }
 
+// null: a rate is not told.
+Json machine_time_json(const verify::Ledger& ledger) {
+    const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
+    return {{"feed_seconds", known(ledger.feed_seconds)},
+            {"rapid_seconds", known(ledger.rapid_seconds)},
+            {"other_seconds", known(ledger.other_seconds)}};
+}
+
 Json tools_json(const RunFacts& run) {
     Json tools = Json::array();
     for (const auto& [number, used] : run.program->tools) {
@@ -228,7 +236,8 @@ std::string summary(const RunFacts& run) {
         run.part ? run.part->distances : verify::total(run.program->distances);
     append(text, "path      {:.1f} mm at feed, {:.1f} mm rapid\n", distances.feed_mm,
            distances.rapid_mm);
-    append(text, "time      {}\n", time_line(distances));
+    const std::string on_machine = run.on_machine ? time_line(*run.on_machine) : "";
+    append(text, "time      {}\n", on_machine.empty() ? time_line(distances) : on_machine);
     return text;
 }
 
@@ -319,6 +328,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
     if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);
     json["time"] = time_json(distances);
+    if (run.on_machine) json["time_on_machine"] = machine_time_json(*run.on_machine);
     json["tip_extents"] = to_json(run.program->tip_positions);
     json["tools"] = tools_json(run);
     if (run.part && !run.part->removed_by_block.empty()) {

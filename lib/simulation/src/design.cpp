@@ -126,8 +126,11 @@ Finding gouge(const DesignRegion& region, const Design& design, const Simulation
 Finding excess(const DesignRegion& region, const Design& design, const Simulation& simulation) {
     Finding f = finding_for(region, simulation);
     f.rule = "excess";
-    const bool certain =
-        region.depth_mm > design.tolerance_mm + design.deflection_mm + simulation.bounds.missed_mm;
+    const double off = design.deflection_mm + simulation.bounds.missed_mm;
+    // Facets of a design in triangles end beside its curves. Along a sharp edge that is many times
+    // the distance from its sides; material thinner than the tolerance is not certain.
+    const bool certain = region.depth_mm > design.tolerance_mm + off &&
+                         region.below_mm > design.tolerance_mm / 2 + off;
     f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
     f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
     f.message = "material is left that the design does not have";

@@ -357,14 +357,14 @@ private:
     std::vector<std::uint32_t> near_;
 };
 
-// How far below the surface of the design lies what is missing around a point of it, if nothing of
-// the part is nearer than `free`? At least; looked for along its normal, if it is more than
-// `least`.
-double missing_below(const TriangleTree& design, Vec3 point, std::uint32_t triangle, double free,
+// Finds how deep below a surface the other body is missing around a point of the surface, at least.
+// Requires: nothing of the other surface is nearer to the point than `free`. Looks along the normal
+// for depths above `least`.
+double missing_below(const TriangleTree& surface, Vec3 point, std::uint32_t triangle, double free,
                      double least) {
     constexpr int kSteps = 20;
     constexpr double kNext = 0.75;
-    const Corners t = corners_of(design.mesh(), triangle);
+    const Corners t = corners_of(surface.mesh(), triangle);
     const Vec3 area = cross(t[1] - t[0], t[2] - t[0]);
     if (norm(area) == 0.0) return 0.0;
     const Vec3 down = -normalized(area);
@@ -373,7 +373,7 @@ double missing_below(const TriangleTree& design, Vec3 point, std::uint32_t trian
     double away = free;
     for (int step = 0; step < kSteps && away > std::max(deepest, least); ++step, away *= kNext) {
         const Vec3 p = point + away * down;
-        if (design.contains(p)) deepest = std::max(deepest, design.nearest(p).distance_mm);
+        if (surface.contains(p)) deepest = std::max(deepest, surface.nearest(p).distance_mm);
     }
     return deepest;
 }
@@ -398,14 +398,17 @@ DesignComparison compare(const cda::Boundary& part, const cda::TriangleMesh& des
     const auto face_of = [&](std::uint32_t t) { return part.faces[made.face[t]].origin; };
     Search of_part(made, design_tree, limits, gouge, excess);
     of_part.run([&](Places& places, Vec3 p, std::uint32_t own, const TriangleTree::Nearest& near) {
-        places.add(p, near.distance_mm, face_of(own), [&](double) { return near.distance_mm; });
+        places.add(p, near.distance_mm, face_of(own), [&](double least) {
+            return &places == &excess ? missing_below(made_tree, p, own, near.distance_mm, least)
+                                      : near.distance_mm;
+        });
     });
     Search of_design(design, made_tree, limits, excess, gouge);
     of_design.run([&](Places& places, Vec3 p, std::uint32_t own,
                       const TriangleTree::Nearest& near) {
         places.add(p, near.distance_mm, face_of(near.triangle), [&](double least) {
             return &places == &gouge ? missing_below(design_tree, p, own, near.distance_mm, least)
-                                     : 0.0;
+                                     : near.distance_mm;
         });
     });
 

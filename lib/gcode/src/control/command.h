@@ -35,8 +35,9 @@ struct Command {
     bool has_angle = false;  ///< ",A30": the line goes in this direction.
     double angle = 0.0;      ///< Degrees, from the first axis of the plane to the second.
     SourceSpan angle_span;
-    std::vector<int> clamps;  ///< M codes of MGroup::Clamp, in the order of writing.
-    bool has_m = false;       ///< Any M word, known or not.
+    std::vector<int> clamps;      ///< M codes of MGroup::Clamp, in the order of writing.
+    bool mist_and_flood = false;  ///< M7 and M8 in one block.
+    bool has_m = false;           ///< Any M word, known or not.
     bool has_others = false;  ///< A G code without effect here, not known, or declared harmless.
     bool axis_words = false;  ///< Any of X … W, @, ^.
 

@@ -281,7 +281,7 @@ bool Machine::set_feed(const Command& command) {
         // A feed of another kind is no feed.
         if (before != state_.feed_mode || rules_.strict) state_.feed = 0.0;
     }
-    if (command.has('F')) {
+    if (command.has('F') && letter_of_dwell(command) != 'F') {
         if (command['F'] < 0.0) return fail(Message::NegativeValue, span_of(command, 'F'), {"F"});
         state_.feed = command['F'];
     }
@@ -292,7 +292,8 @@ void Machine::set_speeds_and_tools(const Command& command) {
     if (const Code mode = command.group(Group::SpindleSpeed); mode != Code::None) {
         state_.constant_surface_speed = mode == Code::G96;
     }
-    if (command.has('S')) state_.spindle_rpm = std::abs(command['S']);
+    if (command.has('S') && letter_of_dwell(command) != 'S')
+        state_.spindle_rpm = std::abs(command['S']);
     if (command.has('T')) {
         state_.selected_tool = static_cast<int>(std::clamp(command['T'], -1.0, 1e9));
     }
@@ -313,13 +314,14 @@ void Machine::set_speeds_and_tools(const Command& command) {
     if (command.group(MGroup::Spindle) != kNone) state_.spindle_in_doubt = false;
     switch (command.group(MGroup::Spindle)) {
         case 3:
-        case 13: state_.spindle = SpindleTurning::Clockwise; break;  // M13: and coolant
+        case 13: state_.spindle = SpindleTurning::Clockwise; break;
         case 4:
         case 14: state_.spindle = SpindleTurning::Counterclockwise; break;
         case 5:
         case 19: state_.spindle = SpindleTurning::Stopped; break;  // M19: it is held in a direction
         default: break;
     }
+    set_coolant(command);
     for (const int code : command.clamps) {
         for (const RotaryClamp& clamp : options_.clamps) {
             const auto axis = static_cast<std::size_t>(clamp.letter - 'A');
@@ -334,6 +336,18 @@ void Machine::set_speeds_and_tools(const Command& command) {
         state_.tip_by_length = false;
         if (is_told) choose(told->second);
     }
+}
+
+void Machine::set_coolant(const Command& command) {
+    const int spindle = command.group(MGroup::Spindle);
+    if (spindle == 13 || spindle == 14) state_.coolant.flood = true;
+    switch (command.group(MGroup::Coolant)) {
+        case 7: state_.coolant.mist = true; break;
+        case 8: state_.coolant.flood = true; break;
+        case 9: state_.coolant = {}; break;
+        default: break;
+    }
+    if (command.mist_and_flood) state_.coolant = {.mist = true, .flood = true};
 }
 
 /// Does any rotary axis stand elsewhere than at 0?
@@ -444,16 +458,20 @@ double Machine::seconds_of(const Command& command, char letter) const {
     return has_point ? value : value / 1000.0;
 }
 
-bool Machine::dwell(const Command& command) {
-    double seconds = 0.0;
-    char letter = 'P';
-    if (!command.has('P')) {
-        letter = command.has('X') ? 'X' : command.has('U') ? 'U' : command.has('F') ? 'F' : 'S';
-        if (rules_.strict || !command.has(letter)) {
-            return tolerate(Message::DwellWithoutTime, span_of_g(command, Code::G4));
-        }
+/// The word that is the time of G4; ' ': none. A word has one meaning in a block, so that one sets
+/// neither feed nor spindle speed.
+char Machine::letter_of_dwell(const Command& command) const {
+    if (command.group(Group::OneShot) != Code::G4) return ' ';
+    for (const char letter : {'P', 'X', 'U', 'F', 'S'}) {
+        if (command.has(letter) && (letter == 'P' || !rules_.strict)) return letter;
     }
-    seconds = seconds_of(command, letter);
+    return ' ';
+}
+
+bool Machine::dwell(const Command& command) {
+    const char letter = letter_of_dwell(command);
+    if (letter == ' ') return tolerate(Message::DwellWithoutTime, span_of_g(command, Code::G4));
+    const double seconds = seconds_of(command, letter);
     if (seconds < 0.0)
         return fail(Message::NegativeValue, span_of(command, letter), {{&letter, 1}});
     compensation_.dwell(state_, seconds, span_, file_);
@@ -511,6 +529,7 @@ void Machine::finish() {
     state_.feed = 0.0;
     state_.cutter_side = CutterSide::Off;
     state_.spindle = SpindleTurning::Stopped;
+    state_.coolant = {};
     state_.spindle_in_doubt = false;
     state_.motion = Code::G1;
     state_.programmed = {};

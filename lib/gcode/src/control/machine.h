@@ -98,6 +98,7 @@ private:
     // Each returns false after reporting an error.
     bool set_feed(const Command& command);
     void set_speeds_and_tools(const Command& command);
+    void set_coolant(const Command& command);
     void set_units(bool inches);
     void set_modes(const Command& command);
     bool set_cutter_side(const Command& command);
@@ -106,6 +107,7 @@ private:
     bool set_work_offset(const Command& command);
     bool set_programmed(const Command& command);
     bool one_shot(const Command& command);
+    char letter_of_dwell(const Command& command) const;
     bool dwell(const Command& command);
     bool move(const Command& command, Code motion);
     void note_move_after_cycle(const Command& command, Code motion);

@@ -200,8 +200,11 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     }
     std::int16_t& slot = command.m[static_cast<std::size_t>(group)];
     if (slot != kNone && slot != number) {
-        if (group == MGroup::Coolant && slot != 9 && number != 9) return true;  // M7 and M8
-        if (group == MGroup::Clamp) {                                           // of several axes
+        if (group == MGroup::Coolant && slot != 9 && number != 9) {
+            command.mist_and_flood = true;
+            return true;
+        }
+        if (group == MGroup::Clamp) {  // of several axes
             command.clamps.push_back(number);
             return true;
         }
@@ -224,6 +227,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.corner = 0;
     command.has_angle = false;
     command.has_m = false;
+    command.mist_and_flood = false;
     bool takes_e = false;
     command.clamps.clear();
     command.has_others = false;

@@ -314,26 +314,18 @@ bool Runner::assign_number(const Assignment& assignment, double number, double v
     return true;
 }
 
-/// FreeCAD's post for grbl writes the tool change as a comment, "( M6 T3 )", and means it.
 void Runner::tool_change_in_comment() {
     for (const Comment& comment : block_.comments) {
-        if (comment.text.size() > 20 ||
-            comment.text.find_first_of("Mm") == std::string_view::npos) {
-            continue;
-        }
-        const SourceFile inside{{}, std::string(comment.text)};
-        BlockReader reader(inside);
-        Block block;
-        if (!reader.next(block) || block.words.size() != 2) continue;
-        const Word* change = find_word(block, 'M');
-        const Word* tool = find_word(block, 'T');
-        if (!change || !tool || change->number != 6.0 || !tool->literal) continue;
+        const int tool = tool_called_in(comment);
+        if (tool < 0) continue;
         // Before the first tool and the first feed, the operator loads it in either reading.
         const MachineState& state = machine_.state();
         const bool is_first = state.tool == 0 && state.feed == 0.0;
-        const bool is_certain = is_first || static_cast<double>(state.tool) == tool->number;
-        log_.add(is_certain ? Severity::Note : Severity::Warning, Message::ToolChangeInComment,
-                 comment.span);
+        log_.add(is_first || state.tool == tool ? Severity::Note : Severity::Warning,
+                 Message::ToolChangeInComment, comment.span);
+        const SourceFile inside{{}, std::string(comment.text)};
+        Block block;
+        BlockReader(inside).next(block);
         if (!resolver_.resolve(block, command_)) continue;
         command_.span = comment.span;
         machine_.set_origin(comment.span, static_cast<std::uint32_t>(current_));

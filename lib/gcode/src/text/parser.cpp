@@ -89,4 +89,18 @@ bool BlockReader::next(Block& block, DiagnosticLog* log) {
     return true;
 }
 
+int tool_called_in(const Comment& comment) {
+    constexpr std::size_t kLongest = 20;
+    if (comment.text.size() > kLongest || comment.text.find_first_of("Mm") == std::string_view::npos)
+        return -1;
+    const SourceFile inside{{}, std::string(comment.text)};
+    Block block;
+    if (!BlockReader(inside).next(block) || block.words.size() != 2) return -1;
+    const Word* change = find_word(block, 'M');
+    const Word* tool = find_word(block, 'T');
+    const bool is_change = change && tool && change->number == 6.0 && tool->literal &&
+                           tool->number >= 0.0 && tool->number < 1e8;
+    return is_change ? static_cast<int>(tool->number) : -1;
+}
+
 }  // namespace ncsim::gcode

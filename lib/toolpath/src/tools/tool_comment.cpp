@@ -316,6 +316,8 @@ std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
     for (const auto& form :
          {read_fusion, read_cutviewer, read_piped, read_kiri, read_tool_phrase}) {
         if (auto remark = form(upper)) {
+            // FreeCAD writes it in mm, whatever the program is in.
+            if (upper.starts_with("COMPENSATED TOOL PATH")) remark->unit = Unit::Millimetre;
             remark->spec.description = std::string(text::trimmed(comment));
             return remark;
         }

@@ -59,8 +59,13 @@ public:
 
     void read(const Block& block) {
         if (!block.words.empty()) in_list_ = false;  // lists stand in lines of their own
-        for (const gcode::Comment& comment : block.comments)
-            read(comment);
+        for (const gcode::Comment& comment : block.comments) {
+            if (const int tool = gcode::tool_called_in(comment); tool > 0) {
+                call_tool(tool);
+            } else {
+                read(comment);
+            }
+        }
         for (const gcode::Word& word : block.words) {
             if (is_word(word, 'G', 20) || is_word(word, 'G', 21)) set_units(word.number == 20);
             if (word.letter == 'T' && word.literal && word.number >= 1 && word.number < 1e8) {

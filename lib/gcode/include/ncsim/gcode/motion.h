@@ -85,6 +85,11 @@ struct ToolChange {
 };
 
 enum class SpindleTurning : std::uint8_t { Stopped, Clockwise, Counterclockwise };
+/// Of M7, M8 and M9. Other M codes of coolant are the machine's own.
+struct Coolant {
+    bool mist = false, flood = false;
+    bool operator==(const Coolant&) const = default;
+};
 enum class FeedMode : std::uint8_t { PerMinute, InverseTime, PerRevolution };
 
 /// How a move is made.
@@ -122,7 +127,8 @@ struct Motion {
     double feed = 0.0;
     SpindleTurning spindle = SpindleTurning::Stopped;
     double spindle_rpm = 0.0;  ///< As programmed by S; 0: never set.
-    int tool = 0;              ///< In the spindle, 0: none was called.
+    Coolant coolant;
+    int tool = 0;  ///< In the spindle, 0: none was called.
     Coordinates coordinates = Coordinates::Axes;
     Length length;  ///< Of the tool as the control counts it (G43), along Z.
     KnownAxes known_start, known_end;

@@ -65,4 +65,8 @@ private:
     std::shared_ptr<Kept> kept_;
 };
 
+/// Reads the tool change that a comment holds and nothing else: the 3 of "( M6 T3 )". -1: none.
+/// FreeCAD's post for grbl writes tool changes so, and an operator makes them.
+int tool_called_in(const Comment& comment);
+
 }  // namespace ncsim::gcode

@@ -100,6 +100,7 @@ struct MachineState {
     double feed = 0.0;  ///< In active units per minute or revolution; 0: never set.
     double spindle_rpm = 0.0;
     SpindleTurning spindle = SpindleTurning::Stopped;
+    Coolant coolant;
     int selected_tool = -1;  ///< T; -1: none yet.
     int tool = 0;            ///< In the spindle.
     CutterSide cutter_side = CutterSide::Off;

@@ -167,6 +167,7 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     motion_.feed = state.feed;
     motion_.spindle = state.spindle;
     motion_.spindle_rpm = state.spindle_rpm;
+    motion_.coolant = state.coolant;
     motion_.tool = state.tool;
     motion_.coordinates = state.coordinates;
     motion_.length = Length::from_mm(state.tool_offset[kZ] * state.unit_mm());

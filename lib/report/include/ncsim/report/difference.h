@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Do two programs make the same part?
+// Do two programs make the same part, and in the same way?
 #pragma once
 
 #include "ncsim/verify/region.h"
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -18,6 +19,19 @@ struct OneSided {
     std::vector<std::string> files;  ///< That the lines of the regions are in.
 };
 
+/// Feeds, speeds, coolant, tools and dwells that only one of the programs has: what lies between the
+/// first and the last condition that differ.
+struct ProcessDifference {
+    /// Feed moves in a row under one condition, or a dwell.
+    struct Run {
+        std::string file;
+        std::uint32_t line = 0;  ///< Of the first block.
+        std::string condition;   ///< In words.
+    };
+    std::vector<Run> only_old, only_new;
+    bool differs() const { return !only_old.empty() || !only_new.empty(); }
+};
+
 struct Difference {
     std::string old_name, new_name;  ///< Of the programs.
     double tolerance_mm3 = 0.0;      ///< Differences up to this volume do not count.
@@ -29,6 +43,7 @@ struct Difference {
     bool same_motions = false;
     /// Words for blocks that differ; empty: both programs are cut from the same.
     std::string stocks;
+    ProcessDifference process;
 };
 
 /// Text for people.

@@ -5,6 +5,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/report/facts.h"
+#include "ncsim/verify/ledger.h"
 
 #include <array>
 #include <cstddef>
@@ -64,6 +65,8 @@ struct RunFacts {
     std::optional<SimplifiedFacts> simplified;
     std::optional<SolidFacts> solid;
     std::vector<SectionFacts> sections{};
+    /// Times on the machine of --machine; null: none, or only a part of the program was run.
+    const verify::Ledger* on_machine = nullptr;
 };
 
 /// A few lines for people.

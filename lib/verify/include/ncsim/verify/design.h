@@ -17,8 +17,9 @@ struct DesignRegion {
     double depth_mm = 0.0;  ///< The largest found in it; no point of it was asked farther than
                             ///< DesignComparison::grain_mm from another.
     cda::Vec3 point;        ///< Where that is, mm, W.
-    /// Of a gouge: so far below the design's surface a point lies that is missing, at least, mm.
-    /// Where the design is thin, as at a sharp edge, that is less than `depth_mm`.
+    /// Depth of a point of the region below the surface of the body that has it, at least, mm: of
+    /// the design for a gouge, of the part for an excess. Where that body is thin, as at a sharp
+    /// edge, this is less than `depth_mm`.
     double below_mm = 0.0;
     cda::Box box;  ///< Of the points found in it, mm, W.
     /// Of the face of the part at or nearest to its deepest point that is at a face that was cut;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
+#include "ncsim/verify/ledger.h"
+#include "ncsim/verify/machine.h"
+
+namespace ncsim::simulation {
+
+/// Sums the times that `check` gives for the program on this machine: feed, rapid, the rest. Times
+/// that depend on a rate the machine does not have are left empty. Rows of blocks stay empty.
+/// Cost: one interpretation of the program.
+verify::Ledger times_on(const Plan& plan, const Survey& survey,
+                        const verify::MachineDescription& machine);
+
+}  // namespace ncsim::simulation

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare_processes.h"
+
+#include "ncsim/gcode/interpreter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace ncsim::simulation {
+
+namespace {
+
+struct Condition {
+    double dwell_s = 0.0;  ///< Of a dwell; 0: feed moves.
+    int tool = 0;
+    gcode::FeedMode feed_mode = gcode::FeedMode::PerMinute;
+    double feed = 0.0;
+    gcode::SpindleTurning spindle = gcode::SpindleTurning::Stopped;
+    double rpm = 0.0;
+    gcode::Coolant coolant;
+    std::uint32_t file = 0, line = 0;  ///< Of the first block.
+};
+
+// Values in mm of a program in inches are rounded.
+bool nearly(double a, double b) {
+    return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+}
+
+bool same(const Condition& a, const Condition& b) {
+    return nearly(a.dwell_s, b.dwell_s) && a.tool == b.tool && a.feed_mode == b.feed_mode &&
+           nearly(a.feed, b.feed) && a.spindle == b.spindle && nearly(a.rpm, b.rpm) &&
+           a.coolant == b.coolant;
+}
+
+Condition condition_of(const gcode::Motion& m) {
+    Condition c;
+    c.tool = m.tool;
+    c.spindle = m.spindle;
+    if (m.spindle != gcode::SpindleTurning::Stopped) c.rpm = m.spindle_rpm;
+    c.coolant = m.coolant;
+    c.file = m.file;
+    c.line = m.span.line;
+    if (const auto* dwell = std::get_if<gcode::Dwell>(&m.what)) {
+        c.dwell_s = dwell->seconds;
+    } else {
+        c.feed_mode = m.feed_mode;
+        c.feed = m.feed;
+    }
+    return c;
+}
+
+std::vector<Condition> conditions_of(const Surveyed& side) {
+    std::vector<Condition> all;
+    gcode::interpret(side.plan.job.program, side.plan.job.interpreter, [&](const gcode::Motion& m) {
+        const bool dwells = std::holds_alternative<gcode::Dwell>(m.what);
+        if (!dwells && (!gcode::start_of(m) || m.kind == gcode::MoveKind::Rapid)) return;
+        const Condition c = condition_of(m);
+        if (all.empty() || dwells || !same(all.back(), c)) all.push_back(c);
+    });
+    return all;
+}
+
+std::string_view unit_of(gcode::FeedMode mode) {
+    switch (mode) {
+        case gcode::FeedMode::InverseTime: return "1/min";
+        case gcode::FeedMode::PerRevolution: return "mm/rev";
+        case gcode::FeedMode::PerMinute: break;
+    }
+    return "mm/min";
+}
+
+std::string words_for(const Condition& c) {
+    std::string text = fmt::format("T{}, ", c.tool);
+    text += c.dwell_s > 0.0 ? fmt::format("dwell {:.6g} s", c.dwell_s)
+                            : fmt::format("feed {:.6g} {}", c.feed, unit_of(c.feed_mode));
+    if (c.spindle == gcode::SpindleTurning::Stopped) {
+        text += ", spindle stopped";
+    } else {
+        text += fmt::format(", spindle {} {:.6g} rpm",
+                            c.spindle == gcode::SpindleTurning::Clockwise ? "M3" : "M4", c.rpm);
+    }
+    text += c.coolant.mist && c.coolant.flood ? ", coolant M7 M8"
+            : c.coolant.mist                  ? ", coolant M7"
+            : c.coolant.flood                 ? ", coolant M8"
+                                              : ", coolant off";
+    return text;
+}
+
+using Range = std::vector<Condition>::const_iterator;
+
+std::vector<report::ProcessDifference::Run> runs_of(Range first, Range last, const Surveyed& side) {
+    std::vector<report::ProcessDifference::Run> runs;
+    for (; first != last; ++first) {
+        const auto& files = side.survey.interpretation.files;
+        runs.push_back({first->file < files.size() && first->file != 0 ? files[first->file]
+                                                                       : side.plan.job.program.name,
+                        first->line, words_for(*first)});
+    }
+    return runs;
+}
+
+}  // namespace
+
+report::ProcessDifference compare_processes(const Surveyed& old_side, const Surveyed& new_side) {
+    const std::vector<Condition> a = conditions_of(old_side);
+    const std::vector<Condition> b = conditions_of(new_side);
+    const auto [front_a, front_b] = std::ranges::mismatch(a, b, same);
+    Range back_a = a.end(), back_b = b.end();
+    while (back_a != front_a && back_b != front_b && same(*(back_a - 1), *(back_b - 1))) {
+        --back_a;
+        --back_b;
+    }
+    return {runs_of(front_a, back_a, old_side), runs_of(front_b, back_b, new_side)};
+}
+
+}  // namespace ncsim::simulation
