@@ -398,12 +398,41 @@ TEST(Start, IsInG55IfG54HasNoPlace) {
     EXPECT_TRUE(is_unknown);
 }
 
+TEST(Start, IsSpecifiedUnderTipControlToo) {
+    InterpreterOptions options = with_offset(0, at(-100, -80, -50));
+    options.tip_control.at_start = Coordinates::Tip;
+    EXPECT_EQ(first_feed("G54", options), "feed X5 Y0 Z50");
+}
+
+TEST(Start, OfAnAxisWithoutOneIsHome) {
+    // G98: back to where Z was.
+    const Made made =
+        run("G21 G90 F100\nG10 L2 P1 X0 Y0 Z-80\nG0 X0 Y0\nG81 X1 Z-3 R2\nM2\n", with_home());
+    EXPECT_EQ(last_line(made.motions), "L4 rapid X1 Y0 Z80\n");
+}
+
 TEST(Start, IsWhereTheProgramSaysIt) {
     const InterpreterOptions specified = with_offset(0, at(-100, -80, -50));
     for (const InterpreterOptions& options : {with_home(), specified}) {
         EXPECT_EQ(first_feed("G92 Z10", options), "feed X5 Y0 Z50");
         EXPECT_EQ(first_feed("G10 L20 P1 Z10", options), "feed X5 Y0 Z10");
     }
+}
+
+TEST(Start, OfTheMachineNeedsNoDistanceAtTheHeightOfHome) {
+    const auto has_unknown = [](const std::string& lift) {
+        InterpreterOptions options = with_offset(0, at(-100, -80, -50));
+        options.start = {Length::from_mm(100), Length::from_mm(80), Length::from_mm(50)};
+        options.start_is_of_machine = true;
+        bool is_unknown = false;
+        interpret({"t.nc", "G21 G90 F100\n" + lift + "G55 G0 X4 Y0\nG0 Z5\nG1 X5\nM2\n"}, options,
+                  [&](const Motion& motion) {
+                      is_unknown |= motion.offset_unknown && !motion.machine_coordinates;
+                  });
+        return is_unknown;
+    };
+    EXPECT_FALSE(has_unknown("G53 G0 Z0\n"));
+    EXPECT_TRUE(has_unknown(""));
 }
 
 TEST(Start, OfTheMachineStaysInTheMachine) {

@@ -42,11 +42,13 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
     state_.chosen = state_.coordinates = options.tip_control.at_start;
-    select_system(1);
+    use_system({});  // G54, with the axes at home
     parameters_.view.state = &state_;
     parameters_.view.store = &control_.store;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (options.start[i]) tell_place(i);
+        if (!options.start[i]) continue;
+        state_.position[i] = options.start[i]->mm() / state_.unit_mm();
+        tell_place(i);
     }
     state_.is_at_start = !options.start_is_of_machine;
 }

@@ -129,7 +129,7 @@ void Machine::assume_same_zero(Axes& machine) {
         }
         path_.shift_unspecified(i, -distance);
         state_.frame_shift[i] -= distance;
-        if (state_.place_frame[i] != kMachinePlace) machine[i] -= distance / unit;
+        if (is_known(i) && state_.place_frame[i] != kMachinePlace) machine[i] -= distance / unit;
     }
 }
 
@@ -148,7 +148,8 @@ bool Machine::place_at_start() {
     const WorkOffset& g54 = store.work_offsets.front();
     trig::rotate(start[kX], start[kY], g54.rotation);
     for (std::size_t i = 0; i < 3; ++i) {
-        machine[i] = start[i] + g54.origin[i] / unit;
+        // An axis without a start counts as at home.
+        machine[i] = options_.start[i] ? start[i] + g54.origin[i] / unit : 0.0;
         store.used_frames[i] = {g54.frame[i]};
     }
     state_.work_offset = from_mm(g54.origin, unit);

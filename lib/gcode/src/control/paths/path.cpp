@@ -329,11 +329,14 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
     const bool goes_on = at_W_ && *at_machine_ == from.machine;
     const Position from_W = goes_on ? *at_W_ : in_workpiece(from);
     const Position to_W = in_workpiece(to);
+    // At a height of the machine the move that went there is judged, not where X and Y come from.
+    const bool is_at_height = from.frame[kZ] == kMachinePlace && to.frame[kZ] == kMachinePlace;
     bool ends_elsewhere = false;
     bool starts_elsewhere = false;
     for (std::size_t i = 0; i < 3; ++i) {
         ends_elsewhere |= is_known(motion.known_end, i) && !is_related(to, i);
-        starts_elsewhere |= is_known(motion.known_start, i) && !is_related(from, i);
+        starts_elsewhere |=
+            is_known(motion.known_start, i) && !is_related(from, i) && !is_at_height;
     }
     motion.offset_unknown = ends_elsewhere || starts_elsewhere;
     if (auto* line = std::get_if<Linear>(&motion.what)) {
