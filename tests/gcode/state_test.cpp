@@ -275,7 +275,7 @@ TEST(PartlySpecified, ARefusedBlockLeavesNoAssumption) {
 }
 
 TEST(PartlySpecified, MovesUnderCompensationAndCornersAreOfTheirFrame) {
-    const std::string end = "G54 G0 X9\nM2\n";
+    const std::string end = "G54 G0 X9 Y0\nX8\nM2\n";
     for (const char* moves : {"G41 D1 G1 X20\nX30\nZ2\nG40 X40\n", "G1 X30 ,R2\nY10\nZ2\n"}) {
         SCOPED_TRACE(moves);
         std::vector<std::uint32_t> lines;
