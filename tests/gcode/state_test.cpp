@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -149,6 +151,204 @@ TEST(Workpiece, StaysWhereItIsAfterTheFirstCut) {
     EXPECT_EQ(last_line(made.motions), "L6 feed X8 Y0 Z-1 F100\n");
 }
 
+// --- Frames that are specified in part ----------------------------------------------------------
+
+// As read_job sets them: an unspecified system is 300 mm below home.
+InterpreterOptions with_home() {
+    InterpreterOptions options;
+    for (Position& origin : options.work_offsets)
+        origin.z = Length::from_mm(-300);
+    return options;
+}
+
+InterpreterOptions with_offset(std::size_t index, Position origin) {
+    InterpreterOptions options = with_home();
+    options.work_offsets[index] = origin;
+    options.work_offsets_told[index] = true;
+    return options;
+}
+
+std::string line_of(const Made& made, const std::string& name) {
+    const std::size_t begin = made.motions.find(name + " ");
+    if (begin == std::string::npos) return {};
+    return made.motions.substr(begin, made.motions.find('\n', begin) - begin);
+}
+
+const std::string kCut = "G21 G90 F100\nG54 G0 X0 Y0 Z5\nG1 Z-1\nG0 Z5\n";
+
+TEST(PartlySpecified, AnAxisOfG55WithoutAPlaceStaysWhereItIs) {
+    const std::string program =
+        kCut + "G10 L2 P1 X10 Y10 Z-50\nG10 L2 P2 X60 Y10\n" + "G55 G0 X0 Y0\nG1 Z-1\nM2\n";
+    // The rapid is in X and Y alone: nothing of it is assumed.
+    const Made late = run("G10 L2 P1 X10 Y10 Z-50\n" + program, with_home());
+    EXPECT_EQ(line_of(late, "L8"), "L8 rapid X50 Y0 Z5");
+    EXPECT_EQ(line_of(late, "L9"), "L9 feed X50 Y0 Z-1 F100");
+    EXPECT_TRUE(says(late, "offset-unknown"));
+    // The names of the systems do not matter.
+    const Made extended = run("G10 L2 P3 X10 Y10 Z-50\n" + kCut +
+                                  "G56 G0 X0 Y0 Z5\nG1 Z-2\n"
+                                  "G10 L2 P9 X60 Y10\nG59.3 G0 X0 Y0\nM2\n",
+                              with_home());
+    EXPECT_EQ(last_line(extended.motions), "L9 rapid X50 Y0 Z-2\n");
+}
+
+TEST(PartlySpecified, TheFirstMoveInAFrameWithoutAPlaceIsNamed) {
+    std::vector<std::uint32_t> lines;
+    const auto note = [&](const Motion& motion) {
+        if (motion.offset_unknown) lines.push_back(motion.span.line);
+    };
+    const std::string head = "G10 L2 P1 X10 Y10 Z-50\nG10 L2 P2 X60 Y10\n";
+    interpret({"t.nc", head + kCut + "G55 G0 X0 Y0\nG1 Z-1\nG0 Z5\nG54 X0 Y0\nG0 Z4\nM2\n"},
+              with_home(), note);
+    // Up in G55, across in G54 at that height, and from there.
+    EXPECT_EQ(lines, (std::vector<std::uint32_t>{8, 9, 10, 11}));
+}
+
+TEST(PartlySpecified, OneSystemIsSpecifiedAndTheOtherIsNot) {
+    for (const std::size_t specified : {std::size_t{0}, std::size_t{1}}) {
+        SCOPED_TRACE(specified);
+        const Made made = run(kCut + "G55 G0 X3 Y0\nG1 Z-2\nG0 Z5\nG54 G0 X7\nM2\n",
+                              with_offset(specified, at(-100, -50, -80)));
+        EXPECT_TRUE(says(made, "offset-unknown"));
+        EXPECT_EQ(line_of(made, "L5"), "L5 rapid X3 Y0 Z5");
+        EXPECT_EQ(line_of(made, "L6"), "L6 feed X3 Y0 Z-2 F100");
+        EXPECT_EQ(line_of(made, "L8"), "L8 rapid X7 Y0 Z5");
+    }
+}
+
+TEST(PartlySpecified, ShiftsOfTheProgramStay) {
+    for (const char* shift : {"G92 X0 Y0 Z25", "G52 Z-20"}) {
+        SCOPED_TRACE(shift);
+        const Made made =
+            run(kCut + shift + "\nG55 G0 X3\nM2\n", with_offset(0, at(-100, -50, -80)));
+        EXPECT_EQ(line_of(made, "L6"), "L6 rapid X3 Y0 Z5");
+    }
+}
+
+TEST(PartlySpecified, HomeIsWhereTheSpecifiedFrameHasIt) {
+    // G54 is 80 below home, and so G55 is assumed to be.
+    const Made made =
+        run(kCut + "G53 G0 Z0\nG55 G0 X3\nG0 Z9\nM2\n", with_offset(0, at(-100, -50, -80)));
+    EXPECT_EQ(line_of(made, "L5"), "L5 rapid X0 Y0 Z80 machine");
+    EXPECT_EQ(line_of(made, "L6"), "L6 rapid X3 Y0 Z80");
+    // The place of home in G55 is specified, whatever was assumed of it in G54.
+    const Made other = run(kCut + "G53 G0 Z0\nG55 G0 X3\nG0 Z9\nG53 G0 Z0\nM2\n",
+                           with_offset(1, at(-100, -50, -60)));
+    EXPECT_EQ(line_of(other, "L6"), "L6 rapid X3 Y0 Z60");
+    EXPECT_EQ(line_of(other, "L7"), "L7 rapid X3 Y0 Z9");
+    EXPECT_EQ(line_of(other, "L8"), "L8 rapid X3 Y0 Z60 machine");
+    // Before the first cut, too.
+    const Made before = run("G21 G90 F100\nG53 G0 Z0\nG55 G0 X3 Y0\nG0 Z9\nG1 Z-1\nM2\n",
+                            with_offset(1, at(-100, -50, -60)));
+    EXPECT_EQ(line_of(before, "L3"), "L3 rapid X3 Y0 Z60 from-unknown-xy");
+    EXPECT_FALSE(says(before, "offset-unknown"));
+}
+
+TEST(PartlySpecified, IncrementsAndResidingAxesKeepTheFrameTheyAreKnownIn) {
+    const Made made =
+        run(kCut + "G55 G91 G0 X3\nG1 Z-6.5\nM2\n", with_offset(0, at(-100, -50, -80)));
+    EXPECT_EQ(last_line(made.motions), "L6 feed X3 Y0 Z-1.5 F100\n");
+    EXPECT_FALSE(says(made, "offset-unknown"));
+}
+
+TEST(PartlySpecified, TheOffsetOfTheActiveSystemMovesNothing) {
+    // G54 gets a place in the middle of the program.
+    const Made made = run(kCut + "G10 L2 P1 X-100 Y-80 Z-50\nG0 X4\nG0 Z6\nM2\n", with_home());
+    EXPECT_EQ(line_of(made, "L6"), "L6 rapid X4 Y0 Z5");
+    EXPECT_EQ(line_of(made, "L7"), "L7 rapid X4 Y0 Z6");
+    EXPECT_TRUE(says(made, "offset-unknown"));
+    const Made variable = run("(a) O1\n" + kCut + "#5223=-50.\nG0 X4\nM2\n", [] {
+        InterpreterOptions options = with_home();
+        options.dialect = Dialect::Fanuc;
+        return options;
+    }());
+    EXPECT_EQ(line_of(variable, "L7"), "L7 rapid X4 Y0 Z5");
+}
+
+TEST(PartlySpecified, ARefusedBlockLeavesNoAssumption) {
+    const InterpreterOptions options = with_offset(1, at(-100, -50, -60));
+    const Made with = run(kCut + "G55 G2 X3\nG54 G0 X7\nG55 X8\nG0 Z9\nM2\n", options);
+    const Made without = run(kCut + "\nG54 G0 X7\nG55 X8\nG0 Z9\nM2\n", options);
+    EXPECT_TRUE(has_errors(with.result.diagnostics));
+    EXPECT_EQ(with.motions, without.motions);
+    EXPECT_EQ(last_line(with.motions), "L8 rapid X8 Y0 Z9\n");
+}
+
+TEST(PartlySpecified, MovesUnderCompensationAndCornersAreOfTheirFrame) {
+    const std::string end = "G54 G0 X9 Y0\nX8\nM2\n";
+    for (const char* moves : {"G41 D1 G1 X20\nX30\nZ2\nG40 X40\n", "G1 X30 ,R2\nY10\nZ2\n"}) {
+        SCOPED_TRACE(moves);
+        std::vector<std::uint32_t> lines;
+        InterpreterOptions options = with_offset(0, at(-100, -50, -80));
+        options.tools = {{.number = 1, .offset = {}, .diameter = Length::from_mm(4.0)}};
+        const std::string program = kCut + "G55\n" + moves + end;
+        interpret({"t.nc", program}, options, [&](const Motion& motion) {
+            if (motion.offset_unknown) lines.push_back(motion.span.line);
+        });
+        // Z is of G55 in the last move, in G54, too.
+        const auto last = static_cast<std::uint32_t>(std::ranges::count(program, '\n') - 1);
+        ASSERT_FALSE(lines.empty());
+        EXPECT_EQ(lines.back(), last);
+    }
+}
+
+TEST(PartlySpecified, DistancesThatAreSpecifiedCount) {
+    // Z of both is specified, X and Y of none.
+    const Made made = run("G10 L2 P1 Z-50\nG10 L2 P2 Z-60\n" + kCut +
+                              "G55 G91 G0 X1\nG90 Z5\n"
+                              "M2\n",
+                          with_home());
+    EXPECT_EQ(line_of(made, "L7"), "L7 rapid X1 Y0 Z5");
+    EXPECT_EQ(line_of(made, "L8"), "L8 rapid X1 Y0 Z-5");
+    EXPECT_FALSE(says(made, "offset-unknown"));
+    // The place of the tool in G54 is the zero of G55.
+    const Made here = run(kCut + "G10 L20 P2 X0 Y0 Z0\nG55 G0 X1 Y0 Z1\nM2\n",
+                          with_offset(0, at(-100, -50, -80)));
+    EXPECT_EQ(last_line(here.motions), "L6 rapid X1 Y0 Z6\n");
+    EXPECT_FALSE(says(here, "offset-unknown"));
+}
+
+// --- Offsets in the program and in [offsets] ----------------------------------------------------
+
+TEST(OffsetConflict, IsToldWithItsBlock) {
+    const InterpreterOptions options = with_offset(0, at(-100, -80, -50));
+    const auto conflicts = [&](const std::string& head, const std::string& tail = "") {
+        return run(head + "\n" + kCut + tail + "M2\n", options).result.offset_conflicts;
+    };
+    for (const char* same : {"", "G10 L2 P1 X-100 Y-80 Z-50", "G10 L2 P1 X-100.0005",
+                             "G10 L2 P2 X7 Y8 Z9", "G10 L2 P1 Z-70\nG10 L2 P1 Z-50"}) {
+        SCOPED_TRACE(same);
+        EXPECT_TRUE(conflicts(same, "G55 G1 X1\n").empty());
+    }
+    for (const char* other : {"G10 L2 P1 X-100 Y-80 Z-50.002", "G10 L2 P1 X-99", "G10 L20 P1 Z5",
+                              "G91 G10 L2 P1 Z-1\nG90", "G54\nG10 L2 P1 Y-81\nG55\nG54"}) {
+        SCOPED_TRACE(other);
+        const auto found = conflicts(other);
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].system, 1);
+        EXPECT_EQ(found[0].specified, (std::array{-100.0, -80.0, -50.0}));
+    }
+    EXPECT_EQ(conflicts("\nG10 L2 P1 X-99")[0].place.span.line, 2U);
+    EXPECT_EQ(conflicts("G10 L2 P1 X-99")[0].written[0], -99.0);
+    EXPECT_FALSE(conflicts("G10 L20 P1 Z5")[0].written[2].has_value());
+    // A shift after a cut at the specified place is the way of the program.
+    EXPECT_TRUE(conflicts("", "G10 L2 P1 X-90\nG1 X1\n").empty());
+}
+
+TEST(OffsetConflict, OfExtendedSystemsAndVariables) {
+    InterpreterOptions options = with_home();
+    options.dialect = Dialect::Fanuc;
+    options.extended_offsets[7] = at(40, 0, 0);
+    const auto count = [&](const std::string& head) {
+        return run("O1\n" + head + "\n" + kCut + "G54.1 P7 G1 X1.\nM30\n", options)
+            .result.offset_conflicts.size();
+    };
+    EXPECT_EQ(count("G10 L20 P7 X41."), 1U);
+    EXPECT_EQ(count("G10 L20 P7 X40."), 0U);
+    EXPECT_EQ(count("#7121=41."), 1U);
+    EXPECT_EQ(count("#7121=40."), 0U);
+}
+
 // --- Where the tool starts ----------------------------------------------------------------------
 
 TEST(Start, IsKnownWhereSomebodyTells) {
@@ -159,6 +359,88 @@ TEST(Start, IsKnownWhereSomebodyTells) {
     EXPECT_EQ(run("G21 G90\nG0 X10\nM2\n", options).motions, "L2 rapid X10 Y2 Z50\n");
     options.start[2].reset();
     EXPECT_EQ(run("G21 G90\nG0 X10\nM2\n", options).motions, "L2 rapid X10 Y2 Z0 from-unknown-z\n");
+}
+
+std::string first_feed(const std::string& head, InterpreterOptions options) {
+    options.start = {Length(), Length(), Length::from_mm(50)};
+    const Made made = run("G21 G90 F100\n" + head + "\nG0 X4\nG1 X5\nM2\n", options);
+    EXPECT_FALSE(says(made, "offset-unknown"));
+    const std::string last = last_line(made.motions);
+    const std::size_t begin = last.find(' ') + 1;
+    return last.substr(begin, last.find(" F100") - begin);
+}
+
+TEST(Start, IsInG54AsItIsAtTheFirstMove) {
+    const InterpreterOptions specified = with_offset(0, at(-100, -80, -50));
+    for (const char* head : {"", "G10 L2 P1 X-100 Y-80 Z-50", "G10 L2 P1 Z-90", "G10 L2 P1 X-7",
+                             "T1 M6\nG10 L2 P1 Z-90\nG54", "G54\nG10 L2 P1 Z-50\nG10 L2 P1 Z-7",
+                             "G55\nG10 L2 P1 Z-50\nG54", "G20\nG10 L2 P1 Z-2\nG21",
+                             "G92.1\nG10 L2 P1 Z-50", "G52 X0 Y0 Z0\nG10 L2 P1 Z-50"}) {
+        SCOPED_TRACE(head);
+        EXPECT_EQ(first_feed(head, with_home()), "feed X5 Y0 Z50");
+        EXPECT_EQ(first_feed(head, specified), "feed X5 Y0 Z50");
+    }
+}
+
+TEST(Start, IsInG55IfG54HasNoPlace) {
+    EXPECT_EQ(first_feed("G55", with_home()), "feed X5 Y0 Z50");
+    EXPECT_EQ(first_feed("G10 L2 P2 X-10 Y-10 Z-40\nG55", with_home()), "feed X5 Y0 Z50");
+    EXPECT_EQ(first_feed("G55\nG10 L2 P2 X-10 Y-10 Z-40", with_home()), "feed X5 Y0 Z50");
+    // Both are specified: 20 lower, 10 to the right.
+    EXPECT_EQ(first_feed("G10 L2 P1 X0 Y0 Z-20\nG10 L2 P2 X10 Y0 Z-40\nG55", with_home()),
+              "feed X5 Y0 Z70");
+    // Only G54 is specified: it is a guess that G55 is there, too.
+    InterpreterOptions options = with_offset(0, at(-100, -80, -50));
+    options.start = {Length(), Length(), Length::from_mm(50)};
+    bool is_unknown = false;
+    interpret({"t.nc", "G21 G90 F100\nG55 G0 X4\nG1 X5\nM2\n"}, options,
+              [&](const Motion& motion) { is_unknown |= motion.offset_unknown; });
+    EXPECT_TRUE(is_unknown);
+}
+
+TEST(Start, IsSpecifiedUnderTipControlToo) {
+    InterpreterOptions options = with_offset(0, at(-100, -80, -50));
+    options.tip_control.at_start = Coordinates::Tip;
+    EXPECT_EQ(first_feed("G54", options), "feed X5 Y0 Z50");
+}
+
+TEST(Start, OfAnAxisWithoutOneIsHome) {
+    // G98: back to where Z was.
+    const Made made =
+        run("G21 G90 F100\nG10 L2 P1 X0 Y0 Z-80\nG0 X0 Y0\nG81 X1 Z-3 R2\nM2\n", with_home());
+    EXPECT_EQ(last_line(made.motions), "L4 rapid X1 Y0 Z80\n");
+}
+
+TEST(Start, IsWhereTheProgramSaysIt) {
+    const InterpreterOptions specified = with_offset(0, at(-100, -80, -50));
+    for (const InterpreterOptions& options : {with_home(), specified}) {
+        EXPECT_EQ(first_feed("G92 Z10", options), "feed X5 Y0 Z50");
+        EXPECT_EQ(first_feed("G10 L20 P1 Z10", options), "feed X5 Y0 Z10");
+    }
+}
+
+TEST(Start, OfTheMachineNeedsNoDistanceAtTheHeightOfHome) {
+    const auto has_unknown = [](const std::string& lift) {
+        InterpreterOptions options = with_offset(0, at(-100, -80, -50));
+        options.start = {Length::from_mm(100), Length::from_mm(80), Length::from_mm(50)};
+        options.start_is_of_machine = true;
+        bool is_unknown = false;
+        interpret({"t.nc", "G21 G90 F100\n" + lift + "G55 G0 X4 Y0\nG0 Z5\nG1 X5\nM2\n"}, options,
+                  [&](const Motion& motion) {
+                      is_unknown |= motion.offset_unknown && !motion.machine_coordinates;
+                  });
+        return is_unknown;
+    };
+    EXPECT_FALSE(has_unknown("G53 G0 Z0\n"));
+    EXPECT_TRUE(has_unknown(""));
+}
+
+TEST(Start, OfTheMachineStaysInTheMachine) {
+    InterpreterOptions options = with_offset(0, at(-100, -80, -50));
+    options.start = {Length(), Length(), Length::from_mm(50)};
+    options.start_is_of_machine = true;
+    const Made made = run("G21 G90 F100\nG10 L2 P1 Z-60\nG0 X4\nG1 X5\nM2\n", options);
+    EXPECT_EQ(last_line(made.motions), "L4 feed X5 Y0 Z60 F100\n");
 }
 
 // --- Tool lengths and the spindle ---------------------------------------------------------------

@@ -195,7 +195,7 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--start", [&o](Text text) { o.start = read_triple("--start", text); },
-            "Where the tool stands when the program starts, in G54, mm")
+            "Where the tool stands when the program starts, in G54 as it is at the first move, mm")
         ->type_name("X,Y,Z");
     command
         .add_option_function<std::string>(

@@ -22,6 +22,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -387,6 +389,29 @@ std::vector<std::string> fixtures_in_stock(const Plan&, const Survey& survey,
     return found;
 }
 
+std::string text_of(const gcode::OffsetConflict& conflict, bool is_written) {
+    std::string text;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<double> value =
+            is_written ? conflict.written[i] : std::optional(conflict.specified[i]);
+        text += fmt::format("{}{}", text.empty() ? "" : " ", "XYZ"[i]);
+        text += value ? fmt::format("{:.10g}", std::round(*value * 1e6) / 1e6) : "?";
+    }
+    return text;
+}
+
+// Adds a doubt for each coordinate system that [offsets] and the program place differently.
+void add_doubts_of_offsets(const Survey& survey, verify::Verifier& verifier) {
+    for (const gcode::OffsetConflict& conflict : survey.interpretation.offset_conflicts) {
+        verifier.add_doubt(
+            "contradiction",
+            fmt::format("{} is at {} in the machine by [offsets] and at {} by the program",
+                        setup::name_of_system(conflict.system), text_of(conflict, false),
+                        text_of(conflict, true)),
+            {conflict.place.file, conflict.place.span});
+    }
+}
+
 // Doubts about files that were written by runs with assumptions, and about axes that the program
 // never positions.
 void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Questions& questions,
@@ -396,6 +421,7 @@ void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Question
     };
     for (const setup::JobDoubt& doubt : plan.job.doubts)
         verifier.add_doubt(doubt.reason, doubt.message, {0, doubt.span});
+    add_doubts_of_offsets(survey, verifier);
     for (const std::string& what : fixtures_in_stock(plan, survey, questions))
         verifier.add_doubt("contradiction", what);
     for (const verify::Fixture& fixture : questions.machine.machine.fixtures) {

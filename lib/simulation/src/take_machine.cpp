@@ -34,6 +34,7 @@ std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file
             "where the tool starts: the machine tells it, but not where G54 is in it");
         return lost;
     }
+    job.interpreter.start_is_of_machine = true;
     for (int axis = 0; axis < 3; ++axis)
         job.interpreter.start[static_cast<std::size_t>(axis)] =
             gcode::Length::from_mm((*file.start - *origin)[axis]);

@@ -26,8 +26,8 @@ void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched
     }
     if (m.offset_unknown) {
         log.doubt("offset-guess",
-                  "a coordinate system lies nobody knows where; it was taken to be that of the "
-                  "first cut",
+                  "the place of a coordinate system is not specified; its zero was taken to be "
+                  "that of the system before it",
                   place);
     } else if (m.machine_coordinates && !setup.home_assumption.empty()) {
         log.doubt("offset-guess",

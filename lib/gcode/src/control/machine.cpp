@@ -32,8 +32,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
     store.tools = options.tools;
     for (std::size_t i = 0; i < store.work_offsets.size(); ++i) {
         store.work_offsets[i].origin = to_axes(options.work_offsets[i]);
-        // LinuxCNC has its offsets in a file: they are known to it.
-        const bool known = options.work_offsets_told[i] || rules.strict;
+        const bool known = options.work_offsets_told[i];
         store.work_offsets[i].frame.fill(known ? 0 : static_cast<int>(i) + 1);
     }
     for (const auto& [number, origin] : options.extended_offsets)
@@ -43,7 +42,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
     state_.chosen = state_.coordinates = options.tip_control.at_start;
-    select_system(1);
+    use_system({});  // G54, with the axes at home
     parameters_.view.state = &state_;
     parameters_.view.store = &control_.store;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -51,6 +50,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
         state_.position[i] = options.start[i]->mm() / state_.unit_mm();
         tell_place(i);
     }
+    state_.is_at_start = !options.start_is_of_machine;
 }
 
 bool Machine::is_known(std::size_t axis) const {
@@ -62,6 +62,7 @@ bool Machine::is_known(std::size_t axis) const {
 
 /// From here on it is known where the axis stands.
 void Machine::tell_place(std::size_t axis) {
+    state_.place_frame[axis] = state_.frame[axis];
     if (axis == kX) state_.known.x = true;
     if (axis == kY) state_.known.y = true;
     if (axis == kZ) state_.known.z = true;
@@ -93,9 +94,18 @@ bool Machine::execute(const Command& command) {
     curve_fails_ = false;
     if (act(command)) return true;
     if (outline_) outline_->is_foreign = true;
-    if (path_.count() == motions) control_ = before;  // what has moved stays where it is
+    if (path_.count() == motions) restore(before);  // what has moved stays where it is
     if (curve_fails_) control_.curve = {};
     return false;
+}
+
+/// Makes the control what it was at `before`; the path has made no motion since.
+void Machine::restore(const ControlState& before) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double shift = before.machine.frame_shift[i] - state_.frame_shift[i];
+        if (shift != 0.0) path_.shift_unspecified(i, shift);
+    }
+    control_ = before;
 }
 
 /// A move that is held back by cutter compensation is made before anything that has no part in it.

@@ -90,6 +90,7 @@ public:
 
 private:
     void let_out(const Command& command);
+    void restore(const ControlState& before);
     bool act(const Command& command);
     bool check(const Command& command);
     bool check_corner_words(const Command& command);
@@ -135,6 +136,10 @@ private:
     bool is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const;
     std::optional<double> told_length(int tool) const;
     void select_system(int system);
+    bool place_at_start();
+    void assume_same_zero(Axes& machine);
+    void shift_frame(std::size_t axis, int frame, double distance_mm);
+    void use_system(const Axes& machine);
     void recompute_position(const Axes& machine);
 
     bool straight(const Command& command, MoveKind kind);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace ncsim::gcode {
@@ -24,6 +25,9 @@ struct Wear {
 struct Store {
     std::array<WorkOffset, 9> work_offsets;
     std::map<int, WorkOffset> extended;  ///< G54.1 P1 …, by number.
+    /// Frames of the systems that were active, for X, Y and Z. Distances between these frames are
+    /// specified, or were assumed when the second of two systems became active.
+    std::array<std::set<int>, 3> used_frames;
     std::vector<ToolTableEntry> tools;
     std::map<int, Wear> wear;     ///< By the number of the register.
     std::array<Axes, 2> homes{};  ///< Of G28 and G30, machine, mm.

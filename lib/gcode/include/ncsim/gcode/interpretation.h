@@ -108,6 +108,9 @@ struct InterpreterOptions {
     /// Where the tool stands when the program starts, in the coordinates of G54; what is empty is
     /// not known.
     std::array<std::optional<Length>, 3> start{};
+    /// `start` is a place of the machine. Otherwise it is in G54 as G54 is at the first move; if
+    /// the place of G54 is not specified, in the system of the first move.
+    bool start_is_of_machine = false;
     /// Where G28 and G30 lead, in machine coordinates, until G28.1 and G30.1 say otherwise.
     std::array<Position, 2> homes{};
     bool block_delete = false;  ///< Skip blocks that start with '/'.
@@ -150,6 +153,16 @@ struct ProgramPlace {
     SourceSpan span;
 };
 
+/// A coordinate system whose origin InterpreterOptions specifies and the program sets elsewhere
+/// before its first cut there. Machine coordinates, mm.
+struct OffsetConflict {
+    int system = 1;  ///< 1: G54 … 9: G59.3; 9 + n: G54.1 Pn.
+    std::array<double, 3> specified{};
+    /// Empty: by the place of the tool (G92, G10 L20), which is unknown.
+    std::array<std::optional<double>, 3> written{};
+    ProgramPlace place;  ///< The block that set it.
+};
+
 /// What was concluded on the way, for the assumption sheet and for reports.
 struct Interpretation {
     Diagnostics diagnostics;
@@ -163,6 +176,7 @@ struct Interpretation {
     int workpiece_system = 1;
     /// Its origin and rotation; in machine coordinates only where its frame is 0.
     WorkOffset workpiece;
+    std::vector<OffsetConflict> offset_conflicts;
     /// The first block that starts with '/', of those that were met.
     std::optional<ProgramPlace> deletable;
     /// On Fanuc, Haas and kin: the first length or angle without a decimal point that would be

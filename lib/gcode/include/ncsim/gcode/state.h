@@ -61,6 +61,9 @@ struct Programmed {
 /// the same.
 using OriginFrame = std::array<int, 3>;
 
+/// In MachineState::place_frame: the axis is at a place of the machine (G28, G30, G53).
+constexpr int kMachinePlace = -1;
+
 /// One coordinate system G54 … G59.3. Millimetres and degrees, machine coordinates.
 struct WorkOffset {
     Axes origin{};
@@ -151,7 +154,14 @@ struct MachineState {
     std::uint32_t length_changes = 0;
     double rotation = 0.0;  ///< Of the active system, degrees.
     OriginFrame frame{};    ///< Of the active system.
-    int system = 1;         ///< 1: G54 … 9: G59.3; 9 + n: G54.1 Pn.
+    /// Frames in which the places of X, Y and Z are known: of the system that was active when the
+    /// axis moved last, or kMachinePlace.
+    OriginFrame place_frame{};
+    /// How far unspecified frames were shifted by assumptions, mm.
+    std::array<double, 3> frame_shift{};
+    /// Nothing has moved, and no G92 or G10 L20 refers to the place of the tool.
+    bool is_at_start = true;
+    int system = 1;  ///< 1: G54 … 9: G59.3; 9 + n: G54.1 Pn.
     KnownAxes known{false, false, false};
     /// Of those, the ones that incremental words moved from where nobody knows,
     KnownAxes relative{false, false, false};
@@ -160,7 +170,8 @@ struct MachineState {
     /// The part of offset_92 that said where an axis stands of which nobody knew it: it is where
     /// the program has its zero, and no shift from there.
     Axes zero_92{};
-    std::array<double, 2> last_pq{};  ///< Of the last G5.
+    std::array<bool, 3> is_zero_by_hand{};  ///< X, Y, Z of zero_92 are set, to 0 or another value.
+    std::array<double, 2> last_pq{};        ///< Of the last G5.
 
     Programmed programmed;
     CycleState cycle;

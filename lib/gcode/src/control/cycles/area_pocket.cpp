@@ -91,7 +91,7 @@ bool Machine::begin_outline(const Command& command) {
 /// What was heard is kept for the G150, and all else is as before.
 void Machine::end_outline() {
     if (control_.corner) settle_corner();
-    control_ = std::move(outline_->before);
+    restore(outline_->before);
     heard_ = std::move(outline_->moves);
     heard_well_ = !outline_->is_foreign;
     outline_.reset();

@@ -73,7 +73,7 @@ bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask
     }
     control_.corner =
         HeldCorner{state_, end, mask, command.corner, size, {}, span_, command.corner_span, file_};
-    set_knowledge(state_, after_move(state_, mask, false));
+    record_move(state_, mask, false);
     state_.position = end;
     return true;
 }
@@ -244,7 +244,7 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     corner[axes.second] += length * a.sin;
     held.end = programmed_to(corner);
     held.angle.reset();
-    set_knowledge(state_, after_move(state_, held.mask, false));
+    record_move(state_, held.mask, false);
     state_.position = held.end;
     return true;
 }

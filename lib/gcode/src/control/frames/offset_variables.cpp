@@ -10,7 +10,8 @@ namespace ncsim::gcode {
 void Machine::set_work_variable(const SystemVariable& variable, double value, bool is_relative,
                                 SourceSpan span) {
     constexpr std::size_t kRotation = 9;
-    const Axes machine = machine_position();
+    Axes machine = machine_position();
+    path_.record_offset(variable.index);
     WorkOffset& offset = offset_of(variable.index);
     const std::size_t item = variable.item;
     if (item == kRotation) {
@@ -21,6 +22,7 @@ void Machine::set_work_variable(const SystemVariable& variable, double value, bo
         offset.origin[item] = value * unit;
         if (item <= kZ && !is_relative) offset.frame[item] = 0;
     }
+    if (state_.is_at_start && rules_.macro_b && place_at_start()) return;
     if (variable.index != state_.system) return;
     // LinuxCNC takes up the numbers of the active system when another one was chosen in between.
     if (!rules_.macro_b) {
@@ -28,12 +30,8 @@ void Machine::set_work_variable(const SystemVariable& variable, double value, bo
         if (!rules_.linuxcnc_planes && !rules_.strict) warn(Message::VariableTiming, span, {name});
         return;
     }
-    state_.frame = offset.frame;
-    for (std::size_t i = 0; i < offset.origin.size(); ++i)
-        state_.work_offset[i] =
-            is_rotary(i) ? offset.origin[i] : offset.origin[i] / state_.unit_mm();
-    state_.rotation = offset.rotation;
-    recompute_position(machine);
+    assume_same_zero(machine);
+    use_system(machine);
 }
 
 bool Machine::set_variable(const SystemVariable& variable, double value, bool is_relative,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ncsim::gcode {
 namespace {
@@ -73,13 +74,94 @@ WorkOffset& Machine::offset_of(int system) {
 }
 
 void Machine::select_system(int system) {
-    const Axes machine = machine_position();
-    const WorkOffset& offset = offset_of(system);
+    Axes machine = machine_position();
     state_.system = system;
+    if (state_.is_at_start && place_at_start()) return;
+    assume_same_zero(machine);
+    use_system(machine);
+}
+
+/// Makes the numbers of the active system effective, with the axes at `machine`.
+void Machine::use_system(const Axes& machine) {
+    const WorkOffset& offset = offset_of(state_.system);
     state_.work_offset = from_mm(offset.origin, state_.unit_mm());
     state_.rotation = offset.rotation;
     state_.frame = offset.frame;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!is_known(i)) state_.place_frame[i] = state_.frame[i];
+    }
+    // Where the frame is the machine, places of the machine are known.
+    state_.of_machine.x &= state_.frame[kX] != 0;
+    state_.of_machine.y &= state_.frame[kY] != 0;
+    state_.of_machine.z &= state_.frame[kZ] != 0;
     recompute_position(machine);
+}
+
+/// Adds `distance_mm` to the origins that are known in `frame`.
+void Machine::shift_frame(std::size_t axis, int frame, double distance_mm) {
+    Store& store = control_.store.change();
+    for (WorkOffset& offset : store.work_offsets) {
+        if (offset.frame[axis] == frame) offset.origin[axis] += distance_mm;
+    }
+    for (auto& [number, offset] : store.extended) {
+        if (offset.frame[axis] == frame) offset.origin[axis] += distance_mm;
+    }
+}
+
+/// Relates the active system, whose stored numbers are not in effect yet, to the numbers that are
+/// in effect. Along an axis whose distance is not specified both zeros are assumed to be at one
+/// place, so that the position keeps its value; the frame that is not specified is shifted.
+/// `machine`: the place of the axes, which goes with the shift.
+void Machine::assume_same_zero(Axes& machine) {
+    const double unit = state_.unit_mm();
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::set<int>& used = control_.store.change().used_frames[i];
+        used.insert(state_.frame[i]);
+        const int frame = offset_of(state_.system).frame[i];
+        if (!used.insert(frame).second) continue;
+        const double distance = state_.work_offset[i] * unit - offset_of(state_.system).origin[i];
+        if (frame != 0) {
+            shift_frame(i, frame, distance);
+            continue;
+        }
+        for (const int other : used) {
+            if (other != 0) shift_frame(i, other, -distance);
+        }
+        path_.shift_unspecified(i, -distance);
+        state_.frame_shift[i] -= distance;
+        if (is_known(i) && state_.place_frame[i] != kMachinePlace) machine[i] -= distance / unit;
+    }
+}
+
+/// Before the first move: places the axes at the specified start in G54 as it is now, and relates
+/// the active system to G54. False, with nothing done, where X, Y and Z are no places of the axes.
+bool Machine::place_at_start() {
+    if (state_.plane_frame || state_.carried || state_.coordinates != Coordinates::Axes)
+        return false;
+    const double unit = state_.unit_mm();
+    Axes machine = machine_position();
+    Axes start{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (options_.start[i]) start[i] = options_.start[i]->mm() / unit;
+    }
+    Store& store = control_.store.change();
+    const WorkOffset& g54 = store.work_offsets.front();
+    trig::rotate(start[kX], start[kY], g54.rotation);
+    for (std::size_t i = 0; i < 3; ++i) {
+        // An axis without a start counts as at home.
+        machine[i] = options_.start[i] ? start[i] + g54.origin[i] / unit : 0.0;
+        store.used_frames[i] = {g54.frame[i]};
+    }
+    state_.work_offset = from_mm(g54.origin, unit);
+    state_.frame = state_.place_frame = g54.frame;
+    assume_same_zero(machine);
+    use_system(machine);
+    // A G54 without a place has no other meaning for the start than the system of the first move.
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (state_.place_frame[i] != 0) state_.place_frame[i] = state_.frame[i];
+    }
+    ++state_.length_changes;
+    return true;
 }
 
 /// The P of G54.1 Pn and its kin.
@@ -150,8 +232,11 @@ bool Machine::offset_92(const Command& command, Code code) {
                 // Where nobody knew the axis to stand, this tells it, and where the zero is.
                 if (code == Code::G52 || i > kZ || is_known(i) || state_.plane_frame) continue;
                 state_.zero_92[i] = offset[i];
+                state_.is_zero_by_hand[i] = true;
+                path_.record_offset(state_.system);
                 tell_place(i);
             }
+            if (code != Code::G52) state_.is_at_start = false;
             for (std::size_t i = 0; i < offset.size(); ++i)
                 control_.store.change().stored_92[i] = mm_of(offset[i], i, unit);
             state_.offset_92_active = true;
@@ -160,6 +245,7 @@ bool Machine::offset_92(const Command& command, Code code) {
         case Code::G92_2:
             offset = {};
             state_.zero_92 = {};
+            state_.is_zero_by_hand = {};
             state_.offset_92_active = false;
             break;
         case Code::G92_3:
@@ -211,7 +297,8 @@ bool Machine::set_data(const Command& command) {
 bool Machine::set_work_data(const Command& command, int index, bool from_position) {
     WorkOffset& offset = offset_of(index);
     const double unit = state_.unit_mm();
-    const Axes machine = machine_position();
+    Axes machine = machine_position();
+    path_.record_offset(index);
     if (command.has('R') && !from_position) offset.rotation = command['R'];
     // L20: the place of now shall have these coordinates.
     double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
@@ -243,17 +330,22 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     for (std::size_t i = kX; from_position && i <= kZ; ++i) {
         if (!command.has(kAxisNames[i])) continue;
         if (is_known(i)) {
-            offset.frame[i] = state_.frame[i];
+            const int frame = state_.place_frame[i];
+            offset.frame[i] = frame == kMachinePlace ? 0 : frame;
         } else {
-            offset.frame[i] = index;  // wherever that is
-            if (index == state_.system) tell_place(i);
+            offset.frame[i] = index;  // an unknown place
+            // The origin that was computed is as good as any: the place has the number of the
+            // block.
+            control_.store.change().used_frames[i].insert(index);
         }
     }
-    if (index == state_.system) {
-        state_.work_offset = from_mm(offset.origin, unit);
-        state_.rotation = offset.rotation;
-        state_.frame = offset.frame;
-        recompute_position(machine);
+    if (from_position) state_.is_at_start = false;
+    if (state_.is_at_start && place_at_start()) return true;
+    if (index != state_.system) return true;
+    assume_same_zero(machine);
+    use_system(machine);
+    for (std::size_t i = kX; from_position && i <= kZ; ++i) {
+        if (command.has(kAxisNames[i]) && !is_known(i)) tell_place(i);
     }
     return true;
 }

@@ -80,6 +80,7 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
         }
         s_.followers.push_back({state, end, kind, mask, span, file, false, 0.0});
         state.position = end;
+        record_move(state, mask, false);
         return true;
     }
     Element element;
@@ -136,7 +137,7 @@ bool Compensation::take(MachineState& state, Element element) {
     }
     const Axes end = element.end;
     state.position = end;
-    set_knowledge(state, after_move(state, element.mask, false));
+    record_move(state, element.mask, false);
     s_.held = std::move(element);
     return true;
 }

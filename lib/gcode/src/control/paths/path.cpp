@@ -14,6 +14,23 @@ namespace {
 constexpr double kFullCircle = 5e-7;
 constexpr double kFullCircleStrict = 1e-12;
 
+constexpr std::array kCoordinates{&Position::x, &Position::y, &Position::z};
+
+Length& coordinate(Position& position, std::size_t axis) {
+    return position.*kCoordinates[axis];
+}
+
+bool is_known(const KnownAxes& known, std::size_t axis) {
+    return axis == kX ? known.x : axis == kY ? known.y : known.z;
+}
+
+/// True for increments along an axis of the machine from a known place.
+bool keeps_frame(const MachineState& state, std::size_t axis, bool to_machine) {
+    return state.incremental && !to_machine && is_known(state.known, axis) &&
+           state.rotation == 0.0 && !state.plane_frame && !state.programmed.rotated &&
+           !state.programmed.scaled;
+}
+
 /// A program that has not cut after so many motions has chosen its coordinate system.
 constexpr std::size_t kMostHeld = 10'000;
 
@@ -68,7 +85,7 @@ Axes out_of_plane(const MachineState& state, const Axes& p) {
     return out;
 }
 
-Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMask in_machine) {
+Path::Place Path::place(const MachineState& state, const Axes& at_plane) {
     const Axes p = out_of_plane(state, at_plane);
     const double mm = state.unit_mm();
     double x = p[kX];
@@ -91,37 +108,44 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMas
         at.y += Length::from_mm(mm * (*state.carried)[kY]);
         at.z += Length::from_mm(mm * (*state.carried)[kZ]);
     }
-    double zero_x = state.zero_92[kX];
-    double zero_y = state.zero_92[kY];
-    trig::rotate(zero_x, zero_y, state.rotation);
-    const auto& home = state.carried_home;
-    out.zero = {mm * (g5x[kX] + zero_x + home[kX]), mm * (g5x[kY] + zero_y + home[kY]),
-                mm * (g5x[kZ] + state.zero_92[kZ] + home[kZ])};
-    out.rotation = state.rotation;
     out.frame = state.frame;
-    out.in_machine = in_machine;
     return out;
 }
 
+Path::Place Path::target(const MachineState& state, const Place& from, const Axes& end,
+                         AxisMask mask) const {
+    constexpr double kRounding = 1e-6;  // mm
+    Place to = place(state, end);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_named = (mask & 1U << i) != 0;
+        if (is_named && machine_coordinates_) {
+            to.frame[i] = kMachinePlace;
+            continue;
+        }
+        if (!is_known(state.known, i) || from.frame[i] == to.frame[i]) continue;
+        Length& there = coordinate(to.machine, i);
+        const Length here = from.machine.*kCoordinates[i];
+        const bool rests = !is_named && std::abs((there - here).mm()) < kRounding;
+        if (rests) there = here;
+        if (rests || (is_named && keeps_frame(state, i, machine_coordinates_)))
+            to.frame[i] = from.frame[i];
+    }
+    return to;
+}
+
 bool Path::is_related(const Place& place, std::size_t axis) const {
-    return place.frame[axis] == result_.workpiece.frame[axis] ||
-           (place.in_machine & 1U << axis) != 0;
+    return place.frame[axis] == frame_W_[axis] || place.frame[axis] == kMachinePlace;
 }
 
 Position Path::in_workpiece(const Place& place) const {
     const WorkOffset& w = result_.workpiece;
-    std::array<double, 3> zero{};
-    for (std::size_t i = 0; i < 3; ++i)
-        zero[i] = is_related(place, i) ? w.origin[i] : place.zero[i];
-    const double rotation =
-        is_related(place, kX) && is_related(place, kY) ? w.rotation : place.rotation;
     Position at = place.machine;
-    double x = at.x.mm() - zero[kX];
-    double y = at.y.mm() - zero[kY];
-    trig::rotate(x, y, -rotation);
+    double x = at.x.mm() - w.origin[kX];
+    double y = at.y.mm() - w.origin[kY];
+    trig::rotate(x, y, -w.rotation);
     at.x = Length::from_mm(x);
     at.y = Length::from_mm(y);
-    at.z = Length::from_mm(at.z.mm() - zero[kZ]);
+    at.z = Length::from_mm(at.z.mm() - w.origin[kZ]);
     at.a = Angle::from_degrees(at.a.degrees() - w.origin[kA]);
     at.b = Angle::from_degrees(at.b.degrees() - w.origin[kB]);
     at.c = Angle::from_degrees(at.c.degrees() - w.origin[kC]);
@@ -151,11 +175,21 @@ void set_knowledge(MachineState& state, const Knowledge& knows) {
     state.of_machine = knows.of_machine;
 }
 
+void record_move(MachineState& state, AxisMask mask, bool to_machine) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if ((mask & 1U << i) != 0 && !keeps_frame(state, i, to_machine))
+            state.place_frame[i] = to_machine ? kMachinePlace : state.frame[i];
+    }
+    state.is_at_start = false;
+    set_knowledge(state, after_move(state, mask, to_machine));
+}
+
 const Path::Place& Path::start(const MachineState& state) {
     if (!at_ || state.length_changes != length_changes_) {
         at_ = place(state, state.position);
         length_changes_ = state.length_changes;
     }
+    at_->frame = state.place_frame;
     return *at_;
 }
 
@@ -182,10 +216,68 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
 
 // --- Where W is ---
 
-void Path::bind(int system, const WorkOffset& workpiece) {
+void Path::shift_unspecified(std::size_t axis, double distance_mm) {
+    const Length distance = Length::from_mm(distance_mm);
+    const auto shift = [&](Place& place) {
+        if (place.frame[axis] > 0) coordinate(place.machine, axis) += distance;
+    };
+    for (Held& held : held_) {
+        shift(held.from);
+        shift(held.to);
+        if (held.origin_frame[axis] > 0)
+            held.frame.work_offset[axis] += distance_mm / (held.frame.inches ? 25.4 : 1.0);
+    }
+    if (bound_ && frame_W_[axis] > 0) result_.workpiece.origin[axis] += distance_mm;
+    if (!at_) return;
+    const bool goes_on = at_machine_ && *at_machine_ == at_->machine && at_->frame[axis] > 0;
+    shift(*at_);
+    // A place of the machine is elsewhere in W after the shift.
+    if (goes_on) at_machine_ = at_->machine;
+    if (!goes_on) at_W_.reset();
+}
+
+/// Compares the origin at the first cut in the system of `frame` with the one that the options
+/// specify.
+void Path::compare_offset(const ProgramFrame& frame, const OriginFrame& origin_frame,
+                          const std::array<bool, 3>& is_zero_by_hand) {
+    constexpr double kSame = 1e-3;  // mm
+    constexpr int kNamed = 9;
+    const int system = frame.system;
+    const double unit = frame.inches ? 25.4 : 1.0;
+    if (!compared_.insert(system).second) return;
+    const auto written_at = offset_places_.find(system);
+    if (written_at == offset_places_.end()) return;
+    const Position* specified = nullptr;
+    if (system <= kNamed) {
+        const auto index = static_cast<std::size_t>(system - 1);
+        if (options_.work_offsets_told[index]) specified = &options_.work_offsets[index];
+    } else if (const auto found = options_.extended_offsets.find(system - kNamed);
+               found != options_.extended_offsets.end()) {
+        specified = &found->second;
+    }
+    if (!specified) return;
+    OffsetConflict conflict{.system = system, .place = written_at->second};
+    bool differs = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        conflict.specified[i] = (specified->*kCoordinates[i]).mm();
+        if (origin_frame[i] == 0 && !is_zero_by_hand[i])
+            conflict.written[i] = frame.work_offset[i] * unit;
+        differs |=
+            !conflict.written[i] || std::abs(*conflict.written[i] - conflict.specified[i]) > kSame;
+    }
+    if (differs) result_.offset_conflicts.push_back(conflict);
+}
+
+void Path::bind(int system, const WorkOffset& workpiece,
+                const std::array<bool, 3>& is_zero_by_hand) {
     bound_ = true;
     result_.workpiece_system = system;
     result_.workpiece = workpiece;
+    frame_W_ = workpiece.frame;
+    // The place of a zero that G92 set at an unknown place is unknown in the machine.
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (is_zero_by_hand[i]) result_.workpiece.frame[i] = system;
+    }
     for (Held& held : held_)
         let_out(held.motion, held.frame, held.from, held.to, held.centre, held.plane_origin);
     held_ = {};
@@ -197,7 +289,8 @@ void Path::bind(const Held& held) {
     for (std::size_t i = 0; i < 3; ++i)
         workpiece.origin[i] += unit * held.carried_home[i];
     workpiece.frame = held.origin_frame;
-    bind(held.frame.system, workpiece);
+    compare_offset(held.frame, held.origin_frame, held.is_zero_by_hand);
+    bind(held.frame.system, workpiece, held.is_zero_by_hand);
 }
 
 void Path::finish() {
@@ -216,7 +309,10 @@ void Path::finish() {
 void Path::emit(const MachineState& state, const Place& from, const Place& to,
                 const Position& centre, const std::optional<Place>& plane_origin) {
     ++result_.motions;
+    const bool cuts = motion_.kind != MoveKind::Rapid && start_of(motion_);
     if (bound_) {
+        if (cuts && !compared_.contains(state.system))
+            compare_offset(frame_of(state), state.frame, state.is_zero_by_hand);
         ProgramFrame frame;
         frame.system = state.system;
         if (options_.observe_frame) frame = frame_of(state);
@@ -224,8 +320,7 @@ void Path::emit(const MachineState& state, const Place& from, const Place& to,
         return;
     }
     held_.push_back({motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92,
-                     state.carried_home, state.frame});
-    const bool cuts = motion_.kind != MoveKind::Rapid && start_of(motion_);
+                     state.is_zero_by_hand, state.carried_home, state.frame});
     if (cuts || held_.size() >= kMostHeld) bind(Held(held_.back()));
 }
 
@@ -235,9 +330,16 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
     const bool goes_on = at_W_ && *at_machine_ == from.machine;
     const Position from_W = goes_on ? *at_W_ : in_workpiece(from);
     const Position to_W = in_workpiece(to);
-    motion.offset_unknown = false;
-    for (std::size_t i = 0; i < 3; ++i)
-        motion.offset_unknown |= !is_related(to, i);
+    // At a height of the machine the move that went there is judged, not where X and Y come from.
+    const bool is_at_height = from.frame[kZ] == kMachinePlace && to.frame[kZ] == kMachinePlace;
+    bool ends_elsewhere = false;
+    bool starts_elsewhere = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        ends_elsewhere |= is_known(motion.known_end, i) && !is_related(to, i);
+        starts_elsewhere |=
+            is_known(motion.known_start, i) && !is_related(from, i) && !is_at_height;
+    }
+    motion.offset_unknown = ends_elsewhere || starts_elsewhere;
     if (auto* line = std::get_if<Linear>(&motion.what)) {
         *line = {from_W, to_W};
     } else if (auto* tilted = std::get_if<Arc>(&motion.what); tilted && plane_origin) {
@@ -245,10 +347,7 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
         tilted->from = from_W;
         tilted->to = to_W;
         const Position origin_W = in_workpiece(*plane_origin);
-        const double turned = is_related(*plane_origin, kX) && is_related(*plane_origin, kY)
-                                  ? result_.workpiece.rotation
-                                  : plane_origin->rotation;
-        tilted->tilted = turn_about(2, -turned) * *tilted->tilted;
+        tilted->tilted = turn_about(2, -result_.workpiece.rotation) * *tilted->tilted;
         tilted->tilted->origin = {origin_W.x.mm(), origin_W.y.mm(), origin_W.z.mm()};
     } else if (auto* arc = std::get_if<Arc>(&motion.what)) {
         Place at = to;
@@ -283,27 +382,39 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
     }
     at_machine_ = to.machine;
     at_W_ = to_W;
-    if (motion.offset_unknown && start_of(motion)) {
-        log_.add(Message::OffsetUnknown, motion.span,
-                 {name_of_system(frame.system), name_of_system(result_.workpiece_system)});
-    }
+    if (ends_elsewhere && start_of(motion)) warn_of_frame(motion, to, frame.system);
     if (options_.observe_frame) options_.observe_frame(motion, frame);
     if (sink_) sink_(motion);
+}
+
+/// `system`: the active one.
+void Path::warn_of_frame(const Motion& motion, const Place& to, int system) {
+    std::size_t axis = 0;
+    while (axis < 2 && (!is_known(motion.known_end, axis) || is_related(to, axis)))
+        ++axis;
+    const bool is_specified = to.frame[axis] == 0;
+    if (!is_specified) system = to.frame[axis];
+    std::string name = name_of_system(system);
+    std::string other = name_of_system(result_.workpiece_system);
+    if (name == other && is_specified) name = "the machine";
+    if (name == other) other += " at the first cut";
+    log_.add(Message::OffsetUnknown, motion.span, {name, other});
 }
 
 void Path::arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask) {
     at_ = target;
     state.position = end;
-    set_knowledge(state, after_move(state, mask, machine_coordinates_));
+    record_move(state, mask, machine_coordinates_);
+    state.place_frame = target.frame;
 }
 
 // --- Motions ---
 
 void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask) {
     const Place from = start(state);
-    const Place target = place(state, end, machine_coordinates_ ? mask : 0);
+    const Place to = target(state, from, end, mask);
     const Position& a = from.machine;
-    const Position& b = target.machine;
+    const Position& b = to.machine;
     fill(state, kind, mask);
     const bool lengths =
         a.x != b.x || a.y != b.y || a.z != b.z || a.u != b.u || a.v != b.v || a.w != b.w;
@@ -324,8 +435,8 @@ void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMas
                          (is_turned(a) || is_turned(b));
     constexpr KnownAxes kNothing{false, false, false};
     if (is_lost) motion_.known_start = motion_.known_end = kNothing;
-    emit(state, from, target);
-    arrive(state, end, target, mask);
+    emit(state, from, to);
+    arrive(state, end, to, mask);
     if (is_lost) set_knowledge(state, Knowledge{kNothing, kNothing, kNothing});
 }
 
@@ -350,7 +461,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
         whole[axes.first] = state.position[axes.first];
         whole[axes.second] = state.position[axes.second];
     }
-    Place to = place(state, whole);
+    Place to = target(state, from, whole, mask);
     if (full && !state.plane_frame) {  // Exactly: the ends are one point, whatever rounding says.
         for (const std::size_t axis : {axes.first, axes.second}) {
             if (axis == kX) to.machine.x = from.machine.x;
@@ -379,7 +490,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
 void Path::spline(MachineState& state, const Spline& spline, const Axes& end, AxisMask mask) {
     Spline out = spline;
     const Place from = start(state);
-    const Place to = place(state, end);
+    const Place to = target(state, from, end, mask);
     for (Spline::ControlPoint& point : out.control_points) {
         Axes p = state.position;
         p[kX] = point.x.mm();

@@ -13,7 +13,9 @@
 #include "text/message.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace ncsim::gcode {
@@ -52,6 +54,8 @@ struct Knowledge {
 /// After a move of the axes of `mask`, to a place of the machine or of the program.
 Knowledge after_move(const MachineState& state, AxisMask mask, bool to_machine);
 void set_knowledge(MachineState& state, const Knowledge& knows);
+/// Records a move of the axes of `mask`: what is known of their places, and in which frame.
+void record_move(MachineState& state, AxisMask mask, bool to_machine);
 
 /// Program coordinates with G92 and G52, and out of a tilted plane.
 Axes out_of_plane(const MachineState& state, const Axes& p);
@@ -76,20 +80,21 @@ public:
 
     /// The end of the next motions was said in machine coordinates.
     void set_machine_coordinates(bool on) { machine_coordinates_ = on; }
+    /// Adds `distance_mm` along `axis` to the machine coordinates of places and of W that are known
+    /// in an unspecified frame. Requires: no used frame along `axis` is specified.
+    void shift_unspecified(std::size_t axis, double distance_mm);
+    /// The block at the current origin sets the origin of `system`.
+    void record_offset(int system) { offset_places_[system] = {file_, span_}; }
     /// The end of the program: lets out what is held back.
     void finish();
 
     std::uint64_t count() const { return result_.motions; }
 
 private:
-    /// A place as the machine has it, and the coordinate system it was said in: the place of its
-    /// zero, mm, and its rotation.
+    /// A place as the machine has it, and the frames in which X, Y and Z of it are known.
     struct Place {
         Position machine;
-        std::array<double, 3> zero{};
-        double rotation = 0.0;
         OriginFrame frame{};
-        AxisMask in_machine = 0;  ///< Axes that were said in machine coordinates.
     };
     struct Held {
         Motion motion;  // machine coordinates
@@ -98,21 +103,29 @@ private:
         Position centre;                    // of an arc
         std::optional<Place> plane_origin;  // of the tilted plane it lies in
         Axes zero_92{};
+        std::array<bool, 3> is_zero_by_hand{};
         std::array<double, 3> carried_home{};
         OriginFrame origin_frame{};
     };
 
-    static Place place(const MachineState& state, const Axes& p, AxisMask in_machine = 0);
+    static Place place(const MachineState& state, const Axes& p);
     const Place& start(const MachineState& state);
+    /// Where a move of the axes of `mask` from `from` to `end` ends. Axes that do not move, and
+    /// increments, stay in the frames of `from`.
+    Place target(const MachineState& state, const Place& from, const Axes& end,
+                 AxisMask mask) const;
     bool is_related(const Place& place, std::size_t axis) const;
-    /// In W, once that is bound. Where no relation is known, as if the zeros were one.
+    void warn_of_frame(const Motion& motion, const Place& to, int system);
+    /// In W, once that is bound.
     Position in_workpiece(const Place& place) const;
+    void compare_offset(const ProgramFrame& frame, const OriginFrame& origin_frame,
+                        const std::array<bool, 3>& is_zero_by_hand);
     void fill(const MachineState& state, MoveKind kind, AxisMask mask = 0);
     void emit(const MachineState& state, const Place& from, const Place& to,
               const Position& centre = {}, const std::optional<Place>& plane_origin = {});
     void let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
                  const Position& centre, const std::optional<Place>& plane_origin);
-    void bind(int system, const WorkOffset& workpiece);
+    void bind(int system, const WorkOffset& workpiece, const std::array<bool, 3>& is_zero_by_hand);
     void bind(const Held& held);
     void arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask);
 
@@ -127,8 +140,11 @@ private:
     std::uint32_t length_changes_ = 0;           // of the state `at_` was told of
     std::optional<Position> at_machine_, at_W_;  // the same of the last one that was let out
     bool bound_ = false;
+    OriginFrame frame_W_{};  // of W, once that is bound
     std::vector<Held> held_;
-    Motion motion_;  // reused: a motion is large
+    std::map<int, ProgramPlace> offset_places_;  // of the blocks that set origins, by system
+    std::set<int> compared_;                     // systems with a cut
+    Motion motion_;                              // reused: a motion is large
 };
 
 }  // namespace ncsim::gcode

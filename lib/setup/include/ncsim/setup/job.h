@@ -36,7 +36,7 @@ struct Job {
     /// From options first, then from a job file, tables, comments: the first of a number counts.
     std::vector<toolpath::ToolEntry> tools;
     std::optional<toolpath::StockEntry> stock;
-    /// Where the tool stands when the program starts, in G54, mm.
+    /// Place of the tool when the program starts, in G54 as it is at the first move, mm.
     std::optional<cda::Vec3> start;
     gcode::Diagnostics diagnostics;  ///< Comments that contradict each other.
     bool units_assumed = true;       ///< The unit of programs without G20 and G21 is not specified.

@@ -1,0 +1,19 @@
+%
+(G55 has a place by the machine file, G54 none; a lift above the clamp)
+(STOCK/BLOCK,100.,30.,20.,20.,15.,20.)
+G21 G90 G17
+T1 M6
+S5000 M3
+G54
+G0 X0. Y0.
+G43 H1 Z5.
+G1 Z-1. F200.
+X4.
+G0 Z30.
+G55
+G0 X0. Y0.
+G1 Z-1.
+X4.
+G0 Z5.
+M30
+%

@@ -1,0 +1,15 @@
+%
+(G10 L20 says that the tool is at Z10)
+(STOCK/BLOCK,40.,30.,20.,20.,15.,20.)
+G21 G90 G17
+G10 L20 P1 X0. Y0. Z10.
+T1 M6
+S5000 M3
+G54
+G0 X0. Y0.
+G43 H1 Z5.
+G1 Z-1. F200.
+X4.
+G0 Z50.
+M2
+%

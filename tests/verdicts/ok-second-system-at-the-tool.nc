@@ -1,0 +1,20 @@
+%
+(G10 L20 sets the zero of G55 where the tool is in G54)
+(STOCK/BLOCK,100.,30.,20.,20.,15.,20.)
+G21 G90 G17
+T1 M6
+S5000 M3
+G54
+G0 X0. Y0.
+G43 H1 Z5.
+G1 Z-1. F200.
+X4.
+G0 Z30.
+G10 L20 P2 X-46. Y0. Z30.
+G55
+G0 X0. Y0.
+G1 Z-1.
+X4.
+G0 Z5.
+M30
+%
