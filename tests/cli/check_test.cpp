@@ -43,7 +43,7 @@ TEST(Check, ShowsTheLineWithACaretAndFails) {
               "[rapid-in-material]\n"
               "  | G0 X30.\n"
               "  | ^~\n"
-              "  at X-25 Y0 Z-2, within 40 x 10 x 2 mm, X -20 to 20, Y -5 to 5, Z -2 to 0\n"
+              "  at X-20 Y-2.4786 Z0, within 40 x 10 x 2 mm, X -20 to 20, Y -5 to 5, Z -2 to 0\n"
               "  assumed tool: length 30 mm\n"
               "  assumed path: rapid moves are straight (--rapid linear)\n"
               "  hint: Retract before the move, or make it at feed.\n");

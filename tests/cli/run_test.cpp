@@ -316,9 +316,9 @@ TEST(Run, TellsHowLongAllOfItTakesAndByWhatModel) {
     EXPECT_TRUE(contains(told.out, "the rest 0:23 min; as the machine is described")) << told.out;
     // And run gives the same time as check.
     const Ran same = folder.run({"run", "slot.nc", "--machine", "m.toml", "--report", "a.json"});
-    const auto time_of = [](const std::string& text) {
-        const std::size_t at = text.find("0:", text.find("\n  time "));
-        return text.substr(at, text.find('\n', at) - at);
+    const auto time_of = [](const std::string& of) {
+        const std::size_t at = of.find("0:", of.find("time    "));
+        return of.substr(at, of.find('\n', at) - at);
     };
     EXPECT_EQ(time_of(same.out), time_of(told.out)) << same.out;
     EXPECT_EQ(json::parse(folder.read("a.json"))["time_on_machine"]["other_seconds"], 22.5);

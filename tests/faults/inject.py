@@ -273,7 +273,7 @@ FAULTS = [
       lambda l, r: without_a_line(l, r, word("[XYZ]"), moves(l, {1, 2, 3})), "design"),
     f("blocks-exchanged", "two blocks of a cut exchanged", blocks_exchanged, "design"),
     f("offset-exchanged", "G54 becomes G55, or G55 G54",
-      lambda l, r: at_a_place(l, r, code("G", "5([45])"), lambda m: "G55" if m[1] == "4" else "G54")),
+      lambda l, r: at_a_place(l, r, code("G", "5([45])"), lambda m: "G55" if m[1] == "4" else "G54"), "design"),
     f("tools-exchanged", "two tools exchanged in the whole program", tools_exchanged, "design"),
     f("wrong-tool", "another tool in one call", other_tool, "design"),
     f("tool-change-lost", "M6 left out", lambda l, r: at_a_place(l, r, code("M", 6), ""), "design"),

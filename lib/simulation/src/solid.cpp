@@ -2,6 +2,7 @@
 #include "ncsim/simulation/solid.h"
 
 #include "ncsim/export/simplify.h"
+#include "ncsim/simulation/models.h"
 
 #include "sources.h"
 
@@ -63,6 +64,8 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
                plan.tool_tolerance, plan.tolerance};
     bool is_coarse = are_facets_too_large(best.recognised, simulation);
     Plan other = plan;
+    // cda-flat costs the square of the facets, and the part is the same.
+    other.model = verifying_model().name;
     other.keep_boundary = true;
     other.keep_paths = other.keep_carved = other.block_volumes = other.hull_times = false;
     std::size_t facets = 0;

@@ -79,7 +79,19 @@ void judge_register(const Setup& setup, const Move& move, FindingLog& log) {
 }  // namespace
 
 void judge_length_offset(const Setup& setup, const Move& move, FindingLog& log) {
-    if (!move.is_move || move.motion->tool == 0 || !move.needs_length) return;
+    if (!move.is_move || !move.needs_length) return;
+    if (move.motion->tool == 0) {
+        // A program that asks for a length runs on a machine with a table of tools, whose spindle
+        // may hold the last one.
+        if (move.length_register > 0 && move.motion->kind != gcode::MoveKind::Rapid) {
+            log.doubt("tool-guess",
+                      fmt::format("H{} holds, and no M6 has loaded a tool: the tool in the spindle "
+                                  "is not specified",
+                                  move.length_register),
+                      {move.motion->file, move.motion->span});
+        }
+        return;
+    }
     if (move.length_register == gcode::kNoLength) {
         judge_none(setup, move, log);
     } else {
