@@ -5,7 +5,7 @@ Each fault of FAULTS has a name, a description, and a function that takes the li
 set-up) and a random generator, and returns the changed lines, or None where the program has no place for
 the fault. `needs` names what a check cannot know without more input:
     design   the shape of the part
-    limits   limits of feed and speed; a reference program for `ncsim diff --process` otherwise
+    limits   limits of feed and speed, or that a feed move in air matters: `ncsim diff --process`
 """
 import re
 from collections import namedtuple
@@ -294,7 +294,7 @@ FAULTS = [
     f("units-exchanged", "G21 becomes G20, or G20 G21", units_exchanged, "design"),
     f("spindle-not-started", "M3 left out", spindle_lost),
     f("spindle-backwards", "M3 becomes M4", lambda l, r: at_a_place(l, r, code("M", 3), "M4")),
-    f("spindle-stopped", "M5 before a cut", lambda l, r: inserted(l, r, "M5", moves(l, {1, 2, 3}))),
+    f("spindle-stopped", "M5 before a cut", lambda l, r: inserted(l, r, "M5", moves(l, {1, 2, 3})), "limits"),
     f("feeds-lost", "every F left out", feeds_lost),
     f("feed-times-ten", "an F ten times as high", lambda l, r: at_a_place(l, r, word("F"), scaled("F", 10)), "limits"),
     f("speed-times-ten", "an S ten times as high", lambda l, r: at_a_place(l, r, word("S"), scaled("S", 10)), "limits"),

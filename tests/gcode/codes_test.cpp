@@ -476,6 +476,19 @@ TEST(Traps, AreNotSteppedInto) {
         {"20 M6 without T", By::Default, "M6~G0 X1", "rapid X1 Y0 Z0"},
         {"21 entry longer than the radius", By::Default, "T1 M6~G41 D1~G1 X1",
          "tool 1 at X0 Y0 Z0 ! error compensation-entry"},
+        // Fanuc and Haas set the tool square to the next move; the entry may be short, and is
+        // straight.
+        {"21 entry square to the next move", By::Fanuc, "T1 M6~G41 D1 G1 X10. Y0~Y20.~G40 X30.",
+         "tool 1 at X0 Y0 Z0; feed X8 Y0 Z0 F100 T1; feed X8 Y20 Z0 F100 T1; "
+         "feed X30 Y20 Z0 F100 T1"},
+        {"21 entry square to itself", By::Default, "T1 M6~G41 D1 G1 X10 Y0~Y20~G40 X30",
+         "tool 1 at X0 Y0 Z0; feed X8 Y2 Z0 F100 T1; feed X8 Y20 Z0 F100 T1; "
+         "feed X30 Y20 Z0 F100 T1"},
+        {"21 short entry", By::Haas, "T1 M6~G41 D1 G1 X1. Y0~G3 X1. Y20. J10.~G40 G1 X30. Y20.",
+         "tool 1 at X0 Y0 Z0; feed X1 Y2 Z0 F100 T1; "
+         "arc XY X1 Y18 Z0 centre 1 10 turns 1 F100 T1; feed X30 Y20 Z0 F100 T1"},
+        {"21 entry on an arc", By::Fanuc, "T1 M6~G41 D1 G2 X10. Y0 I5.",
+         "tool 1 at X0 Y0 Z0 ! error compensation-entry"},
         {"21 twice", By::Strict, "T1 M6~G41 D1~G41 D1",
          "tool 1 at X0 Y0 Z0 ! error compensation-twice"},
         {"21 no diameter", By::Default, "G41 D9 G1 X10",
@@ -592,7 +605,7 @@ TEST(Traps, AreNotSteppedInto) {
         {"corner in inches", By::Fanuc, "G20~G1 X1. ,C.5~Y1.",
          "feed X12.7 Y0 Z0 F100; feed X25.4 Y12.7 Z0 F100; feed X25.4 Y25.4 Z0 F100"},
         {"corner with compensation", By::Fanuc, "G41.1 D2~G1 X10. Y10.~X30. ,R5.~Y0~G40 X40.",
-         "feed X9.292893219 Y10.707106781 Z0 F100; arc XY X10 Y11 Z0 centre 10 10 turns -1 F100; "
+         "feed X10 Y11 Z0 F100; "
          "feed X25 Y11 Z0 F100; arc XY X31 Y5 Z0 centre 25 5 turns -1 F100; feed X31 Y0 Z0 F100; "
          "feed X40 Y0 Z0 F100"},
         {"no corner", By::Fanuc, "G1 X10. ,R2.~X20.", "feed X10 Y0 Z0 F100; feed X20 Y0 Z0 F100"},

@@ -105,6 +105,14 @@ std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
                              other.job.interpreter.least_increments = true;
                          }});
     }
+    const bool is_guessed = !read.dialect.stated && read.dialect.evidence.empty();
+    if (read.compensation_start && is_guessed && !plan.job.interpreter.strict) {
+        found.push_back({"reading-guess", "with cutter compensation as Fanuc begins it",
+                         place_of(*read.compensation_start), [](Plan& other, Questions&) {
+                             other.job.interpreter.compensation_start =
+                                 gcode::CompensationStart::SquareToNext;
+                         }});
+    }
     if (const auto* rapid = first_rapid_near_bodies(survey, questions);
         rapid && !questions.is_rapid_specified) {
         found.push_back({"rapid-path",

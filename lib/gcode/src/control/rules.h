@@ -29,6 +29,7 @@ struct Rules {
     /// There, C may be a corner that somebody wrote without the comma: it never is what an axis
     /// would be told.
     bool c_may_be_corner = false;
+    CompensationStart compensation_start = CompensationStart::SquareToItself;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;
     /// G68.2 and its kin as the remaps of LinuxCNC have them: only where the program is one of that
@@ -50,6 +51,7 @@ struct Rules {
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = fanuc;
         rules.corner_words = fanuc;
+        if (fanuc) rules.compensation_start = CompensationStart::SquareToNext;
         rules.hole_patterns = fanuc;
         rules.circular_pockets = fanuc;
         rules.macro_b = fanuc;

@@ -124,6 +124,8 @@ struct InterpreterOptions {
     bool strict = false;
     /// Harmless words, "G187", "M198", which the interpreter skips without a message.
     std::vector<std::string> allow;
+    /// How G41 and G42 begin; none: as the control does.
+    std::optional<CompensationStart> compensation_start;
     /// Numbers without a decimal point count least increments, as older controls read them: 0.001
     /// mm, 0.0001 inch, 0.001 degrees. Only of axis words, I J K, R and Q, and only where a plain
     /// number stands there.
@@ -183,6 +185,9 @@ struct Interpretation {
     /// another one in least increments, and whether others have a point.
     std::optional<ProgramPlace> without_point;
     bool has_points = false;
+    /// The first move that begins cutter compensation in a place where controls differ
+    /// (CompensationStart).
+    std::optional<ProgramPlace> compensation_start;
     /// The largest P of G64, by which LinuxCNC may miss corners, mm, and where it is; 0: none.
     double blend_mm = 0.0;
     ProgramPlace blend;

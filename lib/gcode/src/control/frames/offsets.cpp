@@ -555,7 +555,8 @@ bool Machine::set_cutter_side(const Command& command) {
     if (compensation_.is_on()) compensation_.end(state_);
     state_.cutter_side = left ? CutterSide::Left : CutterSide::Right;
     state_.cutter_radius = std::abs(radius);
-    if (radius != 0.0) compensation_.begin(state_.cutter_side, std::abs(radius));
+    if (radius != 0.0)
+        compensation_.begin(state_.cutter_side, std::abs(radius), rules_.compensation_start);
     return true;
 }
 

@@ -24,7 +24,9 @@ double cross(double ax, double ay, double bx, double by) {
 
 }  // namespace
 
-void Compensation::begin(CutterSide side, double radius) {
+void Compensation::begin(CutterSide side, double radius, CompensationStart start) {
+    s_.start = start;
+    s_.held_enters = false;
     s_.side = side == CutterSide::Left ? 1.0 : -1.0;
     s_.radius = radius;
     s_.entering = true;
@@ -33,7 +35,7 @@ void Compensation::begin(CutterSide side, double radius) {
 }
 
 void Compensation::begin_beside(CutterSide side, double radius, const Axes& at) {
-    begin(side, radius);
+    begin(side, radius, CompensationStart::SquareToItself);
     s_.entering = false;
     s_.at = at;
 }
@@ -123,22 +125,35 @@ void Compensation::dwell(const MachineState& state, double seconds, SourceSpan s
 }
 
 bool Compensation::take(MachineState& state, Element element) {
-    if (s_.entering) {
-        const double length =
-            trig::length_of(element.to.x - element.from.x, element.to.y - element.from.y);
-        if (length <= s_.radius) {
-            log_.add(Message::CompensationEntry, element.span);
-            return false;
-        }
-        s_.at = state.position;
-        s_.entering = false;
-    } else if (s_.held && !join(element)) {
-        return false;
-    }
+    const bool enters = s_.entering;
+    if (enters ? !enter(state, element) : s_.held && !join(element)) return false;
+    s_.held_enters = enters;
     const Axes end = element.end;
     state.position = end;
     record_move(state, element.mask, false);
     s_.held = std::move(element);
+    return true;
+}
+
+/// Begins with this element, if the control can.
+bool Compensation::enter(MachineState& state, const Element& element) {
+    const double length =
+        trig::length_of(element.to.x - element.from.x, element.to.y - element.from.y);
+    if (s_.start == CompensationStart::SquareToNext) {
+        bool turns = false;
+        for (std::size_t axis = 0; axis < element.end.size(); ++axis)
+            turns |= is_rotary(axis) && element.end[axis] != state.position[axis];
+        if (element.is_arc || turns) {
+            log_.add(Message::CompensationEntryArc, element.span);
+            return false;
+        }
+    } else if (length <= s_.radius) {
+        path_.note_compensation_start(element.span, element.file);
+        log_.add(Message::CompensationEntry, element.span);
+        return false;
+    }
+    s_.at = state.position;
+    s_.entering = false;
     return true;
 }
 
@@ -150,7 +165,9 @@ bool Compensation::join(const Element& next) {
     const Vec out = start_tangent(next);
     const double turn =
         trig::angle_of(in.x * out.x + in.y * out.y, cross(in.x, in.y, out.x, out.y));
-    if (std::abs(turn) < kFlat) {
+    const bool is_flat = std::abs(turn) < kFlat;
+    if (s_.held_enters && !is_flat) path_.note_compensation_start(held.span, held.file);
+    if (is_flat || (s_.held_enters && s_.start == CompensationStart::SquareToNext)) {
         emit(held, beside(corner, out));
         return true;
     }

@@ -53,6 +53,8 @@ struct CompensationState {
     double side = 1.0;    ///< 1: left, -1: right.
     double radius = 0.0;  ///< Program units; 0: off.
     bool entering = true;
+    CompensationStart start = CompensationStart::SquareToItself;
+    bool held_enters = false;  ///< `held` is the move that begins compensation.
     std::optional<Element> held;
     GrowingList<Follower> followers;
     Axes at{};  ///< Where the tool is, program coordinates.
@@ -70,7 +72,7 @@ public:
         : s_(state), path_(path), log_(log) {}
 
     /// From the next move on. `radius` in program units, positive.
-    void begin(CutterSide side, double radius);
+    void begin(CutterSide side, double radius, CompensationStart start);
     /// The same, with the tool beside the start of the next move already, at `at`.
     void begin_beside(CutterSide side, double radius, const Axes& at);
     bool is_on() const { return s_.radius > 0.0; }
@@ -92,6 +94,7 @@ private:
         double radius = 0.0;
     };
     bool take(MachineState& state, Element element);
+    bool enter(MachineState& state, const Element& element);
     bool join(const Element& next);
     bool meeting_point(const Element& a, const Element& b, Vec& point) const;
     void emit(Element element, Vec end);

@@ -85,6 +85,10 @@ public:
     void shift_unspecified(std::size_t axis, double distance_mm);
     /// The block at the current origin sets the origin of `system`.
     void record_offset(int system) { offset_places_[system] = {file_, span_}; }
+    /// Keeps the first place where controls begin compensation in two ways.
+    void note_compensation_start(SourceSpan span, std::uint32_t file) {
+        if (!result_.compensation_start) result_.compensation_start = {file, span};
+    }
     /// The end of the program: lets out what is held back.
     void finish();
 
