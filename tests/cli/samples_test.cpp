@@ -84,7 +84,7 @@ TEST(Samples, WaveIsMoreThanNineHundredShortMovesOfABall) {
     EXPECT_EQ(report["part"]["shells"], 1);
 }
 
-// With samples/ncsim.toml: the first check that somebody makes is clean.
+// With samples/ncsim.toml the first check of a newcomer is clean.
 TEST(Samples, AreCleanWithTheirSetUps) {
     Folder folder;
     const Ran ran = folder.run({"check", sample("simple.nc"), sample("complex.nc"),

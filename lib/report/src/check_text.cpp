@@ -39,13 +39,13 @@ void put_excerpt(std::string& text, const std::string& line, gcode::SourceSpan s
     text.append(std::clamp<std::size_t>(span.length, 1, room) - 1, '~').append(1, '\n');
 }
 
-// To a tenth of a micrometre, without -0.
+// Rounds to a tenth of a micrometre, without -0.
 cda::Vec3 rounded(const cda::Vec3& v) {
     const auto round = [](double x) { return std::round(1e4 * x) / 1e4 + 0.0; };
     return {round(v.x), round(v.y), round(v.z)};
 }
 
-// Where it begins, and the box of all of it, whose height is the depth.
+// Appends the first point and the box, whose height is the depth.
 void put_place(std::string& text, const Finding& f) {
     if (!f.point) return;
     const cda::Vec3 at = rounded(*f.point);

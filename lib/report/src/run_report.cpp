@@ -47,7 +47,7 @@ Json time_json(const verify::Distances& distances) {
             {"dwell_seconds", tidy(time.dwells)}};
 }
 
-// null: a rate is not told.
+// Gives null where a rate is not specified.
 Json machine_time_json(const verify::Ledger& ledger) {
     const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
     return {{"feed_seconds", known(ledger.feed_seconds)},
