@@ -108,6 +108,21 @@ TEST(Dialect, ThatIsStatedEndsARefusal) {
     EXPECT_EQ(std::ranges::count(result.diagnostics, "foreign-kind", &Diagnostic::code), 1);
 }
 
+// A subprogram of plain moves has no other sign; D0 and G4 F2 mean something else there.
+TEST(Dialect, FileNamesOfSinumerikDecideUnlessTheTextIsOfAnotherControl) {
+    const auto kind = [](const char* name, const char* text) {
+        return detect_dialect({name, text}).kind;
+    };
+    const char* plain = "N10 G0 X1 Y1 D1\nN20 G4 F2\nN30 G1 X5 F100\nM17\n";
+    EXPECT_EQ(kind("PART.MPF", plain), Kind::Siemens);
+    EXPECT_EQ(kind("dir/l106.spf", plain), Kind::Siemens);
+    EXPECT_EQ(kind("part.nc", plain), Kind::Milling);
+    EXPECT_EQ(kind("mpf", plain), Kind::Milling);
+    EXPECT_EQ(kind("a.mpf", "G21 G90 G17\nG0 X1 Y1\nM30\n"), Kind::Milling);
+    EXPECT_EQ(kind("a.mpf", "G90\nG43 H1 Z5\nM30\n"), Kind::Milling);
+    EXPECT_EQ(kind("a.mpf", "%\nO1005\nG65 P9810 Z10.\nM99\n"), Kind::Milling);
+}
+
 TEST(Dialect, SignsFarBehindTheBeginningCount) {
     std::string text = "G21 G90\n";
     for (int i = 0; i < 20'000; ++i)

@@ -297,8 +297,29 @@ bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
     return letters != 0 && has_digit;
 }
 
+/// "PART.MPF", "part.spf": main programs and subprograms of SINUMERIK.
+bool has_siemens_name(std::string_view name) {
+    if (name.size() < 4) return false;
+    std::string ending(name.substr(name.size() - 4));
+    for (char& c : ending)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    return ending == ".MPF" || ending == ".SPF";
+}
+
+/// G20, G21 or G43, which SINUMERIK does not have in its own language.
+bool has_iso_code(std::string_view code) {
+    for (std::size_t i = 0; i + 2 < code.size(); ++i) {
+        const std::string_view word = code.substr(i, 3);
+        const bool ends = i + 3 == code.size() || !(is_digit(code[i + 3]) || code[i + 3] == '.');
+        if (ends && (word == "G20" || word == "G21" || word == "G43")) return true;
+    }
+    return false;
+}
+
 class Detective {
 public:
+    explicit Detective(std::string_view name) : is_named_siemens_(has_siemens_name(name)) {}
+
     /// `every` line, or only those that are not plain?
     void look_at(std::string_view line, std::uint32_t number, bool every) {
         constexpr Letters kPlain = letters_of("NXYZF");
@@ -323,6 +344,7 @@ public:
         look_for_values_behind_equals(number);
         look_for_named_cycles(number);
         look_for_power(number);
+        has_iso_codes_ = has_iso_codes_ || (is_named_siemens_ && has_iso_code(split_.code));
         const std::string& code = split_.code;
         Letters words = 0;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
@@ -358,6 +380,13 @@ public:
                 findings.kind = kKinds[i].kind;
                 findings.kind_evidence = kinds_[i].evidence;
             }
+        }
+        // The name decides unless the text is of another control.
+        constexpr int kStronger = 4;
+        if (findings.kind == Kind::Milling && is_named_siemens_ && !has_iso_codes_ &&
+            dialects_[best].weight < kStronger) {
+            findings.kind = Kind::Siemens;
+            findings.kind_evidence = {{"a file name ending in .mpf or .spf", 0}};
         }
         if (findings.kind == Kind::Milling && turning_.weight >= (changes_tools_ ? 5 : 4) &&
             !has_y_ && !turns_a_or_b_ && has_xz_) {
@@ -596,6 +625,8 @@ private:
         add(dialects_[1], 60, 2, "the program number " + number, line);
     }
 
+    bool is_named_siemens_ = false;
+    bool has_iso_codes_ = false;
     SplitLine split_;
     std::array<Case, kDialects.size()> dialects_;
     std::array<Case, kKinds.size()> kinds_;
@@ -632,7 +663,7 @@ DialectFindings detect_dialect(const SourceFile& program) {
         findings.kind_evidence = {{"its bytes are no text", 1}};
         return findings;
     }
-    Detective detective;
+    Detective detective(program.name);
     const std::size_t whole = rest.size();
     for (std::uint32_t line = 1; !rest.empty(); ++line) {
         const LineEnd end = find_line_end(rest);
