@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class By : unsigned char { Default, Strict, Fanuc, Tip, Turning };
+enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Tip, Turning };
 
 // A machine that turns, and never as it should.
 class Stubborn : public JointSolver {
@@ -60,7 +60,9 @@ std::vector<std::string> said_of(const Case& c) {
         options.setting_errors = {{{1, {{1, 2, 3}, {}, {0, 0, 0.5}}}, {2, {{}, {}, {1, 0, 0}}}},
                                   true};
     }
-    options.dialect = c.by == By::Fanuc || c.by == By::Turning ? Dialect::Fanuc : Dialect::Rs274;
+    options.dialect = c.by == By::Fanuc || c.by == By::Turning ? Dialect::Fanuc
+                      : c.by == By::Grbl                       ? Dialect::Grbl
+                                                               : Dialect::Rs274;
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
         std::string line = render(d, SourceFile{});
@@ -80,6 +82,8 @@ std::string many_points() {
 const std::vector<Case>& cases() {
     static const std::string kStart = "G21 G90 G17 F100 G0 X0 Y0 Z0~";
     static const std::vector<Case> kCases = {
+        {By::Grbl, "G21 G81 X5 Z-3 R1",
+         "1:5: error: grbl 1.1 has no G81; the block is left out [not-of-control]"},
         // Reading lines
         {By::Default, "G1 !5 X1",
          "1:4: error: expected a letter with a number, found '!' [letter-expected]"},

@@ -4,10 +4,11 @@
 // other program is run on the finished part, measured, and its ledger names the lines.
 #include "ncsim/simulation/compare_parts.h"
 
-#include "compare_processes.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/rule.h"
 #include "ncsim/verify/verifier.h"
+
+#include "compare_processes.h"
 
 #include <algorithm>
 #include <utility>
@@ -82,7 +83,7 @@ report::Difference compare_parts(const Surveyed& a, const Surveyed& b) {
     require_verifying(a.plan);
     require_verifying(b.plan);
     report::Difference d;
-    d.process = compare_processes(a, b);
+    d.process = compare_processes(a.plan, a.survey, b.plan, b.survey);
     const Simulation made_a = simulate(a.plan, a.survey, {}, {});
     d.old_mm3 = made_a.part_volume;
     d.same_motions = moves_alike(a, b);

@@ -55,9 +55,9 @@ Condition condition_of(const gcode::Motion& m) {
     return c;
 }
 
-std::vector<Condition> conditions_of(const Surveyed& side) {
+std::vector<Condition> conditions_of(const Plan& plan) {
     std::vector<Condition> all;
-    gcode::interpret(side.plan.job.program, side.plan.job.interpreter, [&](const gcode::Motion& m) {
+    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& m) {
         const bool dwells = std::holds_alternative<gcode::Dwell>(m.what);
         if (!dwells && (!gcode::start_of(m) || m.kind == gcode::MoveKind::Rapid)) return;
         const Condition c = condition_of(m);
@@ -94,12 +94,13 @@ std::string words_for(const Condition& c) {
 
 using Range = std::vector<Condition>::const_iterator;
 
-std::vector<report::ProcessDifference::Run> runs_of(Range first, Range last, const Surveyed& side) {
+std::vector<report::ProcessDifference::Run> runs_of(Range first, Range last, const Plan& plan,
+                                                    const Survey& survey) {
     std::vector<report::ProcessDifference::Run> runs;
     for (; first != last; ++first) {
-        const auto& files = side.survey.interpretation.files;
+        const auto& files = survey.interpretation.files;
         runs.push_back({first->file < files.size() && first->file != 0 ? files[first->file]
-                                                                       : side.plan.job.program.name,
+                                                                       : plan.job.program.name,
                         first->line, words_for(*first)});
     }
     return runs;
@@ -107,16 +108,18 @@ std::vector<report::ProcessDifference::Run> runs_of(Range first, Range last, con
 
 }  // namespace
 
-report::ProcessDifference compare_processes(const Surveyed& old_side, const Surveyed& new_side) {
-    const std::vector<Condition> a = conditions_of(old_side);
-    const std::vector<Condition> b = conditions_of(new_side);
+report::ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
+                                            const Plan& new_plan, const Survey& new_survey) {
+    const std::vector<Condition> a = conditions_of(old_plan);
+    const std::vector<Condition> b = conditions_of(new_plan);
     const auto [front_a, front_b] = std::ranges::mismatch(a, b, same);
     Range back_a = a.end(), back_b = b.end();
     while (back_a != front_a && back_b != front_b && same(*(back_a - 1), *(back_b - 1))) {
         --back_a;
         --back_b;
     }
-    return {runs_of(front_a, back_a, old_side), runs_of(front_b, back_b, new_side)};
+    return {runs_of(front_a, back_a, old_plan, old_survey),
+            runs_of(front_b, back_b, new_plan, new_survey)};
 }
 
 }  // namespace ncsim::simulation

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "ncsim/report/difference.h"
-#include "ncsim/simulation/compare_parts.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
 
 namespace ncsim::simulation {
 
 /// Compares feed, spindle, coolant and tool of the feed moves, and dwells, in their order. Moves in
 /// a row under one condition count once, so a move in two halves is no difference.
 /// Cost: one interpretation of each program.
-report::ProcessDifference compare_processes(const Surveyed& old_side, const Surveyed& new_side);
+report::ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
+                                            const Plan& new_plan, const Survey& new_survey);
 
 }  // namespace ncsim::simulation

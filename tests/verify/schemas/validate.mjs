@@ -75,7 +75,7 @@ check(["bad program.nc"], ["--write-baseline", "known.json"]);
 const runs = {
   faults: check(["bad program.nc", "moved.nc", "accepted.nc", "latin1.nc", "unknown tool.nc",
     "empty.nc", "missing.nc"]),
-  samples: check(samples),
+  samples: check(["--no-project", ...samples]),
   known: check(["bad program.nc", "moved.nc"], ["--baseline", "known.json"]),
   design: check(["design.nc", "deep.nc", "flat.nc"], ["--design", "design.stl"]),
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "control/codes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -61,6 +62,18 @@ Code find_g(int tenths) {
 
 const GCode& entry_of(Code code) {
     return kCodes[kIndex[static_cast<std::size_t>(tenths_of(code))] - 1U];
+}
+
+bool is_of_grbl(Code code) {
+    constexpr std::array kCodes = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281,
+                                   300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
+                                   570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
+    return std::ranges::find(kCodes, tenths_of(code)) != kCodes.end();
+}
+
+bool is_of_grbl(int m_number) {
+    constexpr std::array kCodes = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30, 56};
+    return std::ranges::find(kCodes, m_number) != kCodes.end();
 }
 
 bool is_cycle(Code code) {

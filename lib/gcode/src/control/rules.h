@@ -29,6 +29,8 @@ struct Rules {
     /// There, C may be a corner that somebody wrote without the comma: it never is what an axis
     /// would be told.
     bool c_may_be_corner = false;
+    /// The user has named grbl, so codes that grbl 1.1 does not have are errors.
+    bool only_grbl = false;
     CompensationStart compensation_start = CompensationStart::SquareToItself;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;

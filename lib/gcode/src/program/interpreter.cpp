@@ -89,6 +89,7 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
     rules.c_may_be_corner = result.dialect.c_may_be_corner;
     rules.linuxcnc_planes =
         rules.dialect == Dialect::Rs274 && (result.dialect.stated || !evidence.empty());
+    rules.only_grbl = rules.dialect == Dialect::Grbl && result.dialect.stated;
     if (options.compensation_start) rules.compensation_start = *options.compensation_start;
     Runner runner(program, options, rules, sink, log, result);
     runner.run();

@@ -153,6 +153,10 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         unknown_g_ = true;
         return true;  // the rest of the block may have faults of its own
     }
+    if (rules_.only_grbl && !is_of_grbl(code) && !is_allowed('G', value)) {
+        log_.add(Message::NotOfGrbl, word.span, {text_of(word, value)});
+        return false;
+    }
     Group group = entry_of(code).group;
     // Haas has G107 map a linear axis onto a rotary one.
     if (code == Code::G107 && haas) group = Group::Unsupported;
@@ -197,6 +201,10 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
         if (is_allowed('M', value)) return true;
         if (is_whole && !rules_.strict && is_harmless_m(number, rules_.dialect)) return true;
         return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
+    }
+    if (rules_.only_grbl && !is_of_grbl(number) && !is_allowed('M', value)) {
+        log_.add(Message::NotOfGrbl, word.span, {text_of(word, value)});
+        return false;
     }
     std::int16_t& slot = command.m[static_cast<std::size_t>(group)];
     if (slot != kNone && slot != number) {

@@ -8,6 +8,15 @@
 
 namespace ncsim::gcode {
 
+namespace {
+
+bool uses_variables(const Block& block) {
+    return !block.assignments.empty() ||
+           std::ranges::any_of(block.words, [](const Word& word) { return !word.literal; });
+}
+
+}  // namespace
+
 Runner::Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
                const MotionSink& sink, DiagnosticLog& log, Interpretation& result)
     : options_(options),
@@ -97,6 +106,10 @@ bool Runner::step() {
         return true;
     }
     something_read_ = true;
+    if (rules_.only_grbl && uses_variables(block_)) {
+        log_.add(Message::NotOfGrbl, block_.line_span(), {"variables"});
+        return true;
+    }
     if (!block_.words.empty()) act_on_words();
     if (!block_.assignments.empty()) assign(block_);
     return true;
