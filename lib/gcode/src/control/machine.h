@@ -90,6 +90,10 @@ public:
 
 private:
     void let_out(const Command& command);
+    bool keeps_frame(const Command& command) const;
+    bool is_length_active(const Command& command) const;
+    int length_number(const Command& command) const;
+    static std::optional<Plane> plane_of(const Command& command);
     void restore(const ControlState& before);
     bool act(const Command& command);
     bool check(const Command& command);

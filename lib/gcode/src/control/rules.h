@@ -37,6 +37,10 @@ struct Rules {
     /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
     bool macro_b = false;
 
+    /// The program is LinuxCNC's: by its rules, by the user, or by a sign of its own. A program
+    /// without a sign counts as RS274/NGC, and may be for another control.
+    bool is_linuxcnc() const { return strict || linuxcnc_planes; }
+
     static Rules of(Dialect dialect, bool strict) {
         Rules rules;
         rules.dialect = dialect;

@@ -455,6 +455,12 @@ std::optional<double> Machine::gauge_length() const {
     return told_length(state_.tool);
 }
 
+/// The register of G43: H0 is no offset, and on LinuxCNC the tool in the spindle.
+int Machine::length_number(const Command& command) const {
+    const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
+    return h == 0 && rules_.is_linuxcnc() ? state_.tool : h;
+}
+
 bool Machine::set_tool_length(const Command& command) {
     const Code code = command.group(Group::ToolLength);
     if (code == Code::None) return true;
@@ -484,9 +490,7 @@ bool Machine::set_tool_length(const Command& command) {
             if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
         }
     } else if (code != Code::G49) {
-        int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
-        // H0 is no offset; on LinuxCNC, that of the tool in the spindle.
-        if (h == 0 && (rules_.strict || rules_.linuxcnc_planes)) h = state_.tool;
+        const int h = length_number(command);
         if (code == Code::G43_2) {
             offset = state_.tool_offset;
         } else {
@@ -511,7 +515,8 @@ bool Machine::set_tool_length(const Command& command) {
 
 /// Of D, else of the tool in the spindle, in active units; 0, with a warning, where it is not told.
 double Machine::radius_of_register(const Command& command, SourceSpan span) {
-    const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
+    int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
+    if (d == 0 && rules_.is_linuxcnc()) d = state_.tool;
     const auto entry = std::ranges::find(control_.store->tools, d, &ToolTableEntry::number);
     if (entry != control_.store->tools.end() && entry->diameter) {
         return entry->diameter->mm() / 2.0 / state_.unit_mm();
@@ -528,9 +533,13 @@ bool Machine::set_cutter_side(const Command& command) {
     if (code == Code::None) return true;
     if (code == Code::G40) {
         if (compensation_.is_on()) {
+            // On LinuxCNC the next move begins at the programmed point: the axes of the plane that
+            // it does not name go there, too.
+            const std::optional<Axes> programmed = compensation_.programmed_end();
             compensation_.end(state_);
+            if (programmed && rules_.is_linuxcnc()) state_.position = *programmed;
             path_.set_origin(span_, file_);
-            state_.just_left_compensation = true;
+            state_.just_left_compensation |= !rules_.strict || programmed.has_value();
         }
         state_.cutter_side = CutterSide::Off;
         return true;
