@@ -482,8 +482,8 @@ TEST(Traps, AreNotSteppedInto) {
          "feed X10 Y0 Z0 F100 ! compensation-radius-unknown"},
         {"22 G98 keeps the first height", By::Default, "G0 Z5~G98 G81 X1 Z-1 R1~G99 X2~G98 X3",
          "rapid X0 Y0 Z5; rapid X1 Y0 Z5; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z5; "
-         "rapid X2 Y0 Z5; rapid X2 Y0 Z1; feed X2 Y0 Z-1 F100; rapid X2 Y0 Z1; rapid X3 Y0 Z1; "
-         "feed X3 Y0 Z-1 F100"},
+         "rapid X2 Y0 Z5; rapid X2 Y0 Z1; feed X2 Y0 Z-1 F100; rapid X2 Y0 Z1; rapid X3 Y0 Z5; "
+         "rapid X3 Y0 Z1"},
         {"22 below R", By::Default, "G0 Z-5~G81 X1 Z-10 R2",
          "rapid X0 Y0 Z-5; rapid X0 Y0 Z2; rapid X1 Y0 Z2; feed X1 Y0 Z-10 F100; rapid X1 Y0 Z2"},
         {"23 other cycle wants its words", By::Strict, "G81 X1 Z-1 R1~G82 X2 P1",

@@ -103,6 +103,7 @@ def read_rs274(output):
     events, unit, g5x, g92, theta, feed, plane, per_minute = [], 25.4, [0.0] * 6, [0.0] * 6, 0.0, 0.0, "CANON_PLANE_XY", True
     at = [0.0] * 6
     first_theta = None
+    threads = False
 
     def machine(p):
         q = [a + b for a, b in zip(p, g92)]
@@ -128,10 +129,12 @@ def read_rs274(output):
             theta = float(rest)
         elif name == "SET_FEED_RATE":
             feed = float(rest) * unit
-        elif name == "SET_FEED_MODE":
-            per_minute = rest.split(",")[1].strip() == "0"
+        elif name == "COMMENT" and "feed mode set to" in rest:
+            per_minute = "units per minute" in rest
         elif name == "SELECT_PLANE":
             plane = rest
+        elif name.endswith("SPEED_FEED_SYNCH"):
+            threads = name.startswith("START")
         elif name == "DWELL":
             events.append(("dwell", float(rest), None, None, None, unit))
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE", "RIGID_TAP"):
@@ -141,7 +144,7 @@ def read_rs274(output):
             kind = {"STRAIGHT_TRAVERSE": "rapid", "STRAIGHT_PROBE": "probe"}.get(name, "feed")
             if kind != "rapid" and first_theta is None:
                 first_theta = theta
-            events.append((kind, machine(at), None, None, feed if per_minute and kind == "feed" else None, unit))
+            events.append((kind, machine(at), None, None, feed if per_minute and kind == "feed" and not threads else None, unit))
             if name == "RIGID_TAP":
                 at = before
                 events.append(("feed", machine(at), None, None, None, unit))
@@ -196,11 +199,11 @@ def without_rests(events):
     """Events without straight moves of no length."""
     out, at = [], [0.0] * 6
     for e in events:
-        if e[0] in ("rapid", "feed") and max(abs(a - b) for a, b in zip(e[1], at)) < 1e-4 * e[5]:
+        if e[0] in ("rapid", "feed") and at is not None and max(abs(a - b) for a, b in zip(e[1], at)) < 1e-4 * e[5]:
             continue
         out.append(e)
-        if e[0] != "dwell" and e[1] is not None:
-            at = e[1]
+        if e[0] != "dwell":
+            at = e[1] if e[0] != "spline" else None  # rs274 does not print where a spline ends
     return out
 
 
@@ -288,6 +291,8 @@ def difference(ncsim, lines, strict, reference=None):
         return None, None
     output, error = reference
     theirs, theta = read_rs274(output)
+    if any("G33" in line for line in lines):  # rs274 prints no pitch
+        theirs = [e[:4] + (None,) + e[5:] for e in theirs]
     refused = refusal(error)
     canonical, messages = run_ncsim(ncsim, text, strict)
     if "time out" in messages or "internal" in messages:
@@ -300,9 +305,12 @@ def difference(ncsim, lines, strict, reference=None):
         return f"{'strict ' if strict else ''}refuses: {our_errors[0]}", reference
     if our_errors and not strict:
         return None, reference
+    if refused and "cycle-spindle" in our_errors:
+        theirs = theirs[:-4]  # rs274 refuses the cycle after it went to the hole
     if "compensation-gouge" in our_errors:
         theirs = theirs[:-2]  # ncsim finds such a corner a block earlier
-    found = [first_difference(without_rests(aligned(theirs, theta, shift)), without_rests(ours), theta, refused)
+    theirs, ours = without_rests(theirs), without_rests(ours)
+    found = [first_difference(aligned(theirs, theta, shift), ours, theta, refused)
              for shift in shifts(theirs, theta, ours)]
     return (None if None in found else found[0]), reference
 

@@ -15,7 +15,25 @@ class Explained:
         return bool(re.search(self.message, what)) and any(re.search(self.program, line) for line in lines)
 
 
-CLASSES = {}
+CLASSES = {
+    "G88": Explained("After G88 the operator takes the tool out by hand. rs274 makes no motion and counts from the "
+                     "clearance plane; ncsim retracts.", r"motion", r"G88"),
+    "#5161 … #5390": Explained("rs274 alone counts inches in the variables of its machine, ncsim millimetres.",
+                               r"motion", r"#5[123]\d\d"),
+    "G84 and G74 in G18 and G19": Explained(
+        "rs274 feeds to a point with its axes in the wrong order; the manual of LinuxCNC has the axis across the "
+        "plane, as for G81.", r"motion", r"G[78]4"),
+    "G5 and G5.1 without their code": Explained(
+        "rs274 never makes G5 and G5.1 the motion mode: the next block without a code moves as before them. The manual "
+        "says nothing. ncsim goes on with the curve.", r"motion|spline-words", r"G5"),
+    "a corner that turns back": Explained(
+        "Where the path turns back on itself within 3° into or out of an arc, rs274 cuts the outside corner short. "
+        "ncsim rounds the corner, as the manual of LinuxCNC says.", r"(motion|gouge|compensation-arc)", r"G4[12]"),
+    "a tool as large as the arc": Explained(
+        "An arc with the radius of the tool fits by the rounding of inches in rs274; ncsim refuses the arc.",
+        r"refuses: compensation-(arc|gouge)", r"G[23]"),
+    "values above 1e12": Explained("ncsim refuses words with a value beyond any machine.", r"value-too-large", r"\["),
+}
 
 BEGIN, END = "<!-- rs274 -->", "<!-- /rs274 -->"
 

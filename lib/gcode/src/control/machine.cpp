@@ -263,7 +263,49 @@ bool Machine::check(const Command& command) {
     if (takes_axes && motion != Code::None && motion != Code::G80 && rules_.strict) {
         return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot), {name_of(one_shot)});
     }
+    if (rules_.strict) {
+        const std::string_view forbidden = forbidden_with_compensation(command);
+        if (!forbidden.empty())
+            return fail(Message::ForbiddenWithCompensation, command.span, {forbidden});
+        if (command.has('S') && command['S'] < 0.0)
+            return fail(Message::NegativeValue, span_of(command, 'S'), {"S"});
+        if (command.has('T') && command['T'] < 0.0)
+            return fail(Message::NegativeValue, span_of(command, 'T'), {"T"});
+    }
     return check_corner_words(command) && check_unused_words(command);
+}
+
+/// The word of `command` that LinuxCNC refuses while G41 or G42 is on, even if the word changes
+/// nothing; empty: none. M codes and planes come before G40 in a block, the others behind.
+std::string_view Machine::forbidden_with_compensation(const Command& command) const {
+    const Code side = command.group(Group::CutterSide);
+    const bool is_on = state_.cutter_side != CutterSide::Off;
+    if (is_on) {
+        if (command.group(MGroup::ToolChange) == 6) return "M6";
+        if (command.group(MGroup::Override) != kNone) return "M48 … M53";
+        if (command.group(MGroup::Io) != kNone) return "M62 … M68";
+        const std::optional<Plane> plane = plane_of(command);
+        if (plane && *plane != state_.plane) return "another plane";
+    }
+    if (side == Code::G40 || (!is_on && side == Code::None)) return {};
+    const Code length = command.group(Group::ToolLength);
+    if (length != Code::None) return name_of(length);
+    if (command.group(Group::WorkOffset) != Code::None) return "G54 … G59.3";
+    if (command.group(Group::PathMode) != Code::None) return "G61, G61.1 or G64";
+    if (command.group(Group::Retract) != Code::None) return "G98 or G99";
+    switch (const Code one_shot = command.group(Group::OneShot)) {
+        case Code::None:
+        case Code::G4:
+        case Code::G53: break;
+        case Code::G10: {
+            const double p = command.get('P', 0.0);
+            const bool sets_system = command.get('L', 0.0) == 2.0 || command.get('L', 0.0) == 20.0;
+            if (sets_system && (p == 0.0 || p == state_.system)) return "G10 of the active system";
+            break;
+        }
+        default: return name_of(one_shot);
+    }
+    return {};
 }
 
 /// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.

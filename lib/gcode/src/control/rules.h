@@ -50,6 +50,7 @@ struct Rules {
         rules.arithmetic.fix_truncates = fanuc;
         rules.arithmetic.bitwise = fanuc;
         rules.arithmetic.vacant = fanuc;
+        rules.arithmetic.compares_loosely = strict || dialect == Dialect::Rs274;
         rules.dwell_milliseconds = fanuc;
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = fanuc;
