@@ -371,27 +371,35 @@ def examine(task):
     return seed, found, reference
 
 
-def record(path, seeds, cache, agreeing):
-    """Writes programs that agree with rs274, and its motions."""
+def number(value):
+    text = f"{value:.4f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def is_recorded(seed, cache):
+    """False for programs whose refusal ncsim finds at another block."""
+    return not re.search("corner|pindle", refusal(cache[seed][1]) or "")
+
+
+def record(path, seeds, cache):
+    """Writes programs, and the motions of rs274 in machine coordinates, mm."""
     with open(path, "w", encoding="ascii") as out:
-        out.write("# Written by tests/nightly/rs274/compare.py --record: programs, and the motions of rs274.\n")
-        out.write("# Frame of the motions: the machine, mm. \"refused\" ends those of a program that rs274 refuses.\n")
+        out.write("# Random programs that ncsim reads as LinuxCNC does, and the motions of rs274 (Debian's\n"
+                  "# linuxcnc-uspace 2.9.0~pre1): machine coordinates, mm. \"refused\": rs274 reads no further.\n"
+                  "# Written by tests/nightly/rs274/compare.py --record.\n")
         for seed in seeds:
-            if seed not in agreeing:
-                continue
             kind, lines = random_programs.program(seed)
             output, error = cache[seed]
-            events, theta = read_rs274(output)
-            out.write(f"\n== {seed} {kind} {theta:g}\n" + "\n".join(lines) + "\n--\n")
-            for e in without_rests(events):
+            out.write(f"== {seed} {kind}\n" + "\n".join(lines) + "\n--\n")
+            for e in without_rests(read_rs274(output)[0]):
                 if e[0] == "dwell":
-                    out.write(f"dwell {e[1]:g}\n")
+                    out.write(f"dwell {number(e[1])}\n")
                 elif e[0] == "spline":
                     out.write("spline\n")
                 else:
-                    text = e[0] + " " + " ".join(f"{v:.4f}".rstrip("0").rstrip(".").replace("-0", "0") if abs(v) < 5e-5 else f"{v:.4f}".rstrip("0").rstrip(".") for v in e[1][:4])
+                    text = " ".join([e[0]] + [number(v) for v in e[1][:4]])
                     if e[2]:
-                        text += f" {e[2][0][-2:]} {e[2][1]:.4f} {e[2][2]:.4f} {e[3]}"
+                        text += f" {number(e[2][1])} {number(e[2][2])} {e[3]}"
                     out.write(text + "\n")
             if refusal(error):
                 out.write("refused\n")
@@ -466,7 +474,7 @@ def main():
     if arguments.table:
         explained.write_table(arguments.table, total, counts)
     if arguments.record:
-        record(arguments.record, sorted(agreeing)[:arguments.record_count], cache, agreeing)
+        record(arguments.record, [s for s in sorted(agreeing) if is_recorded(s, cache)][:arguments.record_count], cache)
     return 1 if unexplained else 0
 
 
