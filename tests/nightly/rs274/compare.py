@@ -70,7 +70,9 @@ def run_rs274(text):
     f.write("rs274.var", "")
     try:
         done = subprocess.run(["rs274", "-g", "-v", "rs274.var", "-t", "tool.tbl", "program.ngc"], cwd=f.path,
-                              capture_output=True, timeout=20, check=False)
+                              capture_output=True, timeout=20, check=False,
+                              # rs274 keeps its tool table in $HOME: two at a time would share one.
+                              env={**os.environ, "HOME": f.path})
     except subprocess.TimeoutExpired:
         return None
     if done.returncode < 0:

@@ -295,8 +295,10 @@ std::string_view Machine::forbidden_with_compensation(const Command& command) co
     if (command.group(Group::Retract) != Code::None) return "G98 or G99";
     switch (const Code one_shot = command.group(Group::OneShot)) {
         case Code::None:
-        case Code::G4:
-        case Code::G53: break;
+        case Code::G4: break;
+        case Code::G53:
+            if (compensation_.is_on()) return "G53";
+            break;
         case Code::G10: {
             const double p = command.get('P', 0.0);
             const bool sets_system = command.get('L', 0.0) == 2.0 || command.get('L', 0.0) == 20.0;
@@ -305,6 +307,10 @@ std::string_view Machine::forbidden_with_compensation(const Command& command) co
         }
         default: return name_of(one_shot);
     }
+    const Code motion = command.group(Group::Motion);
+    const bool threads = motion == Code::G33 || motion == Code::G33_1;
+    const bool curves = motion == Code::G5 || motion == Code::G5_1;
+    if (curves || (threads && compensation_.is_on())) return name_of(motion);
     return {};
 }
 
