@@ -167,15 +167,15 @@ const std::vector<Case>& codes() {
         {"G40", By::Default, "G40 G1 X1", "feed X1 Y0 Z0 F100"},
         {"G41", By::Default, "T1 M6~G41 D1 G1 X10 Y10~X20~G40 X30",
          "tool 1 at X0 Y0 Z0; feed X8.585786438 Y11.414213562 Z0 F100 T1; arc XY X10 Y12 Z0 centre "
-         "10 10 turns -1 F100 T1; feed X20 Y12 Z0 F100 T1; feed X30 Y12 Z0 F100 T1"},
+         "10 10 turns -1 F100 T1; feed X20 Y12 Z0 F100 T1; feed X30 Y10 Z0 F100 T1"},
         {"G41.1", By::Default, "G41.1 D2 G1 X10 Y10~X20~G40 X30",
          "feed X9.292893219 Y10.707106781 Z0 F100; arc XY X10 Y11 Z0 centre 10 10 turns -1 F100; "
-         "feed X20 Y11 Z0 F100; feed X30 Y11 Z0 F100"},
+         "feed X20 Y11 Z0 F100; feed X30 Y10 Z0 F100"},
         {"G42", By::Default, "T1 M6~G42 D1 G1 X10 Y10~X20~G40 X30",
          "tool 1 at X0 Y0 Z0; feed X10.828427125 Y8 Z0 F100 T1; feed X20 Y8 Z0 F100 T1; feed X30 "
-         "Y8 Z0 F100 T1"},
+         "Y10 Z0 F100 T1"},
         {"G42.1", By::Default, "G42.1 D2 G1 X10 Y10~X20~G40 X30",
-         "feed X10.414213562 Y9 Z0 F100; feed X20 Y9 Z0 F100; feed X30 Y9 Z0 F100"},
+         "feed X10.414213562 Y9 Z0 F100; feed X20 Y9 Z0 F100; feed X30 Y10 Z0 F100"},
         {"G43", By::Default, "T1 M6~G43 H1~G0 Z5", "tool 1 at X0 Y0 Z0; rapid X0 Y0 Z5 T1"},
         {"G43.1", By::Default, "G43.1 Z5~G0 Z5", "rapid X0 Y0 Z5"},
         {"G43.2", By::Default, "G43 H1~G43.2 H1~G53 G0 Z0", "rapid X0 Y0 Z200 machine"},
@@ -501,8 +501,8 @@ TEST(Traps, AreNotSteppedInto) {
          "feed X10 Y0 Z0 F100 ! compensation-radius-unknown"},
         {"22 G98 keeps the first height", By::Default, "G0 Z5~G98 G81 X1 Z-1 R1~G99 X2~G98 X3",
          "rapid X0 Y0 Z5; rapid X1 Y0 Z5; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z5; "
-         "rapid X2 Y0 Z5; rapid X2 Y0 Z1; feed X2 Y0 Z-1 F100; rapid X2 Y0 Z1; rapid X3 Y0 Z1; "
-         "feed X3 Y0 Z-1 F100"},
+         "rapid X2 Y0 Z5; rapid X2 Y0 Z1; feed X2 Y0 Z-1 F100; rapid X2 Y0 Z1; rapid X3 Y0 Z5; "
+         "rapid X3 Y0 Z1"},
         {"22 below R", By::Default, "G0 Z-5~G81 X1 Z-10 R2",
          "rapid X0 Y0 Z-5; rapid X0 Y0 Z2; rapid X1 Y0 Z2; feed X1 Y0 Z-10 F100; rapid X1 Y0 Z2"},
         {"23 other cycle wants its words", By::Strict, "G81 X1 Z-1 R1~G82 X2 P1",
@@ -513,8 +513,8 @@ TEST(Traps, AreNotSteppedInto) {
          "feed X2 Y0 Z-1 F100; dwell 1; rapid X2 Y0 Z1"},
         {"23 L0", By::Strict, "G81 X1 Z-1 R1 L0", " ! error cycle-repeats"},
         {"23 incremental", By::Default, "G91 G81 X1 Z-2 R-1 L2",
-         "rapid X1 Y0 Z0; rapid X1 Y0 Z-1; feed X1 Y0 Z-3 F100; rapid X1 Y0 Z0; rapid X2 Y0 Z0; "
-         "rapid X2 Y0 Z-1; feed X2 Y0 Z-3 F100; rapid X2 Y0 Z0"},
+         "rapid X1 Y0 Z0; rapid X1 Y0 Z-1; feed X1 Y0 Z-3 F100; rapid X1 Y0 Z-1; rapid X2 Y0 Z-1; "
+         "feed X2 Y0 Z-3 F100; rapid X2 Y0 Z-1"},
         {"24 pecks", By::Default, "G83 X1 Z-2 R1 Q1",
          "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z0 F100; rapid X1 Y0 Z1; rapid X1 Y0 Z0.254; "
          "feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X1 Y0 Z-0.746; feed X1 Y0 Z-2 F100; rapid X1 "

@@ -94,6 +94,10 @@ TEST_P(BadProgram, IsRefusedWithTheMessageInItsFirstLine) {
     const SourceFile file{"", read_file(directory / (GetParam() + ".nc"))};
     InterpreterOptions options;
     options.strict = first_line(file.text).find("strict: ") != std::string::npos;
+    if (options.strict) {
+        options.tools = {
+            {.number = 1, .offset = {}, .length_told = false, .diameter = Length::from_mm(10.0)}};
+    }
     const Interpretation result = interpret(file, options, {});
     const auto error =
         std::ranges::find(result.diagnostics, Severity::Error, &Diagnostic::severity);

@@ -9,7 +9,9 @@ ncsim_add_test(gcode
     messages_test.cpp
     parser_test.cpp
     program_text_test.cpp
+    redundant_words_test.cpp
     refused_block_test.cpp
+    rs274_test.cpp
     state_test.cpp
     tilted_plane_test.cpp
     tip_control_test.cpp)

@@ -40,8 +40,9 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
     for (std::size_t i = 0; i < store.homes.size(); ++i)
         store.homes[i] = to_axes(options.homes[i]);
     state_.inches = options.default_units == DefaultUnits::Inches;
-    state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
+    state_.retract_to_r = options.starts_with_g99.value_or(rules.is_linuxcnc());
     state_.chosen = state_.coordinates = options.tip_control.at_start;
+    compensation_.set_straight_rapids(rules.is_linuxcnc());
     use_system({});  // G54, with the axes at home
     parameters_.view.state = &state_;
     parameters_.view.store = &control_.store;
@@ -108,22 +109,59 @@ void Machine::restore(const ControlState& before) {
     control_ = before;
 }
 
+/// True if the words of `command` that select a plane, a system or a length leave all of them as
+/// they are. Such words do not end what cutter compensation holds back.
+bool Machine::keeps_frame(const Command& command) const {
+    const Code system = command.group(Group::WorkOffset);
+    const bool by_number = system == Code::G54_1 || system == Code::G154 || command.has('P');
+    if (system != Code::None && (by_number || system_of(system) != state_.system)) return false;
+    if (const std::optional<Plane> plane = plane_of(command); plane && *plane != state_.plane)
+        return false;
+    switch (command.group(Group::ToolLength)) {
+        case Code::None: return true;
+        case Code::G49: return state_.length_register == kNoLength && state_.tool_offset == Axes{};
+        case Code::G43: return is_length_active(command);
+        default: return false;
+    }
+}
+
+/// True if G43 of `command` selects the length that is active, with the same value.
+bool Machine::is_length_active(const Command& command) const {
+    const int h = length_number(command);
+    if (state_.length_register != h || state_.tip_by_length) return false;
+    Axes offset{};
+    const auto entry = std::ranges::find(control_.store->tools, h, &ToolTableEntry::number);
+    for (std::size_t i = 0; entry != control_.store->tools.end() && i < 3; ++i)
+        offset[i] = entry->offset[i].mm() / state_.unit_mm();
+    return offset == state_.tool_offset;
+}
+
+std::optional<Plane> Machine::plane_of(const Command& command) {
+    switch (command.group(Group::Plane)) {
+        case Code::G17: return Plane::XY;
+        case Code::G18: return Plane::ZX;
+        case Code::G19: return Plane::YZ;
+        case Code::G17_1: return Plane::UV;
+        case Code::G18_1: return Plane::WU;
+        case Code::G19_1: return Plane::VW;
+        default: return std::nullopt;
+    }
+}
+
 /// A move that is held back by cutter compensation is made before anything that has no part in it.
 void Machine::let_out(const Command& command) {
     if (!compensation_.is_on()) return;
     const Code one_shot = command.group(Group::OneShot);
-    if (command.group(Group::Units) != Code::None ||
-        (one_shot != Code::None && one_shot != Code::G4) ||
-        command.group(Group::WorkOffset) != Code::None ||
-        command.group(Group::Plane) != Code::None ||
+    const int stop = command.group(MGroup::Stop);
+    if ((one_shot != Code::None && one_shot != Code::G4) || !keeps_frame(command) ||
         command.group(Group::TiltedPlane) != Code::None ||
         command.group(Group::Face) != Code::None || command.group(Group::Orient) != Code::None ||
-        command.group(Group::Carried) != Code::None ||
-        command.group(Group::ToolLength) != Code::None ||
-        command.group(Group::CutterSide) == Code::G40 ||
-        command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Kinematics) != kNone ||
-        command.group(MGroup::Stop) == 2 || command.group(MGroup::Stop) == 30) {
+        command.group(Group::Carried) != Code::None || command.group(MGroup::ToolChange) != kNone ||
+        command.group(MGroup::Kinematics) != kNone || stop == 2 || stop == 30) {
         compensation_.flush(state_);
+        path_.set_origin(span_, file_);
+    } else if (command.group(Group::CutterSide) == Code::G40) {
+        compensation_.make_held();
         path_.set_origin(span_, file_);
     }
 }
@@ -163,15 +201,7 @@ bool Machine::act(const Command& command) {
                     {std::string("M").append(std::to_string(state_.kinematics))});
     }
     if (command.group(Group::OneShot) == Code::G4 && !dwell(command)) return false;
-    switch (command.group(Group::Plane)) {
-        case Code::G17: state_.plane = Plane::XY; break;
-        case Code::G18: state_.plane = Plane::ZX; break;
-        case Code::G19: state_.plane = Plane::YZ; break;
-        case Code::G17_1: state_.plane = Plane::UV; break;
-        case Code::G18_1: state_.plane = Plane::WU; break;
-        case Code::G19_1: state_.plane = Plane::VW; break;
-        default: break;
-    }
+    if (const std::optional<Plane> plane = plane_of(command)) state_.plane = *plane;
     if (rules_.strict) switch_units();
     // G41 beside G150 is for the pocket alone.
     const bool for_pocket = command.group(Group::Pocket) == Code::G150;
@@ -233,7 +263,55 @@ bool Machine::check(const Command& command) {
     if (takes_axes && motion != Code::None && motion != Code::G80 && rules_.strict) {
         return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot), {name_of(one_shot)});
     }
+    if (rules_.strict) {
+        const std::string_view forbidden = forbidden_with_compensation(command);
+        if (!forbidden.empty())
+            return fail(Message::ForbiddenWithCompensation, command.span, {forbidden});
+        if (command.has('S') && command['S'] < 0.0)
+            return fail(Message::NegativeValue, span_of(command, 'S'), {"S"});
+        if (command.has('T') && command['T'] < 0.0)
+            return fail(Message::NegativeValue, span_of(command, 'T'), {"T"});
+    }
     return check_corner_words(command) && check_unused_words(command);
+}
+
+/// The word of `command` that LinuxCNC refuses while G41 or G42 is on, even if the word changes
+/// nothing; empty: none. M codes and planes come before G40 in a block, the others behind.
+std::string_view Machine::forbidden_with_compensation(const Command& command) const {
+    const Code side = command.group(Group::CutterSide);
+    const bool is_on = state_.cutter_side != CutterSide::Off;
+    if (is_on) {
+        if (command.group(MGroup::ToolChange) == 6) return "M6";
+        if (command.group(MGroup::Override) != kNone) return "M48 … M53";
+        if (command.group(MGroup::Io) != kNone) return "M62 … M68";
+        const std::optional<Plane> plane = plane_of(command);
+        if (plane && *plane != state_.plane) return "another plane";
+    }
+    if (side == Code::G40 || (!is_on && side == Code::None)) return {};
+    const Code length = command.group(Group::ToolLength);
+    if (length != Code::None) return name_of(length);
+    if (command.group(Group::WorkOffset) != Code::None) return "G54 … G59.3";
+    if (command.group(Group::PathMode) != Code::None) return "G61, G61.1 or G64";
+    if (command.group(Group::Retract) != Code::None) return "G98 or G99";
+    switch (const Code one_shot = command.group(Group::OneShot)) {
+        case Code::None:
+        case Code::G4: break;
+        case Code::G53:
+            if (compensation_.is_on()) return "G53";
+            break;
+        case Code::G10: {
+            const double p = command.get('P', 0.0);
+            const bool sets_system = command.get('L', 0.0) == 2.0 || command.get('L', 0.0) == 20.0;
+            if (sets_system && (p == 0.0 || p == state_.system)) return "G10 of the active system";
+            break;
+        }
+        default: return name_of(one_shot);
+    }
+    const Code motion = command.group(Group::Motion);
+    const bool threads = motion == Code::G33 || motion == Code::G33_1;
+    const bool curves = motion == Code::G5 || motion == Code::G5_1;
+    if (curves || (threads && compensation_.is_on())) return name_of(motion);
+    return {};
 }
 
 /// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.
@@ -406,44 +484,56 @@ bool Machine::needs_kinematics(const Command& command) {
     return command.has_any(letters('A', 'B', 'C')) || is_turned();
 }
 
-void Machine::set_units(bool inches) {
-    if (!state_.first_length_seen) state_.units_stated = true;
-    if (inches == state_.inches) return;
-    const double factor = inches ? 1.0 / 25.4 : 25.4;
-    const auto scale = [&](Axes& axes) {
+namespace {
+
+/// Converts all lengths of `state`; `factor`: old units in new ones.
+void convert_units(MachineState& state, double factor) {
+    const auto scale = [factor](Axes& axes) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
             if (!is_rotary(i)) axes[i] *= factor;
         }
     };
-    scale(state_.position);
-    scale(state_.work_offset);
-    scale(state_.offset_92);
-    scale(state_.tool_offset);
-    scale(state_.zero_92);
-    Store& store = control_.store.change();
-    scale(store.probed);
-    scale(store.via);
-    state_.cutter_radius *= factor;
-    if (state_.feed_mode != FeedMode::InverseTime) state_.feed *= factor;
-    Programmed& programmed = state_.programmed;
+    scale(state.position);
+    scale(state.work_offset);
+    scale(state.offset_92);
+    scale(state.tool_offset);
+    scale(state.zero_92);
+    state.cutter_radius *= factor;
+    if (state.feed_mode != FeedMode::InverseTime) state.feed *= factor;
+    Programmed& programmed = state.programmed;
     programmed.centre_1 *= factor;
     programmed.centre_2 *= factor;
     for (double& c : programmed.scale_centre)
         c *= factor;
-    const auto scale_origin = [&](std::optional<FeatureFrame>& frame) {
-        for (std::size_t i = 0; frame && i < 3; ++i)
-            frame->origin[i] *= factor;
-    };
-    scale_origin(state_.plane_frame);
-    if (state_.cylinder) state_.cylinder->radius *= factor;
-    for (double& v : state_.outer_92)
+    for (std::size_t i = 0; state.plane_frame && i < 3; ++i)
+        state.plane_frame->origin[i] *= factor;
+    if (state.cylinder) state.cylinder->radius *= factor;
+    for (double& v : state.outer_92)
         v *= factor;
-    for (std::size_t i = 0; state_.carried && i < 3; ++i)
-        (*state_.carried)[i] *= factor;
-    for (double& v : state_.carried_home)
+    for (std::size_t i = 0; state.carried && i < 3; ++i)
+        (*state.carried)[i] *= factor;
+    for (double& v : state.carried_home)
         v *= factor;
-    scale_origin(store.told_plane);
-    state_.inches = inches;
+    state.inches = !state.inches;
+}
+
+}  // namespace
+
+void Machine::set_units(bool inches) {
+    if (!state_.first_length_seen) state_.units_stated = true;
+    if (inches == state_.inches) return;
+    const double factor = inches ? 1.0 / 25.4 : 25.4;
+    convert_units(state_, factor);
+    compensation_.convert_units(factor,
+                                [factor](MachineState& s) { gcode::convert_units(s, factor); });
+    Store& store = control_.store.change();
+    for (std::size_t i = 0; i < store.probed.size(); ++i) {
+        if (is_rotary(i)) continue;
+        store.probed[i] *= factor;
+        store.via[i] *= factor;
+    }
+    for (std::size_t i = 0; store.told_plane && i < 3; ++i)
+        store.told_plane->origin[i] *= factor;
 }
 
 void Machine::set_modes(const Command& command) {
@@ -508,6 +598,7 @@ bool Machine::one_shot(const Command& command) {
 void Machine::stop(const Command& command) {
     const int code = command.group(MGroup::Stop);
     if (code == 2 || code == 30) return finish();
+    if (rules_.is_linuxcnc()) compensation_.make_held();
     stop_at(code);
 }
 

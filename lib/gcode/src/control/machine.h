@@ -26,6 +26,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,11 @@ public:
     /// Acts on `command`, or returns false after reporting an error: then control() is as it was,
     /// but for the curve that the command should have ended, and unless it had moved something.
     bool execute(const Command& command);
+
+    // M70 … M73 of LinuxCNC: the modes of a call level.
+    struct SavedModes;
+    std::shared_ptr<const SavedModes> save_modes() const;
+    bool restore_modes(const SavedModes& saved, SourceSpan span);
 
     // The outline of a G150: between these two, moves are listened to and not made.
     bool begin_outline(const Command& command);
@@ -90,9 +96,14 @@ public:
 
 private:
     void let_out(const Command& command);
+    bool keeps_frame(const Command& command) const;
+    bool is_length_active(const Command& command) const;
+    int length_number(const Command& command) const;
+    static std::optional<Plane> plane_of(const Command& command);
     void restore(const ControlState& before);
     bool act(const Command& command);
     bool check(const Command& command);
+    std::string_view forbidden_with_compensation(const Command& command) const;
     bool check_corner_words(const Command& command);
     bool check_unused_words(const Command& command);
 
@@ -103,6 +114,8 @@ private:
     void set_units(bool inches);
     void set_modes(const Command& command);
     bool set_cutter_side(const Command& command);
+    bool check_compensation_words(const Command& command, bool stated);
+    bool check_tool(const Command& command, char letter);
     bool set_tool_length(const Command& command);
     std::optional<double> gauge_length() const;
     bool set_work_offset(const Command& command);
@@ -111,6 +124,7 @@ private:
     char letter_of_dwell(const Command& command) const;
     bool dwell(const Command& command);
     bool move(const Command& command, Code motion);
+    bool moves_by_new_length(const Command& command, Code motion) const;
     void note_move_after_cycle(const Command& command, Code motion);
     void stop(const Command& command);
     void stop_at(int code);
@@ -154,16 +168,19 @@ private:
     void finish_curve(std::vector<double> knots);
     bool probe(const Command& command, Code motion);
     bool cycle(const Command& command, Code motion);
+    void end_cycle();
+    bool check_spindle(const Command& command, Code motion);
     bool cycle_words(const Command& command, Code motion);
     /// What is the same for all holes of a block.
     struct Drilling {
         Code motion = Code::None;
         std::size_t depth_axis = kZ;
         double r = 0.0, bottom = 0.0, clear = 0.0;
+        double height = 0.0;  ///< At which the tool goes to the next hole.
     };
     std::optional<Drilling> begin_drilling(const Command& command, Code motion);
     bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
-    bool hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask);
+    bool hole_at(Drilling& drilling, const Axes& hole, AxisMask mask);
     bool drill(const Drilling& drilling, const Axes& above);
     bool hole_pattern(const Command& command, Code code, bool words_taken);
     static std::string_view corner_name(char letter) {

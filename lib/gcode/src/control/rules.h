@@ -40,6 +40,10 @@ struct Rules {
     /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
     bool macro_b = false;
 
+    /// The program is LinuxCNC's: by its rules, by the user, or by a sign of its own. A program
+    /// without a sign counts as RS274/NGC, and may be for another control.
+    bool is_linuxcnc() const { return strict || linuxcnc_planes; }
+
     static Rules of(Dialect dialect, bool strict) {
         Rules rules;
         rules.dialect = dialect;
@@ -49,6 +53,7 @@ struct Rules {
         rules.arithmetic.fix_truncates = fanuc;
         rules.arithmetic.bitwise = fanuc;
         rules.arithmetic.vacant = fanuc;
+        rules.arithmetic.compares_loosely = strict || dialect == Dialect::Rs274;
         rules.dwell_milliseconds = fanuc;
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = fanuc;

@@ -21,7 +21,7 @@ struct Range {
 };
 
 constexpr int kSystems = 9;
-constexpr int kAxes = 9;
+constexpr int kAxisCount = 9;
 
 SystemVariable of_rs274(int n) {
     constexpr Range kRanges[] = {
@@ -37,7 +37,7 @@ SystemVariable of_rs274(int n) {
     if (n == 5210 || n == 5220) return {Effect::NotApplied, n};
     if (is_within(n, 5221, 20 * kSystems)) {
         const int item = (n - 5221) % 20;
-        if (item > kAxes) return {};
+        if (item > kAxisCount) return {};
         return {Effect::WorkOffset, n, (n - 5221) / 20 + 1, static_cast<std::size_t>(item)};
     }
     return {};
@@ -54,7 +54,7 @@ std::optional<SystemVariable> work_offset_of_fanuc(int n, bool haas) {
     for (const Systems& s : systems) {
         if (!is_within(n, s.first, 20 * s.count)) continue;
         const int item = (n - s.first) % 20;
-        if (item >= kAxes) return SystemVariable{Effect::NotApplied, n};
+        if (item >= kAxisCount) return SystemVariable{Effect::NotApplied, n};
         return SystemVariable{Effect::WorkOffset, n, s.index + (n - s.first) / 20,
                               static_cast<std::size_t>(item)};
     }

@@ -91,7 +91,9 @@ std::optional<Runner::Target> Runner::find_target(ControlWord word, const std::s
 }
 
 void Runner::enter(Frame frame, const Target& target) {
-    if (frames_.size() >= options_.limits.call_depth) {
+    constexpr std::size_t kDeepestStrict = 9;  // of LinuxCNC
+    if (frames_.size() >= options_.limits.call_depth ||
+        (rules_.strict && frames_.size() >= kDeepestStrict)) {
         fault(Message::CallDepth, block_.line_span());
         ended_ = true;
         return;
@@ -128,11 +130,36 @@ void Runner::leave_frame() {
         return;
     }
     if (frame.has_locals) parameters_.restore_locals(std::move(frame.locals), frame.local_count);
+    const auto modes = frame.restores ? frame.modes : nullptr;
     const std::size_t back_file = frame.file;
     const BlockReader::Place back = frame.back;
     frames_.pop_back();
     parameters_.view.call_level = static_cast<int>(frames_.size());
+    if (modes) machine_.restore_modes(*modes, block_.line_span());
     jump(back_file, back);
+}
+
+/// M70 and M73 save the modes of this call level, M71 forgets them, M72 restores them.
+void Runner::save_or_restore(int m) {
+    std::shared_ptr<const Machine::SavedModes>& modes =
+        frames_.empty() ? main_modes_ : frames_.back().modes;
+    switch (m) {
+        case 70: modes = machine_.save_modes(); break;
+        case 71: modes.reset(); break;
+        case 73:
+            modes = machine_.save_modes();
+            if (!frames_.empty()) frames_.back().restores = true;
+            break;
+        default:
+            if (!modes) {
+                log_.add(rules_.strict ? Severity::Error : Severity::Warning,
+                         Message::ModesNotSaved, command_.span);
+                if (rules_.strict) ended_ = true;
+                return;
+            }
+            machine_.restore_modes(*modes, command_.span);
+            break;
+    }
 }
 
 bool Runner::call_code(int m) {

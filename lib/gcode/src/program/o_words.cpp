@@ -160,7 +160,7 @@ void Runner::o_loop(std::size_t i) {
         case ControlWord::ORepeat: {
             const std::optional<double> times =
                 resolver_.value_of(block_.control.expression, span, !rules_.strict);
-            const double whole = times && !std::isnan(*times) ? std::round(*times) : 0.0;
+            const double whole = times && !std::isnan(*times) ? std::nearbyint(*times) : 0.0;
             if (whole < 1.0) {
                 const auto end = marks.next(i, here.label, ControlWord::OEndRepeat);
                 if (!end) return stop("endrepeat");

@@ -208,7 +208,7 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     }
     std::int16_t& slot = command.m[static_cast<std::size_t>(group)];
     if (slot != kNone && slot != number) {
-        if (group == MGroup::Coolant && slot != 9 && number != 9) {
+        if (group == MGroup::Coolant && slot != 9 && number != 9 && !rules_.strict) {
             command.mist_and_flood = true;
             return true;
         }

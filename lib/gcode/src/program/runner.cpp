@@ -143,6 +143,8 @@ void Runner::act_on_words() {
         return;
     }
     if (command_.group(Group::Pocket) == Code::G150 && !hear_outline()) return;
+    if (command_.group(MGroup::Other) != kNone && !rules_.macro_b)
+        save_or_restore(command_.group(MGroup::Other));
     machine_.execute(command_);
     note_blend();
     if (machine_.stopped()) {

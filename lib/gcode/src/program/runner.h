@@ -46,7 +46,9 @@ private:
         bool has_locals = false;
         std::size_t local_count = 0;
         Parameters::Locals locals;
-        std::size_t repeats = 0;  // depth of repeats_ at the call
+        std::size_t repeats = 0;                           // depth of repeats_ at the call
+        std::shared_ptr<const Machine::SavedModes> modes;  // of M70 and M73; null: none
+        bool restores = false;                             // M73: at the return
     };
     struct Repeat {
         std::string label;
@@ -86,6 +88,7 @@ private:
     void macro_call(int g);
 
     // Calls
+    void save_or_restore(int m);
     bool call_code(int m);
     void call_subprogram();
     bool is_elsewhere(double number) const;
@@ -121,6 +124,7 @@ private:
     std::size_t current_ = 0;
     std::vector<Frame> frames_;
     std::vector<Repeat> repeats_;
+    std::shared_ptr<const Machine::SavedModes> main_modes_;  // of M70 outside of calls
     Block block_;
     Command command_;
     std::uint64_t repeated_ = 0;  // blocks since the first jump or call

@@ -278,7 +278,9 @@ private:
             if (vacant_a) a = 0.0;
             if (vacant_b) b = 0.0;
         }
-        constexpr double kSame = 1e-6;  // RS274/NGC: numbers that print alike are equal
+        // LinuxCNC: TOLERANCE_EQUAL, of EQ and NE alone.
+        const double same = arithmetic_.compares_loosely ? 1e-4 : 1e-6;
+        const bool is_near = !arithmetic_.compares_loosely && std::abs(a - b) < same;
         switch (op) {
             case Operator::Power:
                 if (a < 0.0 && b != std::floor(b)) return fail(Message::FunctionRange, "**");
@@ -294,12 +296,12 @@ private:
             }
             case Operator::Plus: return finite(a + b);
             case Operator::Minus: return finite(a - b);
-            case Operator::Equal: return std::abs(a - b) < kSame ? 1.0 : 0.0;
-            case Operator::NotEqual: return std::abs(a - b) < kSame ? 0.0 : 1.0;
+            case Operator::Equal: return std::abs(a - b) < same ? 1.0 : 0.0;
+            case Operator::NotEqual: return std::abs(a - b) < same ? 0.0 : 1.0;
             case Operator::Greater: return a > b ? 1.0 : 0.0;
-            case Operator::GreaterEqual: return a >= b || std::abs(a - b) < kSame ? 1.0 : 0.0;
+            case Operator::GreaterEqual: return a >= b || is_near ? 1.0 : 0.0;
             case Operator::Less: return a < b ? 1.0 : 0.0;
-            case Operator::LessEqual: return a <= b || std::abs(a - b) < kSame ? 1.0 : 0.0;
+            case Operator::LessEqual: return a <= b || is_near ? 1.0 : 0.0;
             case Operator::And:
             case Operator::Or:
             case Operator::Xor: return logic(op, a, b);

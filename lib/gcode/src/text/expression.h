@@ -25,6 +25,8 @@ struct Arithmetic {
     bool fix_truncates = false;  ///< FIX[-2.8] is -2 (Fanuc), not -3 (RS274/NGC).
     bool bitwise = false;        ///< AND, OR, XOR work on bits (Fanuc).
     bool vacant = false;         ///< Unset variables are vacant (Fanuc), not 0.
+    /// EQ and NE regard numbers within 1e-4 as equal, GE and LE are exact (LinuxCNC).
+    bool compares_loosely = false;
 };
 
 /// Where parameters come from.

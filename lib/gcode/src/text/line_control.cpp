@@ -103,6 +103,15 @@ bool LineParser::read_o_word() {
         if (!skip_value()) return false;
         block_.control.expression = text_.substr(arguments, at_ - arguments);
     }
+    // "o1 if [#1] AND [#2]": nothing reads the second half, so that the condition is another one.
+    const std::string_view rest = text_.substr(at_);
+    const bool goes_on =
+        std::ranges::any_of(std::array{"and[", "or[", "xor["},
+                            [&](std::string_view op) { return rest.starts_with(op); });
+    if (goes_on) {
+        report(Message::UnreadableText, span(at_, text_.size()), {rest.substr(0, 20)});
+        return false;
+    }
     block_.control.span = span(start, end);
     return true;
 }

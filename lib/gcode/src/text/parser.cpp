@@ -91,7 +91,8 @@ bool BlockReader::next(Block& block, DiagnosticLog* log) {
 
 int tool_called_in(const Comment& comment) {
     constexpr std::size_t kLongest = 20;
-    if (comment.text.size() > kLongest || comment.text.find_first_of("Mm") == std::string_view::npos)
+    if (comment.text.size() > kLongest ||
+        comment.text.find_first_of("Mm") == std::string_view::npos)
         return -1;
     const SourceFile inside{{}, std::string(comment.text)};
     Block block;

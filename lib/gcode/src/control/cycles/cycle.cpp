@@ -20,7 +20,11 @@ bool Machine::cycle_words(const Command& command, Code motion) {
     const char depth = kAxisLetters9[axes.third];
     if (!cycle.running || cycle.code != motion) {
         const double initial = cycle.running ? cycle.initial : state_.position[axes.third];
-        if (!cycle.running || rules_.strict) cycle = {};
+        if (!cycle.running || rules_.strict) {
+            const double p = cycle.p;  // G74 and G84 of LinuxCNC dwell as the last cycle with a P
+            cycle = {};
+            if (rules_.is_linuxcnc()) cycle.p = p;
+        }
         cycle.initial = initial;
         cycle.running = true;
         cycle.code = motion;
@@ -29,9 +33,14 @@ bool Machine::cycle_words(const Command& command, Code motion) {
     if (command.has(depth)) cycle.z = command[depth], cycle.has_z = true;
     if (command.has('P')) cycle.p = seconds_of(command, 'P'), cycle.has_p = true;
     if (command.has('Q')) cycle.q = std::abs(command['Q']);
+    if (command.has('Q') && command['Q'] < 0.0 && (motion == Code::G83 || motion == Code::G73) &&
+        !tolerate(Message::NegativeValue, span_of(command, 'Q'), {"Q"})) {
+        return false;
+    }
 
     const std::string_view name = name_of(motion);
     if (rules_.strict) {
+        if (!check_spindle(command, motion)) return false;
         if (command.has_any(letters('A', 'B', 'C'))) {
             return fail(Message::CycleRotary, command.span, {name});
         }
@@ -59,6 +68,26 @@ bool Machine::cycle_words(const Command& command, Code motion) {
         return false;
     }
     return true;
+}
+
+/// Forgets the cycle, but for the dwell that LinuxCNC keeps.
+void Machine::end_cycle() {
+    const double p = state_.cycle.p;
+    state_.cycle = {};
+    if (rules_.is_linuxcnc()) state_.cycle.p = p;
+}
+
+/// Taps have to turn the right way, and cycles that stop the spindle need one that turns: LinuxCNC
+/// refuses others.
+bool Machine::check_spindle(const Command& command, Code motion) {
+    using enum SpindleTurning;
+    const SpindleTurning turning = state_.spindle;
+    std::string_view wanted;
+    if (motion == Code::G84 && turning != Clockwise) wanted = "M3";
+    if (motion == Code::G74 && turning != Counterclockwise) wanted = "M4";
+    const bool stops = motion == Code::G86 || motion == Code::G87 || motion == Code::G88;
+    if (stops && turning == Stopped) wanted = "M3 or M4";
+    return wanted.empty() || fail(Message::CycleSpindle, command.span, {name_of(motion), wanted});
 }
 
 bool Machine::cycle(const Command& command, Code motion) {
@@ -93,7 +122,7 @@ bool Machine::cycle(const Command& command, Code motion) {
     for (std::size_t i = 0; i < step.size(); ++i) {
         step[i] = state_.incremental ? hole[i] - state_.position[i] : 0.0;
     }
-    const std::optional<Drilling> drilling = begin_drilling(command, motion);
+    std::optional<Drilling> drilling = begin_drilling(command, motion);
     if (!drilling) return false;
     for (int i = 0; i < static_cast<int>(repeats); ++i) {
         if (!hole_at(*drilling, hole, mask)) return false;
@@ -126,21 +155,30 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
     if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {name_of(motion)})) {
         return std::nullopt;
     }
+    if (bottom == r) warn(Message::CycleDrillsNothing, command.span, {name_of(motion)});
     const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
-    if (rules_.strict ? cycle.initial < r : height < r) {
+    // Where the initial plane is above R and the tool is below it, LinuxCNC goes to the next hole
+    // and up to R in one move. Fanuc goes across first; other readings would hide what is in the
+    // way.
+    const bool slants = !rules_.macro_b;
+    if (slants ? cycle.initial < r && height != r : height < r) {
         Axes up = state_.position;
         up[depth_axis] = r;
         path_.straight(state_, up, MoveKind::Rapid, 1U << depth_axis);
     }
-    return Drilling{motion, depth_axis, r, bottom, clear};
+    const double now = state_.position[depth_axis];
+    const double across = slants && !(now > r) ? clear : now;
+    return Drilling{motion, depth_axis, r, bottom, clear, across};
 }
 
 /// At the height of now over the hole, down to R, and one hole drilled.
-bool Machine::hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask) {
+bool Machine::hole_at(Drilling& drilling, const Axes& hole, AxisMask mask) {
     const std::size_t depth_axis = drilling.depth_axis;
     Axes above = hole;
-    above[depth_axis] = state_.position[depth_axis];
-    path_.straight(state_, above, MoveKind::Rapid, mask);
+    above[depth_axis] = drilling.height;
+    const bool rises = drilling.height != state_.position[depth_axis];
+    path_.straight(state_, above, MoveKind::Rapid, rises ? mask | 1U << depth_axis : mask);
+    drilling.height = drilling.clear;
     if (above[depth_axis] != drilling.r) {
         above[depth_axis] = drilling.r;
         path_.straight(state_, above, MoveKind::Rapid, 1U << depth_axis);
@@ -150,7 +188,11 @@ bool Machine::hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask)
 
 /// From above the hole at R down to `bottom` and back to `clear`.
 bool Machine::drill(const Drilling& drilling, const Axes& above) {
-    const auto [motion, depth_axis, r, bottom, clear] = drilling;
+    const Code motion = drilling.motion;
+    const std::size_t depth_axis = drilling.depth_axis;
+    const double r = drilling.r;
+    const double bottom = drilling.bottom;
+    const double clear = drilling.clear;
     const AxisMask mask = 1U << depth_axis;
     const auto to = [&](double height, MoveKind kind) {
         Axes end = above;
@@ -181,7 +223,7 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
             }
         }
         to(bottom, MoveKind::Feed);
-        if (cycle.p > 0.0 && !rules_.strict) path_.dwell(state_, seconds);
+        if (cycle.p > 0.0 && !rules_.is_linuxcnc()) path_.dwell(state_, seconds);
         to(clear, MoveKind::Rapid);
         return true;
     }

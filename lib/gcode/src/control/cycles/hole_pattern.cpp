@@ -53,7 +53,7 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
     Axes at{};
     AxisMask mask = 0;
     if (!hole_place(command, at, mask)) return false;
-    const std::optional<Drilling> drilling = begin_drilling(command, motion);
+    std::optional<Drilling> drilling = begin_drilling(command, motion);
     if (!drilling) return false;
 
     const Axes centre = programmed_from(at);

@@ -299,6 +299,8 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     const double unit = state_.unit_mm();
     Axes machine = machine_position();
     path_.record_offset(index);
+    if (command.has('R') && from_position && rules_.strict)
+        return fail(Message::WordUnused, span_of(command, 'R'), {"R"});
     if (command.has('R') && !from_position) offset.rotation = command['R'];
     // L20: the place of now shall have these coordinates.
     double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
@@ -455,10 +457,17 @@ std::optional<double> Machine::gauge_length() const {
     return told_length(state_.tool);
 }
 
+/// The register of G43: H0 is no offset, and on LinuxCNC the tool in the spindle.
+int Machine::length_number(const Command& command) const {
+    const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
+    return h == 0 && rules_.is_linuxcnc() ? state_.tool : h;
+}
+
 bool Machine::set_tool_length(const Command& command) {
     const Code code = command.group(Group::ToolLength);
     if (code == Code::None) return true;
     state_.by_vector = false;
+    if (rules_.strict && command.has('H') && !check_tool(command, 'H')) return false;
     if (code == Code::G43_5 && !options_.joints) {
         return stop_with(Message::TurningUntold, span_of_g(command, code), {name_of(code)});
     }
@@ -484,9 +493,7 @@ bool Machine::set_tool_length(const Command& command) {
             if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
         }
     } else if (code != Code::G49) {
-        int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
-        // H0 is no offset; on LinuxCNC, that of the tool in the spindle.
-        if (h == 0 && (rules_.strict || rules_.linuxcnc_planes)) h = state_.tool;
+        const int h = length_number(command);
         if (code == Code::G43_2) {
             offset = state_.tool_offset;
         } else {
@@ -511,7 +518,8 @@ bool Machine::set_tool_length(const Command& command) {
 
 /// Of D, else of the tool in the spindle, in active units; 0, with a warning, where it is not told.
 double Machine::radius_of_register(const Command& command, SourceSpan span) {
-    const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
+    int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
+    if (d == 0 && rules_.is_linuxcnc()) d = state_.tool;
     const auto entry = std::ranges::find(control_.store->tools, d, &ToolTableEntry::number);
     if (entry != control_.store->tools.end() && entry->diameter) {
         return entry->diameter->mm() / 2.0 / state_.unit_mm();
@@ -523,14 +531,41 @@ double Machine::radius_of_register(const Command& command, SourceSpan span) {
     return 0.0;
 }
 
+/// What LinuxCNC refuses: a tool that its table does not have, G41.1 without D, an orientation (L)
+/// outside G18.
+bool Machine::check_compensation_words(const Command& command, bool stated) {
+    if (stated) {
+        if (!command.has('D'))
+            return fail(Message::CycleWordMissing, command.span, {"G41.1 or G42.1", "D"});
+        return !command.has('L') || state_.plane == Plane::ZX ||
+               fail(Message::WordUnused, span_of(command, 'L'), {"L outside G18"});
+    }
+    return !command.has('D') || check_tool(command, 'D');
+}
+
+/// Under strict rules, tool 0 is the one in the spindle; every other number has to be in the table.
+bool Machine::check_tool(const Command& command, char letter) {
+    const double value = command[letter];
+    if (value < 0.0) return fail(Message::NegativeValue, span_of(command, letter), {{&letter, 1}});
+    const int number = static_cast<int>(std::min(value, 1e9));
+    const auto& tools = control_.store->tools;
+    if (number == 0 || tools.empty()) return true;
+    if (std::ranges::find(tools, number, &ToolTableEntry::number) != tools.end()) return true;
+    return fail(Message::ToolNotInTable, span_of(command, letter), {std::to_string(number)});
+}
+
 bool Machine::set_cutter_side(const Command& command) {
     const Code code = command.group(Group::CutterSide);
     if (code == Code::None) return true;
     if (code == Code::G40) {
         if (compensation_.is_on()) {
+            // On LinuxCNC the next move begins at the programmed point: the axes of the plane that
+            // it does not name go there, too.
+            const std::optional<Axes> programmed = compensation_.programmed_end();
             compensation_.end(state_);
+            if (programmed && rules_.is_linuxcnc()) state_.position = *programmed;
             path_.set_origin(span_, file_);
-            state_.just_left_compensation = true;
+            state_.just_left_compensation |= !rules_.strict || programmed.has_value();
         }
         state_.cutter_side = CutterSide::Off;
         return true;
@@ -544,6 +579,7 @@ bool Machine::set_cutter_side(const Command& command) {
     }
     const bool stated =
         code == Code::G41_1 || code == Code::G42_1;  // G41.1 D3.5: the diameter itself
+    if (rules_.strict && !check_compensation_words(command, stated)) return false;
     double radius = 0.0;
     if (stated) {
         radius = command.get('D', 0.0) / 2.0;

@@ -31,6 +31,8 @@ void Compensation::begin(CutterSide side, double radius, CompensationStart start
     s_.radius = radius;
     s_.entering = true;
     s_.held.reset();
+    s_.made.reset();
+    s_.programmed.reset();
     s_.followers = {};
 }
 
@@ -77,11 +79,24 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
     const Vec to{end[axes.first], end[axes.second]};
     if (from.x == to.x && from.y == to.y) {
         if (!s_.held) {
-            path_.straight(state, end, kind, mask);
+            // Beside the programmed path, if the move before was made already.
+            Axes beside_end = end;
+            if (s_.made) {
+                state.position = s_.at;
+                beside_end[axes.first] = s_.at[axes.first];
+                beside_end[axes.second] = s_.at[axes.second];
+            }
+            path_.straight(state, beside_end, kind, mask);
+            if (s_.made) {
+                s_.at = state.position;
+                state.position = end;
+                s_.programmed = end;
+            }
             return true;
         }
         s_.followers.push_back({state, end, kind, mask, span, file, false, 0.0});
         state.position = end;
+        s_.programmed = end;
         record_move(state, mask, false);
         return true;
     }
@@ -126,9 +141,12 @@ void Compensation::dwell(const MachineState& state, double seconds, SourceSpan s
 
 bool Compensation::take(MachineState& state, Element element) {
     const bool enters = s_.entering;
-    if (enters ? !enter(state, element) : s_.held && !join(element)) return false;
+    const bool is_done = enters ? enter(state, element) : !(s_.held || s_.made) || join(element);
+    if (!is_done) return false;
     s_.held_enters = enters;
+    s_.made.reset();
     const Axes end = element.end;
+    s_.programmed = end;
     state.position = end;
     record_move(state, element.mask, false);
     s_.held = std::move(element);
@@ -136,7 +154,7 @@ bool Compensation::take(MachineState& state, Element element) {
 }
 
 /// Begins with this element, if the control can.
-bool Compensation::enter(MachineState& state, const Element& element) {
+bool Compensation::enter(MachineState& state, Element& element) {
     const double length =
         trig::length_of(element.to.x - element.from.x, element.to.y - element.from.y);
     if (s_.start == CompensationStart::SquareToNext) {
@@ -151,15 +169,38 @@ bool Compensation::enter(MachineState& state, const Element& element) {
         path_.note_compensation_start(element.span, element.file);
         log_.add(Message::CompensationEntry, element.span);
         return false;
+    } else if (element.is_arc && !place_centre(element, state.position)) {
+        log_.add(Message::CompensationArc, element.span);
+        return false;
     }
     s_.at = state.position;
     s_.entering = false;
     return true;
 }
 
+/// Moves the centre of the arc that begins compensation, so that the compensated arc leads from
+/// `at` to its end beside the programmed one, where both have one direction. False: none does.
+bool Compensation::place_centre(Element& element, const Axes& at) const {
+    constexpr double kSquare = 1e-4;
+    const PlaneAxes axes = axes_of(element.state.plane);
+    const Vec end = beside(element.to, end_tangent(element));
+    const double chord_x = at[axes.first] - end.x;
+    const double chord_y = at[axes.second] - end.y;
+    const double radius = radius_of(element);
+    const Vec inwards{(element.centre.x - element.to.x) / radius,
+                      (element.centre.y - element.to.y) / radius};
+    const double chord = trig::length_of(chord_x, chord_y);
+    const double along = chord_x * inwards.x + chord_y * inwards.y;
+    if (std::abs(along) < kSquare * chord) return false;
+    const double distance = chord * chord / (2.0 * along);
+    element.centre = {end.x + distance * inwards.x, end.y + distance * inwards.y};
+    return true;
+}
+
 /// Ends the held element where `next` begins.
 bool Compensation::join(const Element& next) {
-    const Element held = *s_.held;
+    const bool is_made = !s_.held;
+    const Element held = is_made ? *s_.made : *s_.held;
     const Vec corner = held.to;
     const Vec in = end_tangent(held);
     const Vec out = start_tangent(next);
@@ -168,11 +209,12 @@ bool Compensation::join(const Element& next) {
     const bool is_flat = std::abs(turn) < kFlat;
     if (s_.held_enters && !is_flat) path_.note_compensation_start(held.span, held.file);
     if (is_flat || (s_.held_enters && s_.start == CompensationStart::SquareToNext)) {
-        emit(held, beside(corner, out));
+        if (!is_made) emit(held, beside(corner, out));
         return true;
     }
     const bool outside = turn * s_.side < 0.0 || std::abs(turn) > 180.0 - kReversal;
     if (!outside) {
+        if (is_made) return true;
         Vec point;
         if (!meeting_point(held, next, point)) {
             log_.add(Message::CompensationGouge, next.span);
@@ -181,7 +223,7 @@ bool Compensation::join(const Element& next) {
         emit(held, point);
         return true;
     }
-    emit(held, beside(corner, in));
+    if (!is_made) emit(held, beside(corner, in));
     // Round the corner, on behalf of the next move.
     MachineState state = next.state;
     state.position = s_.at;
@@ -195,7 +237,11 @@ bool Compensation::join(const Element& next) {
     arc.centre_2 = corner.y;
     arc.turns = s_.side > 0.0 ? -1 : 1;
     path_.set_origin(next.span, next.file);
-    path_.arc(state, arc, 0);
+    if (straight_rapids_ && next.kind == MoveKind::Rapid) {
+        path_.straight(state, arc.end, MoveKind::Rapid, 0);
+    } else {
+        path_.arc(state, arc, 0);
+    }
     s_.at = state.position;
     return true;
 }
@@ -297,10 +343,18 @@ void Compensation::emit(Element element, Vec end) {
     s_.held.reset();
 }
 
-void Compensation::flush(MachineState& state) {
+void Compensation::make_held() {
     if (!s_.held) return;
     const Element held = *s_.held;
     emit(held, beside(held.to, end_tangent(held)));
+    s_.made = held;
+}
+
+void Compensation::flush(MachineState& state) {
+    if (!s_.held && !s_.made) return;
+    make_held();
+    s_.made.reset();
+    s_.programmed.reset();
     state.position = s_.at;
     s_.entering = true;
 }
@@ -308,6 +362,35 @@ void Compensation::flush(MachineState& state) {
 void Compensation::end(MachineState& state) {
     flush(state);
     s_.radius = 0.0;
+}
+
+void Compensation::convert_units(double factor, const std::function<void(MachineState&)>& convert) {
+    const auto scale = [factor](Axes& axes) {
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            if (!is_rotary(i)) axes[i] *= factor;
+        }
+    };
+    const auto scale_element = [&](std::optional<Element>& element) {
+        if (!element) return;
+        convert(element->state);
+        scale(element->end);
+        for (Vec* v : {&element->from, &element->to, &element->centre}) {
+            v->x *= factor;
+            v->y *= factor;
+        }
+    };
+    s_.radius *= factor;
+    scale(s_.at);
+    if (s_.programmed) scale(*s_.programmed);
+    scale_element(s_.held);
+    scale_element(s_.made);
+    const GrowingList<Follower> before = s_.followers;
+    s_.followers = {};
+    for (Follower follower : before) {
+        convert(follower.state);
+        scale(follower.end);
+        s_.followers.push_back(std::move(follower));
+    }
 }
 
 }  // namespace ncsim::gcode

@@ -12,6 +12,7 @@
 #include "text/message.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace ncsim::gcode {
@@ -55,7 +56,11 @@ struct CompensationState {
     bool entering = true;
     CompensationStart start = CompensationStart::SquareToItself;
     bool held_enters = false;  ///< `held` is the move that begins compensation.
+    /// The programmed end of the last move, while that differs from where the tool is.
+    std::optional<Axes> programmed;
     std::optional<Element> held;
+    /// The move before, if it was made to its end before the next one was known (M0 on LinuxCNC).
+    std::optional<Element> made;
     GrowingList<Follower> followers;
     Axes at{};  ///< Where the tool is, program coordinates.
     bool operator==(const CompensationState&) const = default;
@@ -84,6 +89,16 @@ public:
              std::uint32_t file);
     void dwell(const MachineState& state, double seconds, SourceSpan span, std::uint32_t file);
 
+    /// Makes the move held back to its end, without regard to the next one, which goes on from
+    /// there (a stop on LinuxCNC).
+    void make_held();
+    /// The programmed end of the last move; nothing before the first one.
+    std::optional<Axes> programmed_end() const { return s_.programmed; }
+    /// Outside corners before a rapid are cut straight, as LinuxCNC does it.
+    void set_straight_rapids(bool on) { straight_rapids_ = on; }
+    /// Converts all lengths by `factor`, and states by `convert`.
+    void convert_units(double factor, const std::function<void(MachineState&)>& convert);
+
     /// Lets out the move held back, and puts `state.position` where the tool then is.
     void flush(MachineState& state);
     void end(MachineState& state);
@@ -94,7 +109,8 @@ private:
         double radius = 0.0;
     };
     bool take(MachineState& state, Element element);
-    bool enter(MachineState& state, const Element& element);
+    bool enter(MachineState& state, Element& element);
+    bool place_centre(Element& element, const Axes& at) const;
     bool join(const Element& next);
     bool meeting_point(const Element& a, const Element& b, Vec& point) const;
     void emit(Element element, Vec end);
@@ -107,6 +123,7 @@ private:
     CompensationState& s_;
     Path& path_;
     DiagnosticLog& log_;
+    bool straight_rapids_ = false;
 };
 
 }  // namespace ncsim::gcode

@@ -12,7 +12,10 @@ namespace ncsim::gcode {
 
 bool Machine::move(const Command& command, Code motion) {
     const Code one_shot = command.group(Group::OneShot);
-    const bool words_taken = command.axes_are_taken() || (one_shot == Code::G4 && !rules_.strict);
+    // The time of G4 is P, else one of X, U, F and S. Beside P, X belongs to the motion.
+    const bool dwells = one_shot == Code::G4 && !rules_.strict && letter_of_dwell(command) != 'P';
+    const bool words_taken =
+        (command.axes_are_taken() && !moves_by_new_length(command, motion)) || dwells;
     if (is_speed_mode(command, motion)) return true;
     if (const Code code = command.group(Group::HolePattern); code != Code::None) {
         return hole_pattern(command, code, words_taken);
@@ -25,7 +28,7 @@ bool Machine::move(const Command& command, Code motion) {
     if (motion != Code::None) {
         state_.motion = motion;
         if (motion == Code::G0 || motion == Code::G1) state_.last_straight = motion;
-        if (!is_cycle(motion)) state_.cycle = {};
+        if (!is_cycle(motion)) end_cycle();
         if (motion == Code::G80) {
             if (!command.axis_words || words_taken) return true;
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
@@ -86,6 +89,13 @@ bool Machine::move(const Command& command, Code motion) {
         case Code::G33_1: return threading(command, motion);
         default: return cycle(command, motion);
     }
+}
+
+/// LinuxCNC: in "G0 G43.1 Z5" the Z is the length, and where G0 leads.
+bool Machine::moves_by_new_length(const Command& command, Code motion) const {
+    return rules_.is_linuxcnc() && command.group(Group::ToolLength) == Code::G43_1 &&
+           motion != Code::None && motion != Code::G80 &&
+           command.group(Group::OneShot) == Code::None;
 }
 
 /// Reports axis words after G80, which move as `motion`. G80 of Fanuc and Haas leaves G0 or G1 as

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Differences between ncsim and rs274 that are meant: why, and how to recognise them."""
+import re
+
+
+class Explained:
+    """A class of differences. `message` is searched in what differs, `program` in its lines."""
+
+    def __init__(self, why, message, program, strict=None):
+        self.why, self.message, self.program, self.strict = why, message, program, strict
+
+    def covers(self, strict, what, lines):
+        if self.strict is not None and strict != self.strict:
+            return False
+        return bool(re.search(self.message, what)) and any(re.search(self.program, line) for line in lines)
+
+
+CLASSES = {
+    "G88": Explained("After G88 the operator takes the tool out by hand. rs274 makes no motion and counts from the "
+                     "clearance plane; ncsim retracts.", r"motion", r"G88"),
+    "#5161 … #5390": Explained("rs274 alone counts inches in the variables of its machine, ncsim millimetres.",
+                               r"motion", r"#5[123]\d\d"),
+    "G84 and G74 in G18 and G19": Explained(
+        "rs274 feeds to a point with its axes in the wrong order; the manual of LinuxCNC has the axis across the "
+        "plane, as for G81.", r"motion", r"G[78]4"),
+    "G5 and G5.1 without their code": Explained(
+        "rs274 never makes G5 and G5.1 the motion mode: the next block without a code moves as before them. The manual "
+        "says nothing. ncsim goes on with the curve.", r"motion|spline-words", r"G5"),
+    "a corner that turns back": Explained(
+        "Where the path turns back on itself within 3° into or out of an arc, rs274 cuts the outside corner short. "
+        "ncsim rounds the corner, as the manual of LinuxCNC says.", r"(motion|gouge|compensation-arc)", r"G4[12]"),
+    "a tool as large as the arc": Explained(
+        "An arc with the radius of the tool fits by the rounding of inches in rs274; ncsim refuses the arc.",
+        r"refuses: compensation-(arc|gouge)", r"G[23]"),
+    "values above 1e12": Explained("ncsim refuses words with a value beyond any machine.", r"value-too-large", r"\["),
+}
+
+BEGIN, END = "<!-- rs274 -->", "<!-- /rs274 -->"
+
+
+def write_table(path, total, counts):
+    with open(path, encoding="utf-8") as page:
+        text = page.read()
+    rows = [f"| of {total} random programs | differ | why |", "| --- | --- | --- |"]
+    rows += [f"| {name} | {counts.get(name, 0)} | {CLASSES[name].why} |" for name in CLASSES]
+    before, rest = text.split(BEGIN)
+    with open(path, "w", encoding="utf-8") as page:
+        page.write(before + BEGIN + "\n" + "\n".join(rows) + "\n" + END + rest.split(END)[1])
