@@ -115,5 +115,19 @@ INSTANTIATE_TEST_SUITE_P(Corpus, BadProgram, testing::ValuesIn(programs("bad")),
                              return name;
                          });
 
+// A fault that the default reports stays a fault under strict rules.
+TEST(Strict, IsNeverLaxerThanTheDefault) {
+    for (const char* folder : {"good", "bad"}) {
+        for (const std::string& name : programs(folder)) {
+            const SourceFile file{"", read_file(kDirectory / folder / (name + ".nc"))};
+            InterpreterOptions options;
+            options.dialect = Dialect::Rs274;
+            const bool fails = has_errors(interpret(file, options, {}).diagnostics);
+            options.strict = true;
+            EXPECT_TRUE(!fails || has_errors(interpret(file, options, {}).diagnostics)) << name;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ncsim::gcode

@@ -54,7 +54,7 @@ struct Written {
     std::string motion;
 };
 
-/// A random program and, beside each block, the modal words in force before it.
+/// A random program and, for each block, the modal words in force before it.
 class Writer {
 public:
     explicit Writer(unsigned seed) : random_(seed) {}

@@ -310,7 +310,8 @@ std::string_view Machine::forbidden_with_compensation(const Command& command) co
     const Code motion = command.group(Group::Motion);
     const bool threads = motion == Code::G33 || motion == Code::G33_1;
     const bool curves = motion == Code::G5 || motion == Code::G5_1;
-    if (curves || (threads && compensation_.is_on())) return name_of(motion);
+    const bool probes = motion >= Code::G38_2 && motion <= Code::G38_5;
+    if (curves || probes || (threads && compensation_.is_on())) return name_of(motion);
     return {};
 }
 

@@ -157,7 +157,7 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
     }
     if (bottom == r) warn(Message::CycleDrillsNothing, command.span, {name_of(motion)});
     const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
-    // Where the initial plane is above R and the tool is below it, LinuxCNC goes to the next hole
+    // If the initial plane is above R and the tool is below R, LinuxCNC goes to the next hole
     // and up to R in one move. Fanuc goes across first; other readings would hide what is in the
     // way.
     const bool slants = !rules_.macro_b;

@@ -79,7 +79,7 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
     const Vec to{end[axes.first], end[axes.second]};
     if (from.x == to.x && from.y == to.y) {
         if (!s_.held) {
-            // Beside the programmed path, if the move before was made already.
+            // At the offset from the programmed path, if the move before was made already.
             Axes beside_end = end;
             if (s_.made) {
                 state.position = s_.at;
@@ -179,7 +179,7 @@ bool Compensation::enter(MachineState& state, Element& element) {
 }
 
 /// Moves the centre of the arc that begins compensation, so that the compensated arc leads from
-/// `at` to its end beside the programmed one, where both have one direction. False: none does.
+/// `at` to the offset point of its end, with the programmed direction. False: none does.
 bool Compensation::place_centre(Element& element, const Axes& at) const {
     constexpr double kSquare = 1e-4;
     const PlaneAxes axes = axes_of(element.state.plane);

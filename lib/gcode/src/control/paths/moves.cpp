@@ -12,7 +12,7 @@ namespace ncsim::gcode {
 
 bool Machine::move(const Command& command, Code motion) {
     const Code one_shot = command.group(Group::OneShot);
-    // The time of G4 is P, else one of X, U, F and S. Beside P, X belongs to the motion.
+    // The time of G4 is P, else one of X, U, F and S. With P, X belongs to the motion.
     const bool dwells = one_shot == Code::G4 && !rules_.strict && letter_of_dwell(command) != 'P';
     const bool words_taken =
         (command.axes_are_taken() && !moves_by_new_length(command, motion)) || dwells;
