@@ -24,8 +24,7 @@ struct Mode {
 };
 constexpr std::array kModes{Mode{Dialect::Auto, false}, Mode{Dialect::Rs274, false},
                             Mode{Dialect::Rs274, true}, Mode{Dialect::Fanuc, false},
-                            Mode{Dialect::Haas, false}, Mode{Dialect::Mach3, false},
-                            Mode{Dialect::Grbl, false}};
+                            Mode{Dialect::Haas, false}, Mode{Dialect::Mach3, false}};
 
 /// The motions of `text`, one a line, without the numbers of their lines; what was reported last.
 std::string motions_of(const std::string& text, const Mode& mode) {
