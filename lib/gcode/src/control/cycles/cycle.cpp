@@ -161,7 +161,7 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
     // and up to R in one move. Fanuc goes across first; other readings would hide what is in the
     // way.
     const bool slants = !rules_.macro_b;
-    if (slants ? cycle.initial < r && height != r : height < r) {
+    if (slants ? cycle.initial < r && (rules_.strict || height != r) : height < r) {
         Axes up = state_.position;
         up[depth_axis] = r;
         path_.straight(state_, up, MoveKind::Rapid, 1U << depth_axis);
