@@ -27,7 +27,7 @@ using Side = simulation::Surveyed;
 
 Side read_side(const DiffOptions& diff, const std::string& path,
                const std::optional<toolpath::Stock>& stock, setup::InputSet& inputs) {
-    ProgramOptions options = diff;
+    auto options = static_cast<const ProgramOptions&>(diff);
     options.program = path;
     if (stock) options.stock = stock;
     Side side;
