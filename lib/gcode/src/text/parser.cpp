@@ -41,7 +41,7 @@ std::string_view BlockReader::take_line() {
 /// The text of a program does not change, so that what was read of it stays right.
 struct BlockReader::Kept {
     /// More is written in no loop of a program that somebody wrote.
-    static constexpr std::size_t kMostBytes = 128 * 1024;
+    static constexpr std::size_t kMostBytes = 131'072;
     struct Line {
         std::string clean;
         bool is_kept = false;  ///< Else it is read again, into `clean`.

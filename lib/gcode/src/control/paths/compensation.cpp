@@ -109,7 +109,7 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
     element.file = file;
     element.from = from;
     element.to = to;
-    return take(state, std::move(element));
+    return take(state, element);
 }
 
 bool Compensation::arc(MachineState& state, const ProgramArc& arc, AxisMask mask, SourceSpan span,
@@ -130,7 +130,7 @@ bool Compensation::arc(MachineState& state, const ProgramArc& arc, AxisMask mask
         log_.add(Message::CompensationArc, span);
         return false;
     }
-    return take(state, std::move(element));
+    return take(state, element);
 }
 
 void Compensation::dwell(const MachineState& state, double seconds, SourceSpan span,
@@ -149,7 +149,7 @@ bool Compensation::take(MachineState& state, Element element) {
     s_.programmed = end;
     state.position = end;
     record_move(state, element.mask, false);
-    s_.held = std::move(element);
+    s_.held = element;
     return true;
 }
 
@@ -389,7 +389,7 @@ void Compensation::convert_units(double factor, const std::function<void(Machine
     for (Follower follower : before) {
         convert(follower.state);
         scale(follower.end);
-        s_.followers.push_back(std::move(follower));
+        s_.followers.push_back(follower);
     }
 }
 

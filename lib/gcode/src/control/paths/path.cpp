@@ -482,7 +482,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
         out.tilted = turn_about(2, state.rotation) * *state.plane_frame;
         plane_origin = place(state, {});
     }
-    motion_.what = std::move(out);
+    motion_.what = out;
     emit(state, from, to, arc_centre.machine, plane_origin);
     arrive(state, end, to, mask);
 }
