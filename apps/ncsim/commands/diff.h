@@ -23,7 +23,8 @@ struct DiffOptions : ProgramOptions, SimulationOptions {
 cli::App* add_diff(cli::App& app, DiffOptions& options);
 void complete(const DiffOptions& options);
 
-/// 0: the same part (and process, where asked for); 1: not, or a program has faults. Throws std::runtime_error if the world fails.
+/// 0: the same part (and process, where asked for); 1: not, or a program has faults. Throws
+/// std::runtime_error if the world fails.
 int run(const DiffOptions& options);
 
 }  // namespace ncsim::app

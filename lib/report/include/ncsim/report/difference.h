@@ -19,8 +19,8 @@ struct OneSided {
     std::vector<std::string> files;  ///< That the lines of the regions are in.
 };
 
-/// Feeds, speeds, coolant, tools and dwells that only one of the programs has: what lies between the
-/// first and the last condition that differ.
+/// Feeds, speeds, coolant, tools and dwells that only one of the programs has: what lies between
+/// the first and the last condition that differ.
 struct ProcessDifference {
     /// Feed moves in a row under one condition, or a dwell.
     struct Run {
