@@ -489,7 +489,7 @@ TEST(Traps, AreNotSteppedInto) {
          "arc XY X1 Y18 Z0 centre 1 10 turns 1 F100 T1; feed X30 Y20 Z0 F100 T1"},
         {"21 entry on an arc", By::Fanuc, "T1 M6~G41 D1 G2 X10. Y0 I5.",
          "tool 1 at X0 Y0 Z0 ! error compensation-entry"},
-        // What grbl 1.1 does not have.
+        // Codes that grbl 1.1 does not have.
         {"grbl", By::Grbl, "G81 X5 Y5 Z-3 R1", " ! error not-of-control"},
         {"grbl", By::Grbl, "G41 D1~G1 X1", "feed X1 Y0 Z0 F100 ! error not-of-control"},
         {"grbl", By::Grbl, "#1=3~G1 X#1", " ! error not-of-control"},

@@ -153,7 +153,7 @@ TEST(Workpiece, StaysWhereItIsAfterTheFirstCut) {
 
 // --- Frames that are specified in part ----------------------------------------------------------
 
-// As read_job sets them: an unspecified system is 300 mm below home.
+// Offsets as read_job sets them: an unspecified system is 300 mm below home.
 InterpreterOptions with_home() {
     InterpreterOptions options;
     for (Position& origin : options.work_offsets)

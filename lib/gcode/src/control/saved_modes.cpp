@@ -8,7 +8,7 @@
 
 namespace ncsim::gcode {
 
-/// What M70 keeps. Lengths and feeds in the units of then.
+/// The modes that M70 saves. Lengths and feeds in the units that were active at M70.
 struct Machine::SavedModes {
     MachineState state;
 };

@@ -14,10 +14,10 @@ namespace ncsim::gcode {
 
 enum class Dialect : std::uint8_t { Auto, Rs274, Fanuc, Haas, Grbl, Mach3 };
 
-/// Where the first move with cutter compensation ends: a radius beside its end point, square to
-/// the move itself (LinuxCNC, Mach3), or square to the start of the next move (Fanuc, Haas: type
-/// A). Source: LinuxCNC 2.9, "Cutter Compensation"; Fanuc 30i operator's manual B-64484EN,
-/// "Overview of cutter compensation", start-up type A.
+/// Direction of the offset at the end of the first move with cutter compensation: square to the
+/// move itself (LinuxCNC, Mach3), or square to the start of the next move (Fanuc, Haas: type A).
+/// Source: LinuxCNC 2.9, "Cutter Compensation"; Fanuc 15i/150i-MA manual B-63324EN/03, II-14.4.1;
+/// Haas Mill Operator's Manual, "Entry and Exit from Cutter Compensation".
 enum class CompensationStart : std::uint8_t { SquareToItself, SquareToNext };
 
 /// "rs274", "fanuc" …

@@ -85,7 +85,7 @@ struct ToolChange {
 };
 
 enum class SpindleTurning : std::uint8_t { Stopped, Clockwise, Counterclockwise };
-/// Of M7, M8 and M9. Other M codes of coolant are the machine's own.
+/// Coolant by M7, M8 and M9. M codes that a machine builder adds do not count.
 struct Coolant {
     bool mist = false, flood = false;
     bool operator==(const Coolant&) const = default;

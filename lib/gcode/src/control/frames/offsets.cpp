@@ -90,7 +90,7 @@ void Machine::use_system(const Axes& machine) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (!is_known(i)) state_.place_frame[i] = state_.frame[i];
     }
-    // Where the frame is the machine, places of the machine are known.
+    // Frame 0 is the machine, so a place of the machine is known in it.
     state_.of_machine.x &= state_.frame[kX] != 0;
     state_.of_machine.y &= state_.frame[kY] != 0;
     state_.of_machine.z &= state_.frame[kZ] != 0;
@@ -531,7 +531,7 @@ double Machine::radius_of_register(const Command& command, SourceSpan span) {
     return 0.0;
 }
 
-/// What LinuxCNC refuses: a tool that its table does not have, G41.1 without D, an orientation (L)
+/// Refuses, as LinuxCNC does: a tool that is not in the table, G41.1 without D, an orientation (L)
 /// outside G18.
 bool Machine::check_compensation_words(const Command& command, bool stated) {
     if (stated) {

@@ -114,8 +114,8 @@ private:
 
     static Place place(const MachineState& state, const Axes& p);
     const Place& start(const MachineState& state);
-    /// Where a move of the axes of `mask` from `from` to `end` ends. Axes that do not move, and
-    /// increments, stay in the frames of `from`.
+    /// Returns the end of a move of the axes of `mask` from `from` to `end`. Axes that do not move,
+    /// and increments, stay in the frames of `from`.
     Place target(const MachineState& state, const Place& from, const Axes& end,
                  AxisMask mask) const;
     bool is_related(const Place& place, std::size_t axis) const;
