@@ -484,9 +484,18 @@ TEST(Traps, AreNotSteppedInto) {
         {"21 entry square to itself", By::Default, "T1 M6~G41 D1 G1 X10 Y0~Y20~G40 X30",
          "tool 1 at X0 Y0 Z0; feed X8 Y2 Z0 F100 T1; feed X8 Y20 Z0 F100 T1; "
          "feed X30 Y20 Z0 F100 T1"},
-        {"21 short entry", By::Haas, "T1 M6~G41 D1 G1 X1. Y0~G3 X1. Y20. J10.~G40 G1 X30. Y20.",
+        {"21 short entry", By::Haas, "T1 M6~G41 D1 G1 X1. Y0~G3 X1. Y20. J10.~G40 G1 X30.",
          "tool 1 at X0 Y0 Z0; feed X1 Y2 Z0 F100 T1; "
          "arc XY X1 Y18 Z0 centre 1 10 turns 1 F100 T1; feed X30 Y20 Z0 F100 T1"},
+        // G40 alone waits for a move in the plane.
+        {"21 G40 alone", By::Haas, "T1 M6~G41 D1 G1 X1. Y0~G3 X1. Y20. J10.~G40~G0 Z5.~X30.",
+         "tool 1 at X0 Y0 Z0; feed X1 Y2 Z0 F100 T1; "
+         "arc XY X1 Y18 Z0 centre 1 10 turns 1 F100 T1; rapid X1 Y18 Z5 T1; rapid X30 Y20 Z5 T1"},
+        {"21 G40 alone", By::Fanuc,
+         "T1 M6~G41 D1 G1 X1. Y0~G3 X1. Y20. J10.~G40~G91 G1 X9.~G90 Y30.",
+         "tool 1 at X0 Y0 Z0; feed X1 Y2 Z0 F100 T1; "
+         "arc XY X1 Y18 Z0 centre 1 10 turns 1 F100 T1; feed X10 Y20 Z0 F100 T1; "
+         "feed X10 Y30 Z0 F100 T1"},
         {"21 entry on an arc", By::Fanuc, "T1 M6~G41 D1 G2 X10. Y0 I5.",
          "tool 1 at X0 Y0 Z0 ! error compensation-entry"},
         // Codes that grbl 1.1 does not have.

@@ -82,9 +82,23 @@ bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
         return hear(end, nullptr);
     }
     if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
-    path_.straight(state_, end, kind, mask);
+    path_.straight(state_, with_cancelled_offset(end, mask), kind, mask);
     state_.just_left_compensation = false;
     return true;
+}
+
+/// The first move in the plane after G40 ends at the programmed point, also along the axis of the
+/// plane that it does not name.
+Axes Machine::with_cancelled_offset(const Axes& end, AxisMask mask) {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const auto moves = [mask](std::size_t axis) { return (mask >> axis & 1U) != 0; };
+    if (!moves(axes.first) && !moves(axes.second)) return end;
+    Axes target = end;
+    for (const std::size_t axis : {axes.first, axes.second}) {
+        if (!moves(axis) || state_.incremental) target[axis] += state_.uncancelled[axis];
+    }
+    state_.uncancelled = {};
+    return target;
 }
 
 bool Machine::execute(const Command& command) {
@@ -499,6 +513,7 @@ void convert_units(MachineState& state, double factor) {
     scale(state.offset_92);
     scale(state.tool_offset);
     scale(state.zero_92);
+    scale(state.uncancelled);
     state.cutter_radius *= factor;
     if (state.feed_mode != FeedMode::InverseTime) state.feed *= factor;
     Programmed& programmed = state.programmed;
@@ -630,6 +645,7 @@ void Machine::finish() {
     state_.feed_mode = FeedMode::PerMinute;
     state_.feed = 0.0;
     state_.cutter_side = CutterSide::Off;
+    state_.uncancelled = {};
     state_.spindle = SpindleTurning::Stopped;
     state_.coolant = {};
     state_.spindle_in_doubt = false;

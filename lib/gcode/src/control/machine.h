@@ -215,6 +215,7 @@ private:
     Axes from_machine(const Axes& machine) const;
     bool needs_feed(const Command& command, std::string_view what);
     bool feed_straight(const Axes& end, MoveKind kind, AxisMask mask);
+    Axes with_cancelled_offset(const Axes& end, AxisMask mask);
     bool is_modal_arc(const Command& command) const;
     bool is_speed_mode(const Command& command, Code motion) const;
     double seconds_of(const Command& command, char letter) const;

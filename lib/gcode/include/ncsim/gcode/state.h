@@ -95,6 +95,9 @@ struct MachineState {
     bool units_stated = false;
     bool first_length_seen = false, first_length_in_inches = false;
     bool just_left_compensation = false;
+    /// After G40 on Fanuc and Haas: the vector from the tool to the programmed point. The next move
+    /// in the plane goes along it, too. Active units.
+    Axes uncancelled{};
     Code motion{-1};  ///< The motion mode; G80 after that; -1: none yet.
     Code last_straight{
         0};  ///< G0 or G1: what bare axis words after G80 mean where that is allowed.

@@ -563,7 +563,13 @@ bool Machine::set_cutter_side(const Command& command) {
             // it does not name go there, too.
             const std::optional<Axes> programmed = compensation_.programmed_end();
             compensation_.end(state_);
-            if (programmed && rules_.is_linuxcnc()) state_.position = *programmed;
+            if (programmed && rules_.is_linuxcnc()) {
+                state_.position = *programmed;
+            } else if (programmed && rules_.compensation_start == CompensationStart::SquareToNext) {
+                const PlaneAxes axes = axes_of(state_.plane);
+                for (const std::size_t axis : {axes.first, axes.second})
+                    state_.uncancelled[axis] = (*programmed)[axis] - state_.position[axis];
+            }
             path_.set_origin(span_, file_);
             state_.just_left_compensation |= !rules_.strict || programmed.has_value();
         }
