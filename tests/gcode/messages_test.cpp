@@ -220,6 +220,12 @@ const std::vector<Case>& cases() {
         {By::Default, kStart + "G2 X10.2 I5",
          "2:1: warning: the start of this G2 is 5 from its centre, the end 5.2; moved as a spiral "
          "[arc-spiral]"},
+        {By::Default, kStart + "G2 X1 J20000",
+         "2:1: warning: this G2 has a radius of 20000 and, as written, goes nearly all around; "
+         "moved the short way to its end [arc-long-way]"},
+        {By::Fanuc, kStart + "G41 D1~G53 G0 Z0",
+         "3:5: warning: G53 while cutter compensation is on: some controls stop with an alarm, "
+         "others move without the offset; end it with G40 first [forbidden-with-compensation]"},
         {By::Default, kStart + "G5.2 X1 Y1 L4~G5.3",
          "3:1: error: this curve has fewer control points than its order (L) [spline-points]"},
         {By::Default, kStart + "G6.2 P2 X1 Y1 K0~G1 X5",

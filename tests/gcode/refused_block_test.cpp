@@ -37,7 +37,7 @@ public:
         : rules_(rules),
           options_(options_of(rules)),
           path_(options_, sink_, log_, result_),
-          machine_(options_, rules_, log_, path_, parameters_),
+          machine_(options_, rules_, centres_, log_, path_, parameters_),
           resolver_(rules_, parameters_, log_, options_) {
         parameters_.set_rules(rules);
     }
@@ -62,6 +62,7 @@ public:
 private:
     Rules rules_;
     InterpreterOptions options_;
+    ArcCentres centres_;
     MotionSink sink_;
     DiagnosticLog log_;
     Interpretation result_;

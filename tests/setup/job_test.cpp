@@ -47,6 +47,35 @@ TEST(Job, OptionsComeBeforeComments) {
     EXPECT_FALSE(origin_of(job.interpreter, 2));
 }
 
+TEST(Job, IsInInchesWhereToolsAndNumbersAgree) {
+    const auto units = [](const std::string& tools, const std::string& moves) {
+        const Job job = job_of({"a.nc", tools + "\nT1 M6\n" + moves + "\nM30\n"});
+        EXPECT_TRUE(job.units_assumed);
+        return job.interpreter.default_units;
+    };
+    using enum gcode::DefaultUnits;
+    const std::string small = "G0 X-.5 Y2.25 Z.1\nG1 Z-.25 F22.";
+    for (const char* tools : {"(T1 3/4\" FLAT END MILL)", "(T1 1/2 FLAT ENDMILL)",
+                              "(T1 .5 INCH ENDMILL)", "(T1 D=0.5IN - flat end mill)"}) {
+        EXPECT_EQ(units(tools, small), Inches) << tools;
+        // Numbers of that size are millimetres, and what the program says counts.
+        EXPECT_EQ(units(tools, "G0 X120. Y2.25\nG1 Z-.25 F22."), Millimetres);
+        EXPECT_EQ(units(tools, "G0 X1. Y2.25\nG1 Z-.25 F800."), Millimetres);
+        EXPECT_EQ(units(tools, "G21\n" + small), Millimetres);
+    }
+    for (const char* tools : {"(T1 D=6. CR=0. - flat end mill)", "(T1 6MM FLAT ENDMILL)",
+                              "(T1 1/4 IN (6.35 MM) FLAT ENDMILL)", "(3/4/26 T1 6 ENDMILL)"})
+        EXPECT_EQ(units(tools, small), Millimetres) << tools;
+}
+
+TEST(Job, CompensationIsARadiusOfARegister) {
+    JobOptions options;
+    options.compensation = {{1, 0.25}, {2, 0.0}};
+    const Job job = job_of({"a.nc", kText}, options);
+    EXPECT_EQ(job.interpreter.compensation.at(1).mm(), 0.25);
+    EXPECT_EQ(job.interpreter.compensation.at(2).mm(), 0.0);
+}
+
 TEST(Job, OfBinaryDataIsRefused) {
     EXPECT_THROW(job_of({"a.nc", std::string("G0\0X1", 5)}), std::runtime_error);
 }

@@ -95,6 +95,23 @@ std::map<std::string, double> read_variables(const std::vector<std::string>& tex
     return variables;
 }
 
+std::map<int, double> read_compensation(const std::vector<std::string>& texts) {
+    std::map<int, double> radii;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        const auto number = setup::compensation_register(std::string_view(text).substr(0, equals));
+        const char* const end = text.data() + text.size();
+        double radius = 0.0;
+        const bool is_read = equals != std::string::npos && number &&
+                             std::from_chars(text.data() + equals + 1, end, radius) ==
+                                 std::from_chars_result{end, std::errc{}};
+        if (!is_read || !std::isfinite(radius))
+            throw Refusal{fmt::format("--compensation '{}': expected D1=0.05, in mm", text)};
+        radii[*number] = radius;
+    }
+    return radii;
+}
+
 cda::Vec3 read_triple(const char* option, const std::string& text) {
     const auto triple = toolpath::parse_triple(text);
     if (!triple) throw Refusal{fmt::format("{} '{}': expected x,y,z in mm", option, text)};
@@ -210,6 +227,14 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
             "--variable", [&o](const auto& texts) { o.variables = read_variables(texts); },
             "Value of a variable at the start, as #500=1 or #<_depth>=2.5")
         ->type_name("NAME=VALUE")
+        ->one_value_at_a_time();
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--compensation",
+            [&o](const auto& texts) { o.compensation = read_compensation(texts); },
+            "Radius in a register of cutter compensation at the start, mm; D1=0: the path is that "
+            "of the tool's centre (wear)")
+        ->type_name("D1=R")
         ->one_value_at_a_time();
     command
         .add_option("--subprograms", o.subprograms,

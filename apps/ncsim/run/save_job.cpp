@@ -59,6 +59,7 @@ void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey
     file.strict = job.options.strict;
     file.increments = job.options.increments;
     file.variables = job.options.variables;
+    file.compensation = job.options.compensation;
     file.block_delete = job.options.block_delete;
     file.allow = job.options.allow;
     file.accept = job.options.accept;

@@ -16,7 +16,7 @@ namespace {
 
 // Of workflow commands: data, and the properties before it. Printable, too: the log that shows
 // them is a terminal of a kind, and may be that of another service.
-std::string escaped(std::string_view text, bool property) {
+std::string escaped_command(std::string_view text, bool property) {
     std::string out;
     for (const char c : printable(text)) {
         if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) {
@@ -43,15 +43,15 @@ std::string github_annotations(const Checked& checked, bool notes) {
     std::string text;
     if (!checked.failure.empty()) {
         append(text, "::error file={}::{}not verified: {}\n",
-               escaped(relative_path(checked.path), true),
-               checked.program.empty() ? "" : escaped(checked.program, false) + ": ",
-               escaped(checked.failure, false));
+               escaped_command(relative_path(checked.path), true),
+               checked.program.empty() ? "" : escaped_command(checked.program, false) + ": ",
+               escaped_command(checked.failure, false));
     }
     for (const verify::Finding& f : checked.verdict.findings) {
         if (!f.counts() || (f.severity == verify::Severity::Note && !notes)) continue;
         const auto& span = f.place.span;
         append(text, "::{} file={}", command_for(f.severity),
-               escaped(file_of(checked, f.place), true));
+               escaped_command(file_of(checked, f.place), true));
         if (span.line > 0) {
             const bool is_range = f.last.file == f.place.file && f.last.span.line > span.line;
             append(text, ",line={}", span.line);
@@ -65,16 +65,16 @@ std::string github_annotations(const Checked& checked, bool notes) {
         for (const std::string& assumption : f.assumptions)
             message += "\nassumed " + assumption;
         if (f.last_motion > 0) message += "\nhint: " + f.hint;
-        append(text, ",title={}::{}\n", escaped(f.rule, true), escaped(message, false));
+        append(text, ",title={}::{}\n", escaped_command(f.rule, true), escaped_command(message, false));
     }
     for (const verify::Doubt& d : checked.verdict.doubts) {
         if (d.accepted) continue;
-        append(text, "::warning file={}", escaped(file_of(checked, d.place), true));
+        append(text, "::warning file={}", escaped_command(file_of(checked, d.place), true));
         if (d.place.span.line > 0)
             append(text, ",line={},col={}", d.place.span.line, d.place.span.column);
         const std::string message = fmt::format("not proven: {}\nto tell: {}", d.message,
                                                 verify::find_reason(d.reason)->tell);
-        append(text, ",title={}::{}\n", escaped(d.reason, true), escaped(message, false));
+        append(text, ",title={}::{}\n", escaped_command(d.reason, true), escaped_command(message, false));
     }
     return text;
 }

@@ -18,7 +18,7 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr std::size_t kMostRows = 40, kMostLines = 6;
+constexpr std::size_t kMostRows = 40, kMostNumbers = 6;
 
 // As a drawing has it: micrometres, without zeros behind.
 std::string length_text(double mm) {
@@ -31,9 +31,9 @@ std::string length_text(double mm) {
 
 std::string list_text(const char* before, const std::vector<std::uint32_t>& numbers) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(numbers.size(), kMostLines); ++i)
+    for (std::size_t i = 0; i < std::min(numbers.size(), kMostNumbers); ++i)
         append(text, "{}{}", i == 0 ? before : ", ", numbers[i]);
-    return numbers.size() > kMostLines ? text + ", …" : text;
+    return numbers.size() > kMostNumbers ? text + ", …" : text;
 }
 
 std::string by_text(const CutBy& by) {

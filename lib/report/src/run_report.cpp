@@ -27,7 +27,7 @@ Json to_json(const cda::Box& box) {
 }
 
 Json source(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text) {
-    Json json{{"by", name_of(by)}};
+    Json json{{"by", report::name_of(by)}};
     if (span.line != 0) json["line"] = span.line;
     if (!text.empty()) json["text"] = text;
     return json;

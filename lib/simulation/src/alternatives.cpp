@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "alternatives.h"
 
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/motion.h"
 #include "ncsim/simulation/questions.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <tuple>
+#include <variant>
 
 namespace ncsim::simulation {
 
@@ -79,6 +85,83 @@ const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(const Survey&
     return nullptr;
 }
 
+// Order-dependent hash of the ends of motions.
+class MotionHash {
+public:
+    void take(const gcode::Motion& motion) {
+        const gcode::Position* to = gcode::end_of(motion);
+        if (!to) return;
+        add(static_cast<std::uint64_t>(motion.kind));
+        add(static_cast<std::uint64_t>(motion.tool));
+        add(motion.what.index());
+        for (const double value :
+             {to->x.mm(), to->y.mm(), to->z.mm(), to->a.degrees(), to->b.degrees(), to->c.degrees(),
+              to->u.mm(), to->v.mm(), to->w.mm()})
+            add(std::bit_cast<std::uint64_t>(value));
+        if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+            for (const double value : {arc->centre_1.mm(), arc->centre_2.mm()})
+                add(std::bit_cast<std::uint64_t>(value));
+            add(static_cast<std::uint64_t>(arc->turns));
+        }
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    void add(std::uint64_t item) {
+        constexpr std::uint64_t kPrime = 0x100000001b3;  // FNV-1a, 64 bits
+        value_ = (value_ ^ item) * kPrime;
+        value_ ^= value_ >> 29;
+    }
+    std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+// Codes of warnings and errors.
+std::set<std::string> objections(const gcode::Diagnostics& diagnostics) {
+    std::set<std::string> codes;
+    for (const gcode::Diagnostic& d : diagnostics) {
+        if (d.severity != gcode::Severity::Note) codes.insert(d.code);
+    }
+    return codes;
+}
+
+// Returns: the hash of the motions of the program as `control` executes it, or nothing if that
+// control objects to more than `accepted`: then it is not the one the program was written for.
+std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control,
+                                        const std::set<std::string>& accepted) {
+    gcode::InterpreterOptions options = plan.job.interpreter;
+    options.dialect = control;
+    options.observe_frame = nullptr;
+    MotionHash hash;
+    const gcode::Interpretation read = gcode::interpret(
+        plan.job.program, options, [&](const gcode::Motion& motion) { hash.take(motion); });
+    if (read.stopped || read.refused ||
+        !std::ranges::includes(accepted, objections(read.diagnostics)))
+        return std::nullopt;
+    return hash.value();
+}
+
+// Adds the controls on which the program moves otherwise, where neither the user nor the program
+// names its control.
+void add_other_controls(const Plan& plan, const gcode::Interpretation& read,
+                        std::vector<Alternative>& found) {
+    const bool is_named = read.dialect.stated || !read.dialect.evidence.empty();
+    if (is_named || !read.control_dependent || plan.job.interpreter.strict ||
+        gcode::has_errors(read.diagnostics))
+        return;
+    const std::set<std::string> accepted = objections(read.diagnostics);
+    std::set<std::optional<std::uint64_t>> known{std::nullopt};
+    known.insert(motions_on(plan, gcode::Dialect::Auto, accepted));
+    for (const gcode::Dialect control :
+         {gcode::Dialect::Rs274, gcode::Dialect::Fanuc, gcode::Dialect::Haas}) {
+        if (!known.insert(motions_on(plan, control, accepted)).second) continue;
+        found.push_back(
+            {"control-guess", fmt::format("on a control such as {}", gcode::name_of(control)),
+             place_of(*read.control_dependent),
+             [control](Plan& other, Questions&) { other.job.interpreter.dialect = control; },
+             true});
+    }
+}
+
 std::string described(const verify::Finding& finding) {
     return fmt::format("{} in line {}", finding.rule, finding.place.span.line);
 }
@@ -105,14 +188,7 @@ std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
                              other.job.interpreter.least_increments = true;
                          }});
     }
-    const bool is_guessed = !read.dialect.stated && read.dialect.evidence.empty();
-    if (read.compensation_start && is_guessed && !plan.job.interpreter.strict) {
-        found.push_back({"reading-guess", "with cutter compensation as Fanuc begins it",
-                         place_of(*read.compensation_start), [](Plan& other, Questions&) {
-                             other.job.interpreter.compensation_start =
-                                 gcode::CompensationStart::SquareToNext;
-                         }});
-    }
+    add_other_controls(plan, read, found);
     if (const auto* rapid = first_rapid_near_bodies(survey, questions);
         rapid && !questions.is_rapid_specified) {
         found.push_back({"rapid-path",
@@ -135,14 +211,35 @@ std::string difference(const report::Checked& verdict, const report::Checked& ot
     return std::string(other.word);
 }
 
+namespace {
+
+// True if the parts differ by a hundredth of what is removed. Smaller differences are corners where
+// compensation begins; whether these matter, a design decides.
+bool is_another_part(const report::Checked& verdict, double more_mm3) {
+    constexpr double kLeastShare = 0.01;
+    constexpr double kLeastVolume = 0.01;  // mm³
+    const double removed = verdict.verdict.ledger.stock_mm3 - verdict.verdict.ledger.rest_mm3;
+    return std::abs(more_mm3) > std::max(kLeastVolume, kLeastShare * removed);
+}
+
+}  // namespace
+
 std::optional<verify::Doubt> doubt_between(const report::Checked& verdict,
                                            const report::Checked& other,
                                            const Alternative& alternative) {
-    const std::string found = difference(verdict, other);
+    std::string found = difference(verdict, other);
+    if (!found.empty()) {
+        found = fmt::format("the verdict is another one {}: {}", alternative.message, found);
+    } else if (alternative.compares_parts) {
+        const double more = other.verdict.ledger.rest_mm3 - verdict.verdict.ledger.rest_mm3;
+        if (is_another_part(verdict, more))
+            found = fmt::format("the part is another one {}: {:.6g} mm3 {} are left",
+                                alternative.message, std::abs(more), more > 0.0 ? "more" : "less");
+    }
     if (found.empty()) return std::nullopt;
     verify::Doubt doubt;
     doubt.reason = alternative.reason;
-    doubt.message = fmt::format("the verdict is another one {}: {}", alternative.message, found);
+    doubt.message = std::move(found);
     doubt.place = alternative.place;
     return doubt;
 }

@@ -25,6 +25,7 @@ struct Alternative {
     std::string message;      ///< Condition of the other verdict: "with blocks skipped".
     verify::Place place;      ///< First place with two readings.
     std::function<void(Plan&, Questions&)> apply;
+    bool compares_parts = false;  ///< A part of another volume is a doubt, too.
 };
 
 /// Returns: readings besides the one of `plan`, except where an option settles the reading.

@@ -164,9 +164,9 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
             "its place is not specified; a corner or the middle is at zero, as the cuts suggest";
     }
     if (survey.units_assumed) {
-        setup.units_assumption =
-            fmt::format("{}, since neither G20 nor G21 stands before the first length",
-                        survey.interpretation.uses_inches ? "inches" : "millimetres");
+        setup.units_assumption = fmt::format(
+            "{}, since neither G20 nor G21 stands before the first length",
+            survey.interpretation.uses_inches ? "inches, the unit of its tools" : "millimetres");
     }
     const auto& zero = setup.machine.work_zero;
     const double home = setup.machine.home ? setup.machine.home->z : 0.0;
@@ -434,6 +434,10 @@ void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Question
     }
     if (questions.design && !questions.design->assumed.empty())
         add(fmt::format("design {}: {}", questions.design->path, questions.design->assumed));
+    if (const auto& place = survey.interpretation.distance_guess)
+        verifier.add_doubt("distance-guess",
+                           "neither G90 nor G91 stands before the first move; G90 was assumed",
+                           {place->file, place->span});
     for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
         if (survey.untold[axis])
             verifier.add_doubt("start-unknown",

@@ -29,6 +29,12 @@ constexpr auto kReasons = std::to_array<ReasonInfo>({
      "preset, pivot and [offsets] in the machine file, or its [[link]]s"},
     {"reading-guess", "A block can be read in more than one way.",
      "write it as the control wants it"},
+    {"control-guess",
+     "Controls execute the program in different ways, and neither the user nor the program names "
+     "its control.",
+     "--dialect, the control of the machine"},
+    {"distance-guess", "Neither G90 nor G91 stands before the first move.",
+     "G90 or G91 in the program, or --dialect of a control that starts with G90"},
     {"variable-unknown", "A variable decides that neither the program nor the job sets.",
      "[variables] in the job file, or --variable #500=1"},
     {"block-delete", "The verdict depends on the switch for blocks that start with '/'.",

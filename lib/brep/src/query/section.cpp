@@ -526,8 +526,8 @@ private:
         // How much farther the cut moves than the surface does.
         const auto sine = [&](FlatPoint p) {
             Vec3 at = p.u * sheet_.u + p.v * sheet_.v + plane_.offset * plane_.normal;
-            constexpr double kLeast = 0.02;
-            return std::max(kLeast, norm(ahead(face, at)));
+            constexpr double kLeastStep = 0.02;
+            return std::max(kLeastStep, norm(ahead(face, at)));
         };
         made.per_mm = extent.length / std::min(sine(made.piece.from), sine(made.piece.to));
         section_.area_per_mm += made.per_mm;

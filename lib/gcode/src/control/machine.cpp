@@ -20,10 +20,11 @@ Axes to_axes(const Position& p) {
 
 }  // namespace
 
-Machine::Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log,
-                 Path& path, Parameters& parameters)
+Machine::Machine(const InterpreterOptions& options, const Rules& rules, ArcCentres& centres,
+                 DiagnosticLog& log, Path& path, Parameters& parameters)
     : options_(options),
       rules_(rules),
+      centres_(centres),
       log_(log),
       path_(path),
       parameters_(parameters),
@@ -39,6 +40,10 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
         store.extended[number].origin = to_axes(origin);
     for (std::size_t i = 0; i < store.homes.size(); ++i)
         store.homes[i] = to_axes(options.homes[i]);
+    for (const auto& [number, radius] : options.compensation) {
+        if (ToolTableEntry* entry = register_of(number))
+            entry->diameter = Length::from_mm(2.0 * radius.mm());
+    }
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.is_linuxcnc());
     state_.chosen = state_.coordinates = options.tip_control.at_start;
@@ -67,6 +72,14 @@ void Machine::tell_place(std::size_t axis) {
     if (axis == kX) state_.known.x = true;
     if (axis == kY) state_.known.y = true;
     if (axis == kZ) state_.known.z = true;
+}
+
+/// The first move before G90 and G91, where the control and the values leave open which one counts.
+std::optional<ProgramPlace> Machine::distance_guess() const {
+    const bool starts_absolute =
+        rules_.is_linuxcnc() || rules_.dialect == Dialect::Grbl || rules_.dialect == Dialect::Haas;
+    if (starts_absolute || distance_.is_certain || distance_.are_places()) return std::nullopt;
+    return distance_.first;
 }
 
 void Machine::set_origin(SourceSpan span, std::uint32_t file) {
@@ -127,7 +140,8 @@ void Machine::restore(const ControlState& before) {
 /// they are. Such words do not end what cutter compensation holds back.
 bool Machine::keeps_frame(const Command& command) const {
     const Code system = command.group(Group::WorkOffset);
-    const bool by_number = system == Code::G54_1 || system == Code::G154 || command.has('P');
+    const bool by_number = system == Code::G54_1 || system == Code::G154 ||
+                           (command.has('P') && !has_other_use(command, 'P'));
     if (system != Code::None && (by_number || system_of(system) != state_.system)) return false;
     if (const std::optional<Plane> plane = plane_of(command); plane && *plane != state_.plane)
         return false;
@@ -285,6 +299,8 @@ bool Machine::check(const Command& command) {
             return fail(Message::NegativeValue, span_of(command, 'S'), {"S"});
         if (command.has('T') && command['T'] < 0.0)
             return fail(Message::NegativeValue, span_of(command, 'T'), {"T"});
+    } else if (!check_compensation(command)) {
+        return false;
     }
     return check_corner_words(command) && check_unused_words(command);
 }
@@ -327,6 +343,45 @@ std::string_view Machine::forbidden_with_compensation(const Command& command) co
     const bool probes = motion >= Code::G38_2 && motion <= Code::G38_5;
     if (curves || probes || (threads && compensation_.is_on())) return name_of(motion);
     return {};
+}
+
+/// The code of `command` that interrupts cutter compensation, though the mode stays on: the
+/// controls do different things then, from an alarm to a move without offset. Empty: none.
+std::string_view Machine::interrupts_compensation(const Command& command) const {
+    if (state_.cutter_side == CutterSide::Off) return {};
+    if (command.group(MGroup::ToolChange) != kNone) return "a tool change";
+    if (const std::optional<Plane> plane = plane_of(command); plane && *plane != state_.plane)
+        return "another plane";
+    if (command.group(Group::CutterSide) == Code::G40) return {};
+    if (!keeps_frame(command)) return "another coordinate system or tool length";
+    switch (const Code one_shot = command.group(Group::OneShot)) {
+        case Code::None:
+        case Code::G4: break;
+        case Code::G10: {
+            const double l = command.get('L', 0.0);
+            const double p = command.get('P', 0.0);
+            if ((l == 2.0 || l == 20.0) && (p == 0.0 || p == state_.system))
+                return "G10 of the active system";
+            break;
+        }
+        default: return name_of(one_shot);
+    }
+    const Code motion = command.group(Group::Motion);
+    const bool probes = motion == Code::G31 || (motion >= Code::G38_2 && motion <= Code::G38_5);
+    if (probes || is_cycle(motion)) return name_of(motion);
+    return {};
+}
+
+/// LinuxCNC refuses what interrupts cutter compensation, Fanuc and Haas another plane. Other
+/// combinations of control and code are a warning.
+bool Machine::check_compensation(const Command& command) {
+    const std::string_view code = interrupts_compensation(command);
+    if (code.empty()) return true;
+    const bool is_plane = code == "another plane";
+    if (rules_.is_linuxcnc() || (rules_.macro_b && is_plane))
+        return fail(Message::ForbiddenWithCompensation, command.span, {code});
+    log_.add(Message::CompensationInterrupted, command.span, {code});
+    return true;
 }
 
 /// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.
@@ -553,10 +608,15 @@ void Machine::set_units(bool inches) {
 }
 
 void Machine::set_modes(const Command& command) {
-    if (const Code g = command.group(Group::Distance); g != Code::None)
+    if (const Code g = command.group(Group::Distance); g != Code::None) {
         state_.incremental = g == Code::G91;
-    if (const Code g = command.group(Group::Centre); g != Code::None)
+        if (!distance_is_stated_ && g == Code::G91) distance_.is_certain = true;
+        distance_is_stated_ = true;
+    }
+    if (const Code g = command.group(Group::Centre); g != Code::None) {
         state_.absolute_centres = g == Code::G90_1;
+        centres_.is_settled = true;
+    }
     if (const Code g = command.group(Group::Retract); g != Code::None)
         state_.retract_to_r = g == Code::G99;
     if (const Code g = command.group(Group::Diameter); g != Code::None)

@@ -18,7 +18,9 @@
 #include "control/cycles/area.h"
 #include "control/frames/plane_words.h"
 #include "control/parameters.h"
+#include "control/paths/arc_centres.h"
 #include "control/paths/compensation.h"
+#include "control/paths/distance_evidence.h"
 #include "control/paths/path.h"
 #include "control/rules.h"
 #include "control/system_variable.h"
@@ -41,8 +43,8 @@ struct OutlineMove {
 
 class Machine {
 public:
-    Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log, Path& path,
-            Parameters& parameters);
+    Machine(const InterpreterOptions& options, const Rules& rules, ArcCentres& centres,
+            DiagnosticLog& log, Path& path, Parameters& parameters);
 
     /// Acts on `command`, or returns false after reporting an error: then control() is as it was,
     /// but for the curve that the command should have ended, and unless it had moved something.
@@ -92,6 +94,7 @@ public:
     bool uses_length_offsets() const { return uses_length_offsets_; }
     // See Interpretation.
     bool asked_for_places() const { return asked_for_places_; }
+    std::optional<ProgramPlace> distance_guess() const;
     double setting_askew() const { return setting_askew_; }
 
 private:
@@ -104,6 +107,8 @@ private:
     bool act(const Command& command);
     bool check(const Command& command);
     std::string_view forbidden_with_compensation(const Command& command) const;
+    std::string_view interrupts_compensation(const Command& command) const;
+    bool check_compensation(const Command& command);
     bool check_corner_words(const Command& command);
     bool check_unused_words(const Command& command);
 
@@ -119,6 +124,7 @@ private:
     bool set_tool_length(const Command& command);
     std::optional<double> gauge_length() const;
     bool set_work_offset(const Command& command);
+    bool has_other_use(const Command& command, char letter) const;
     bool set_programmed(const Command& command);
     bool one_shot(const Command& command);
     char letter_of_dwell(const Command& command) const;
@@ -136,6 +142,8 @@ private:
     bool offset_92(const Command& command, Code code);
     bool set_data(const Command& command);  // G10
     bool set_work_data(const Command& command, int index, bool from_position);
+    bool set_external(const Command& command);
+    void move_external(const Axes& external);
     static std::optional<int> extended_number(const Command& command);
     WorkOffset& offset_of(int system);
     static int system_of(Code code);
@@ -162,6 +170,11 @@ private:
     bool arc(const Command& command, bool clockwise);
     bool arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc);
     bool arc_by_centre(const Command& command, bool clockwise, ProgramArc& arc);
+    bool takes_long_way(const ProgramArc& arc) const;
+    bool is_huge(const ProgramArc& arc, double radius) const;
+    bool is_straight(const ProgramArc& arc, double radius) const;
+    void shorten(ProgramArc& arc, double radius, std::string_view name, SourceSpan span);
+    void settle_centres(bool fits_incremental, bool fits_absolute, bool are_equal, SourceSpan span);
     bool spline(const Command& command, Code motion);
     bool nurbs(const Command& command, Code motion);
     bool nurbs_with_knots(const Command& command);
@@ -281,6 +294,7 @@ private:
 
     const InterpreterOptions& options_;
     const Rules& rules_;
+    ArcCentres& centres_;
     DiagnosticLog& log_;
     Path& path_;
     Parameters& parameters_;
@@ -303,6 +317,8 @@ private:
     bool motion_was_named_ = false;
     bool uses_length_offsets_ = false;
     bool asked_for_places_ = false;
+    bool distance_is_stated_ = false;  ///< G90 or G91 came.
+    DistanceEvidence distance_;
     double setting_askew_ = 0.0;
     bool ended_ = false;
     bool stopped_ = false;

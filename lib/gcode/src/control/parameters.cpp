@@ -76,6 +76,11 @@ std::optional<Parameters::Shown> Parameters::of_offsets(int number) const {
     if (number == 5210) return Shown{state.offset_92_active ? 1.0 : 0.0};
     if (is_in(number, 5211, 9)) return Shown{store.stored_92[axis(5211)]};
     if (number == 5220) return Shown{static_cast<double>(state.system)};
+    if (rules_.macro_b && is_in(number, 5201, 9)) {
+        const std::size_t item = axis(5201);
+        return Shown{store.external[item] / (is_rotary(item) ? 1.0 : state.unit_mm()),
+                     store.has_external};
+    }
     if (!is_in(number, 5221, 180)) return std::nullopt;
     const WorkOffset& offset = store.work_offsets[axis(5221) / 20];
     const std::size_t item = axis(5221) % 20;
@@ -84,7 +89,8 @@ std::optional<Parameters::Shown> Parameters::of_offsets(int number) const {
     // Fanuc shows the units of the program, LinuxCNC those of the machine: here mm.
     const double unit = rules_.macro_b && !is_rotary(item) ? state.unit_mm() : 1.0;
     const bool is_known = offset.frame[item > kZ ? std::size_t{kZ} : item] == 0;
-    return Shown{offset.origin[item] / unit, is_known && (rules_.macro_b || !state.inches)};
+    return Shown{(offset.origin[item] - store.external[item]) / unit,
+                 is_known && (rules_.macro_b || !state.inches)};
 }
 
 /// #5001 … #5064 and #4001 … of Fanuc, where RS274/NGC has nothing.

@@ -25,6 +25,9 @@ struct Wear {
 struct Store {
     std::array<WorkOffset, 9> work_offsets;
     std::map<int, WorkOffset> extended;  ///< G54.1 P1 …, by number.
+    /// External offset of Fanuc and Haas (EXT, G10 L2 P0); all origins include it. mm, degrees.
+    Axes external{};
+    bool has_external = false;  ///< The program has set it.
     /// Frames of the systems that were active, for X, Y and Z. Distances between these frames are
     /// specified, or were assumed when the second of two systems became active.
     std::array<std::set<int>, 3> used_frames;

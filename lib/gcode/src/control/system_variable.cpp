@@ -78,6 +78,8 @@ SystemVariable of_fanuc(int n, bool haas) {
     // Clocks, single block and feed hold, counters of parts.
     constexpr std::array kHarmless{3001, 3002, 3003, 3004, 3901, 3902};
     if (std::ranges::find(kHarmless, n) != kHarmless.end()) return {};
+    if (is_within(n, 5201, kAxisCount))
+        return {Effect::External, n, 0, static_cast<std::size_t>(n - 5201)};
     if (const auto offset = work_offset_of_fanuc(n, haas)) return *offset;
     // Haas keeps numbers of the user there.
     if (haas && is_within(n, 10'000, 1000)) return {};

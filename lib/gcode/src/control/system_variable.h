@@ -17,6 +17,7 @@ struct SystemVariable {
         Alarm,       ///< #3000 of Fanuc and Haas: the control stops for good.
         Stop,        ///< #3006: the same as M0.
         WorkOffset,  ///< `item` of the origin of system `index`.
+        External,    ///< `item` of the external offset.
         Home,        ///< `item` of the place of G28 (`index` 0) or G30 (1).
         Stored92,    ///< `item` of the offset that G92.3 restores.
         Probed,      ///< `item` of the place where the last probe made contact.

@@ -62,6 +62,22 @@ bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
     return true;
 }
 
+/// Interprets the whole program without output. Returns: more of its arcs fit absolute centres
+/// than incremental ones.
+bool has_absolute_centres(const SourceFile& program, InterpreterOptions options,
+                          const Rules& rules) {
+    options.observe_frame = nullptr;
+    Interpretation result;
+    result.files.push_back(program.name);
+    DiagnosticLog log;
+    ArcCentres counted;
+    counted.counts_only = true;
+    Runner(
+        program, options, rules, counted, [](const Motion&) {}, log, result)
+        .run();
+    return counted.absolute > counted.incremental;
+}
+
 }  // namespace
 
 Interpretation interpret(const SourceFile& program, const InterpreterOptions& options,
@@ -90,8 +106,9 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
     rules.linuxcnc_planes =
         rules.dialect == Dialect::Rs274 && (result.dialect.stated || !evidence.empty());
     rules.only_grbl = rules.dialect == Dialect::Grbl && result.dialect.stated;
-    if (options.compensation_start) rules.compensation_start = *options.compensation_start;
-    Runner runner(program, options, rules, sink, log, result);
+    ArcCentres centres;
+    centres.are_absolute = [&] { return has_absolute_centres(program, options, rules); };
+    Runner runner(program, options, rules, centres, sink, log, result);
     runner.run();
     result.diagnostics = log.take();
     return result;

@@ -89,8 +89,10 @@ void Runner::macro_call(int g) {
     double runs = 1.0;
     int triple = 0;  // I J K may come several times: #4 … #6, #7 … #9, …
     char last = 0;
+    bool is_argument = false;  // a word behind G65 or G66
     for (const Word& word : block.words) {
-        if (word.letter == 'G' || word.letter == 'O') continue;
+        is_argument |= word.letter == 'G' && (word.number == 65.0 || word.number == 66.0);
+        if (!is_argument || word.letter == 'G' || word.letter == 'O') continue;
         std::string depends_on;
         const std::optional<double> value = resolver_.value_to_keep(word, depends_on);
         if (!value) return;

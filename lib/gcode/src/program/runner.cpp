@@ -10,6 +10,11 @@ namespace ncsim::gcode {
 
 namespace {
 
+bool is_macro_call(const Word& word) {
+    return word.letter == 'G' && word.literal && word.number >= 65.0 && word.number <= 67.0 &&
+           word.number == std::floor(word.number);
+}
+
 bool uses_variables(const Block& block) {
     return !block.assignments.empty() ||
            std::ranges::any_of(block.words, [](const Word& word) { return !word.literal; });
@@ -18,13 +23,14 @@ bool uses_variables(const Block& block) {
 }  // namespace
 
 Runner::Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
-               const MotionSink& sink, DiagnosticLog& log, Interpretation& result)
+               ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log,
+               Interpretation& result)
     : options_(options),
       rules_(rules),
       log_(log),
       result_(result),
       path_(options, sink, log, result),
-      machine_(options, rules, log, path_, parameters_),
+      machine_(options, rules, centres, log, path_, parameters_),
       resolver_(rules, parameters_, log, options) {
     parameters_.set_rules(rules);
     for (const auto& [name, value] : options.variables)
@@ -45,6 +51,7 @@ void Runner::run() {
     result_.uses_length_offsets = machine_.uses_length_offsets();
     result_.asked_for_places = machine_.asked_for_places();
     result_.setting_askew = machine_.setting_askew();
+    result_.distance_guess = machine_.distance_guess();
     result_.stopped = ended_ && !result_.ended;
     if (!result_.ended && !ended_) {
         log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
@@ -115,14 +122,27 @@ bool Runner::step() {
     return true;
 }
 
+/// Executes the first `count` words of the block: those before G65, G66 or G67 are no arguments.
+void Runner::execute_before(std::size_t count) {
+    if (count == 0) return;
+    Block before = block_;
+    before.words.resize(count);
+    if (!resolver_.resolve(before, command_)) return;
+    machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
+    machine_.execute(command_);
+}
+
 void Runner::act_on_words() {
     if (!rules_.strict) {
-        const Word* g = find_word(block_, 'G');
-        if (g && g->literal && (g->number == 65.0 || g->number == 66.0 || g->number == 67.0)) {
-            return macro_call(static_cast<int>(g->number));
+        const auto call = std::ranges::find_if(block_.words, is_macro_call);
+        if (call != block_.words.end()) {
+            const int g = static_cast<int>(call->number);
+            execute_before(static_cast<std::size_t>(call - block_.words.begin()));
+            return macro_call(g);
         }
     }
     if (!resolver_.resolve(block_, command_)) return;
+    note_control_dependent();
     if (options_.least_increments) {
         scale_increments();
     } else if (rules_.macro_b) {
@@ -154,6 +174,22 @@ void Runner::act_on_words() {
     }
     if (machine_.ended()) return end_program();
     if (!modal_call_.empty() && path_.count() > motions) macro_call(0);
+}
+
+/// Keeps the first block that controls execute in different ways (Rules).
+void Runner::note_control_dependent() {
+    if (result_.control_dependent) return;
+    const Code one_shot = command_.group(Group::OneShot);
+    const Code side = command_.group(Group::CutterSide);
+    const auto is_zero = [this](char letter) {
+        return command_.has(letter) && command_[letter] == 0.0;
+    };
+    if (!is_cycle(command_.group(Group::Motion)) && (side == Code::None || side == Code::G40) &&
+        one_shot != Code::G10 && one_shot != Code::G28 && one_shot != Code::G30 &&
+        command_.group(MGroup::Other) == kNone && command_.group(MGroup::Call) == kNone &&
+        !is_zero('H') && !is_zero('D') && !uses_variables(block_))
+        return;
+    result_.control_dependent = {static_cast<std::uint32_t>(current_), command_.span};
 }
 
 namespace {

@@ -23,7 +23,7 @@ namespace ncsim::gcode {
 class Runner {
 public:
     Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
-           const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
+           ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
 
     void run();
 
@@ -70,11 +70,13 @@ private:
                        const std::string& unknown);
     void tool_change_in_comment();
     void act_on_words();
+    void execute_before(std::size_t count);
     void scale_increments();
     void look_for_points();
     bool counts_increments(const Word& word) const;
     void note_points();
     void note_blend();
+    void note_control_dependent();
     void end_program();
 
     // Control words. Each may seek, call or return.

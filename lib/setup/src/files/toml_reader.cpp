@@ -12,7 +12,7 @@ namespace ncsim::setup {
 
 namespace {
 
-constexpr double kLargest = 1e6;
+constexpr double kLargestKey = 1e6;
 
 std::string place(const std::string& name, const toml::source_region& where) {
     return fmt::format("{}:{}:{}", name, where.begin.line, where.begin.column);
@@ -38,7 +38,7 @@ void TomlReader::fail(const toml::node& node, const std::string& what) const {
 
 double TomlReader::number(const toml::node& node, const std::string& key) const {
     const auto value = node.value<double>();
-    if (!value || !node.is_number() || !(std::abs(*value) <= kLargest)) {
+    if (!value || !node.is_number() || !(std::abs(*value) <= kLargestKey)) {
         fail(node, fmt::format("'{}': expected a number, at most 1000000", key));
     }
     return *value;

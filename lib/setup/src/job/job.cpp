@@ -12,6 +12,7 @@
 
 #include "job/holder_file.h"
 #include "job/messages.h"
+#include "job/unit_clues.h"
 
 #include <fmt/format.h>
 
@@ -144,6 +145,7 @@ JobFile take_job_file(JobOptions& options, InputSet& inputs) {
     if (!options.block_delete) options.block_delete = file.block_delete;
     if (!options.increments) options.increments = file.increments;
     options.variables.insert(file.variables.begin(), file.variables.end());
+    options.compensation.insert(file.compensation.begin(), file.compensation.end());
     const auto append = [](auto& list, const auto& more) {
         list.insert(list.end(), more.begin(), more.end());
     };
@@ -336,15 +338,14 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
             fmt::format("'{}' is not an NC program: it is binary data", job.program.name));
     }
     const std::vector<toolpath::ToolFile> tables = read_tables(options, inputs);
-    const bool inches = options.inches.value_or(false);
-    job.interpreter.default_units =
-        inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
     job.interpreter.block_delete = options.block_delete.value_or(false);
     job.interpreter.dialect = options.dialect;
     job.interpreter.strict = options.strict;
     job.interpreter.allow = options.allow;
     job.interpreter.least_increments = options.increments.value_or(false);
     job.interpreter.variables = options.variables;
+    for (const auto& [number, radius] : options.compensation)
+        job.interpreter.compensation.emplace(number, gcode::Length::from_mm(radius));
     for (gcode::Position& origin : job.interpreter.work_offsets) {
         origin.z = gcode::Length::from_mm(-verify::kHomeHeight);
     }
@@ -355,7 +356,14 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
         job.tools.push_back({spec, toolpath::ToldBy::Option, {}, spec.description});
     }
     choose_program(job, options);
+    bool inches = options.inches.value_or(false);
     toolpath::ProgramNotes notes = toolpath::read_notes(job.program, inches);
+    if (!options.inches && suggests_inches(job.program, notes.tools)) {
+        inches = true;
+        notes = toolpath::read_notes(job.program, inches);
+    }
+    job.interpreter.default_units =
+        inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
     job.diagnostics.insert(job.diagnostics.end(), notes.diagnostics.begin(),
                            notes.diagnostics.end());
     for (const toolpath::ToolEntry& entry : from_file.tools)

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
@@ -127,6 +128,8 @@ public:
              {"increments", optional_flag(job.increments)},
              {"variables",
               [&](const auto& n, const auto& k) { job.variables = read_variables(n, k); }},
+             {"compensation",
+              [&](const auto& n, const auto& k) { job.compensation = read_compensation(n, k); }},
              {"allow", words(job.allow, any, "words")},
              {"accept",
               words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
@@ -191,6 +194,17 @@ private:
             variables.emplace(*variable, r_.number(value, where));
         }
         return variables;
+    }
+
+    std::map<int, double> read_compensation(const toml::node& node, const std::string& key) const {
+        std::map<int, double> radii;
+        for (const auto& [name, value] : r_.table(node, key)) {
+            const std::string where = fmt::format("{}.{}", key, name.str());
+            const auto number = compensation_register(name.str());
+            if (!number) r_.fail(value, fmt::format("'{}': expected a register, as D1", where));
+            radii.emplace(*number, r_.number(value, where));
+        }
+        return radii;
     }
 
     toolpath::Stock read_stock_from_file(const toml::table& t, const std::string& key) const {
@@ -432,6 +446,17 @@ std::optional<std::string> variable_name(std::string_view text) {
     return name;
 }
 
+std::optional<int> compensation_register(std::string_view text) {
+    constexpr int kMost = 9999;
+    int number = 0;
+    const char* const end = text.data() + text.size();
+    if (text.size() < 2 || (text[0] != 'D' && text[0] != 'd')) return std::nullopt;
+    if (std::from_chars(text.data() + 1, end, number) != std::from_chars_result{end, std::errc{}})
+        return std::nullopt;
+    if (number < 1 || number > kMost) return std::nullopt;
+    return number;
+}
+
 JobFile parse_job_file(const gcode::SourceFile& file) {
     return JobReader(file).read();
 }
@@ -469,6 +494,11 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
         out << "\n[variables]\n";
         for (const auto& [name, value] : file.variables)
             out << quoted(name) << " = " << number(value) << '\n';
+    }
+    if (!file.compensation.empty()) {
+        out << "\n[compensation]  # radii of G41 and G42, mm\n";
+        for (const auto& [d, radius] : file.compensation)
+            out << 'D' << d << " = " << number(radius) << '\n';
     }
     if (file.stock) {
         out << "\n[stock]\n" << remark(remarks.stock);

@@ -60,9 +60,9 @@ std::optional<double> number_of(std::string_view text) {
     double value = 0.0;
     if (text.starts_with('+')) text.remove_prefix(1);
     const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    constexpr double kLargest = 1e9;
+    constexpr double kLargestValue = 1e9;
     if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-    if (!(std::abs(value) <= kLargest)) return std::nullopt;
+    if (!(std::abs(value) <= kLargestValue)) return std::nullopt;
     return value;
 }
 

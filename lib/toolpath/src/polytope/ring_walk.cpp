@@ -127,8 +127,8 @@ public:
             const Vec to = after(points, i);
             const Fillet f = fillet_of(from, points[i], to, profile[i].fillet / unit_mm);
             // Rounding what is straight leaves it straight.
-            constexpr double kStraight = 1e-6;  // degrees
-            if (f.rho <= 0 || !(f.turn_degrees > kStraight)) {
+            constexpr double kLeastTurn = 1e-6;  // degrees
+            if (f.rho <= 0 || !(f.turn_degrees > kLeastTurn)) {
                 add_corner(points[i], from, to, i + 1 == points.size());
             } else if (outside()) {
                 go_around(f);

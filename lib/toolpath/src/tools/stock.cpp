@@ -150,12 +150,12 @@ cda::Shape stock_shape(const Stock& stock, double tolerance_mm) {
 
 namespace {
 
-constexpr double kMargin = 0.05;
+constexpr double kMarginShare = 0.05;
 constexpr double kLeastMargin = 2.0;
 constexpr double kLeastHeight = 1.0;
 
 double margin(double size) {
-    return std::max(kLeastMargin, kMargin * size);
+    return std::max(kLeastMargin, kMarginShare * size);
 }
 
 // Whole millimetres.

@@ -70,6 +70,8 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"arc-two-forms", "reading-guess"},
         {"centre-outside-plane", "reading-guess"},
         {"arc-turns", "reading-guess"},
+        {"arc-long-way", "reading-guess"},
+        {"forbidden-with-compensation", "reading-guess"},
         {"arc-spiral", "reading-guess"},
         {"cycle-word-missing", "reading-guess"},
         {"cycle-upside-down", "reading-guess"},

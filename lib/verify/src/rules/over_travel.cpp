@@ -26,7 +26,7 @@ std::optional<std::string> needs_travel(const Setup& setup) {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // 1 pm: what sums of decimal fractions leave
+constexpr double kTravelRounding = 1e-9;  // 1 pm: what sums of decimal fractions leave
 
 // A move in a system that nobody placed, or by increments from anywhere, ends where it is taken to.
 // Stock and tool have no part in it.
@@ -45,7 +45,7 @@ void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
         if (!travel) continue;
         const double way = move.way.size()[axis];
         const double beyond = way - (travel->max - travel->min);
-        if (beyond <= kRounding || way <= move.way_before.size()[axis]) continue;
+        if (beyond <= kTravelRounding || way <= move.way_before.size()[axis]) continue;
         Sighting s{fmt::format("the way in {} is longer than the travel of {:.6g} mm", "XYZ"[axis],
                                travel -> max - travel -> min)};
         s.lasts = true;
@@ -70,15 +70,15 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
         if (!travel) continue;
         const double below = travel->min - move.machine_path->min[axis];
         const double above = move.machine_path->max[axis] - travel->max;
-        if (below <= kRounding && above <= kRounding) continue;
+        if (below <= kTravelRounding && above <= kTravelRounding) continue;
         Sighting s{fmt::format("{} runs beyond its {} end at {:.6g}", "XYZ"[axis],
-                               above > kRounding ? "upper" : "lower",
-                               above > kRounding ? travel->max : travel->min)};
+                               above > kTravelRounding ? "upper" : "lower",
+                               above > kTravelRounding ? travel->max : travel->min)};
         s.quantity = Quantity{"by", std::max(below, above), "mm"};
         s.box = move.path;
         s.rests_on = guesses_of_place(setup, move);
         // A tool of some length keeps Z above its lower end.
-        if (axis == 2 && above <= kRounding && !move.ends_at_nose &&
+        if (axis == 2 && above <= kTravelRounding && !move.ends_at_nose &&
             has_unknown_length(setup, move))
             s.rests_on.emplace_back("length-offset");
         if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {

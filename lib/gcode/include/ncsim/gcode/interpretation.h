@@ -124,13 +124,14 @@ struct InterpreterOptions {
     bool strict = false;
     /// Harmless words, "G187", "M198", which the interpreter skips without a message.
     std::vector<std::string> allow;
-    /// How G41 and G42 begin; none: as the control does.
-    std::optional<CompensationStart> compensation_start;
     /// Numbers without a decimal point count least increments, as older controls read them: 0.001
     /// mm, 0.0001 inch, 0.001 degrees. Only of axis words, I J K, R and Q, and only where a plain
     /// number stands there.
     bool least_increments = false;
     std::vector<ToolTableEntry> tools;
+    /// Radii of G41 and G42 in the registers D at the start, by number; they take the place of
+    /// half the diameter of the tool with that number.
+    std::map<int, Length> compensation;
     /// Values of variables at the start that the job specifies: "#500", "#<_depth>".
     std::map<std::string, double> variables;
     /// How far above the last depth G83 starts to feed again and how far G73 draws back, in units
@@ -185,9 +186,11 @@ struct Interpretation {
     /// another one in least increments, and whether others have a point.
     std::optional<ProgramPlace> without_point;
     bool has_points = false;
-    /// The first move that begins cutter compensation in a place where controls differ
-    /// (CompensationStart).
-    std::optional<ProgramPlace> compensation_start;
+    /// The first block whose motions depend on the control: a cycle, G41, G10, a variable, H0 …
+    std::optional<ProgramPlace> control_dependent;
+    /// The first move before G90 and G91, unless the control starts with G90 or the values of the
+    /// program make sense only with one of them.
+    std::optional<ProgramPlace> distance_guess;
     /// The largest P of G64, by which LinuxCNC may miss corners, mm, and where it is; 0: none.
     double blend_mm = 0.0;
     ProgramPlace blend;

@@ -12,12 +12,6 @@
 
 namespace ncsim::gcode {
 
-namespace {
-
-constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
-
-}  // namespace
-
 /// The place stays, and has other numbers.
 void Machine::carry(const std::optional<std::array<double, 3>>& shift) {
     if (shift == state_.carried) return;
@@ -140,7 +134,7 @@ bool Machine::take_setting(const TableOffsets::One& one, const TableOffsets& all
 /// A straight move of axes that turns the table: `end`, of which those of `mask` are told, is
 /// counted from where the zero is at its end.
 void Machine::go_with_table(Axes& end, AxisMask mask) {
-    if (state_.table_offset == 0 || (mask & kRotary) == 0) return;
+    if (state_.table_offset == 0 || (mask & kRotaryAxes) == 0) return;
     if (state_.plane_frame || state_.coordinates == Coordinates::Tip) return;
     const Axes machine = machine_position(), before = state_.position;
     Axes turned = stand();

@@ -19,7 +19,7 @@ void Machine::set_work_variable(const SystemVariable& variable, double value, bo
     } else {
         // Fanuc takes the units of the program, LinuxCNC those of the machine: here mm.
         const double unit = rules_.macro_b && !is_rotary(item) ? state_.unit_mm() : 1.0;
-        offset.origin[item] = value * unit;
+        offset.origin[item] = value * unit + control_.store->external[item];
         if (item <= kZ && !is_relative) offset.frame[item] = 0;
     }
     if (state_.is_at_start && rules_.macro_b && place_at_start()) return;
@@ -41,6 +41,12 @@ bool Machine::set_variable(const SystemVariable& variable, double value, bool is
     flush();
     switch (variable.effect) {
         case Effect::WorkOffset: set_work_variable(variable, value, is_relative, span); return true;
+        case Effect::External: {
+            Axes external = control_.store->external;
+            external[item] = is_rotary(item) ? value : value * state_.unit_mm();
+            move_external(external);
+            return true;
+        }
         case Effect::Home:
             control_.store.change().homes[static_cast<std::size_t>(variable.index)][item] = value;
             return true;

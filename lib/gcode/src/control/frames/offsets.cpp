@@ -185,13 +185,24 @@ int Machine::system_of(Code code) {
     return 1;
 }
 
+/// True if a code of another group than the coordinate system uses the word.
+bool Machine::has_other_use(const Command& command, char letter) const {
+    Code motion = command.group(Group::Motion);
+    if (motion == Code::None && command.axis_words) motion = state_.motion;
+    const auto uses = [letter](Code code) {
+        return code != Code::None && entry_of(code).group != Group::WorkOffset &&
+               (entry_of(code).letters >> letter_index(letter) & 1U) != 0;
+    };
+    return command.group(Group::PathMode) != Code::None || uses(motion) ||
+           std::ranges::any_of(command.g, uses);
+}
+
 bool Machine::set_work_offset(const Command& command) {
     const Code code = command.group(Group::WorkOffset);
     if (code == Code::None) return true;
     int system = system_of(code);
     if (code == Code::G54_1 || code == Code::G154 ||
-        (code == Code::G54 && command.has('P') && !rules_.strict &&
-         command.group(Group::PathMode) == Code::None)) {
+        (code == Code::G54 && command.has('P') && !rules_.strict && !has_other_use(command, 'P'))) {
         const std::optional<int> number = extended_number(command);
         if (!number)
             return fail(Message::ExtendedNumber, span_of_g(command, code), {name_of(code)});
@@ -279,6 +290,7 @@ bool Machine::set_data(const Command& command) {
                 if (rules_.strict || p < 0) return fail(Message::G10System, span_of(command, 'P'));
                 return tolerate(Message::G10System, span_of(command, 'P'));
             }
+            if (p == 0 && rules_.macro_b) return set_external(command);
             return set_work_data(command, p == 0 ? state_.system : p, l == 20);
         case 1:
         case 10:
@@ -312,7 +324,9 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
         if (!command.has(kAxisNames[i])) continue;
         const double value = command[kAxisNames[i]];
         if (!from_position) {
-            const double before = state_.incremental && !rules_.strict ? offset.origin[i] : 0.0;
+            const double before = state_.incremental && !rules_.strict
+                                      ? offset.origin[i]
+                                      : control_.store->external[i];
             offset.origin[i] = before + mm_of(value, i, unit);
             if (i <= kZ && (!state_.incremental || rules_.strict)) offset.frame[i] = 0;
         } else if (i == kX) {
@@ -350,6 +364,33 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
         if (command.has(kAxisNames[i]) && !is_known(i)) tell_place(i);
     }
     return true;
+}
+
+/// G10 L2 P0 of Fanuc and Haas: the external offset, which is added to all origins.
+bool Machine::set_external(const Command& command) {
+    Axes external = control_.store->external;
+    for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+        if (!command.has(kAxisNames[i])) continue;
+        const double value = mm_of(command[kAxisNames[i]], i, state_.unit_mm());
+        external[i] = state_.incremental ? external[i] + value : value;
+    }
+    move_external(external);
+    return true;
+}
+
+void Machine::move_external(const Axes& external) {
+    const Axes machine = machine_position();
+    Store& store = control_.store.change();
+    const auto shift = [&](WorkOffset& offset) {
+        for (std::size_t i = 0; i < external.size(); ++i)
+            offset.origin[i] += external[i] - store.external[i];
+    };
+    std::ranges::for_each(store.work_offsets, shift);
+    for (auto& [number, offset] : store.extended)
+        shift(offset);
+    store.external = external;
+    store.has_external = true;
+    if (!state_.is_at_start || !place_at_start()) use_system(machine);
 }
 
 ToolTableEntry* Machine::register_of(int index) {

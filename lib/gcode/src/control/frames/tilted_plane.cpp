@@ -11,7 +11,6 @@ namespace ncsim::gcode {
 namespace {
 
 constexpr KnownAxes kNothing{false, false, false};
-constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
 
 PlaneDialect dialect_of(Code code, const Rules& rules) {
     if (code == Code::G268) return PlaneDialect::Haas;
@@ -131,7 +130,7 @@ bool Machine::hides_joints() const {
 /// Rotary axes are told in a plane: all axes go straight to where the tip is at `end` then.
 bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) {
     const Axes start = state_.position;
-    const bool tells_lengths = (mask & ~kRotary) != 0;
+    const bool tells_lengths = (mask & ~kRotaryAxes) != 0;
     Axes target;
     if (tells_lengths) {
         state_.position = end;
@@ -305,7 +304,7 @@ bool Machine::orient(const Command& command) {
         !linuxcnc && state_.feed > 0.0 &&
         (state_.motion == Code::G1 || state_.motion == Code::G2 || state_.motion == Code::G3);
     const MoveKind kind = feeds ? MoveKind::Feed : MoveKind::Rapid;
-    AxisMask mask = kRotary;
+    AxisMask mask = kRotaryAxes;
     const auto turn = [&](Axes end) {
         for (std::size_t i = kA; i <= kC; ++i)
             end[i] = (*turned)[i];
@@ -347,7 +346,7 @@ bool Machine::turn_to_vector(const Command& command, Axes& end, AxisMask& mask) 
     if (!turned) return false;
     for (std::size_t i = kA; i <= kC; ++i)
         end[i] = (*turned)[i];
-    mask |= kRotary;
+    mask |= kRotaryAxes;
     return true;
 }
 

@@ -99,12 +99,56 @@ bool Machine::arc(const Command& command, bool clockwise) {
         return feed_straight(out.end, MoveKind::Feed, mask);
     }
     if (outline_) return hear(out.end, &out);
+    out.is_open = by_radius;
+    if (is_huge(out, radius)) {
+        out.is_open = true;
+        if (!by_radius) shorten(out, radius, name, command.span);
+        if (is_straight(out, radius)) return feed_straight(out.end, MoveKind::Feed, mask);
+    }
     if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
     if (state_.just_left_compensation && !tolerate(Message::CompensationExit, command.span))
         return false;
     state_.just_left_compensation = false;
     path_.arc(state_, out, mask);
     return true;
+}
+
+/// True if `arc` is no circle and all around is farther than any machine goes.
+bool Machine::is_huge(const ProgramArc& arc, double radius) const {
+    constexpr double kHuge = 1e4;  // mm
+    const PlaneAxes axes = axes_of(state_.plane);
+    return radius * state_.unit_mm() > kHuge && std::abs(arc.turns) == 1 &&
+           (arc.end[axes.first] != state_.position[axes.first] ||
+            arc.end[axes.second] != state_.position[axes.second]);
+}
+
+/// True if the turn of the short way is within the rounding of angles.
+bool Machine::is_straight(const ProgramArc& arc, double radius) const {
+    constexpr double kLeastTurn = 1e-9;  // radians; the chord is off by its length times that
+    const PlaneAxes axes = axes_of(state_.plane);
+    const double chord = trig::length_of(arc.end[axes.first] - state_.position[axes.first],
+                                         arc.end[axes.second] - state_.position[axes.second]);
+    return chord < kLeastTurn * radius && !takes_long_way(arc);
+}
+
+/// True if `arc` turns by more than half a circle.
+bool Machine::takes_long_way(const ProgramArc& arc) const {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const double dx = arc.end[axes.first] - state_.position[axes.first];
+    const double dy = arc.end[axes.second] - state_.position[axes.second];
+    const double cx = arc.centre_1 - state_.position[axes.first];
+    const double cy = arc.centre_2 - state_.position[axes.second];
+    // The centre is left of the chord where the short way is counter-clockwise.
+    const double side = dx * cy - dy * cx;
+    return arc.turns > 0 ? side < 0.0 : side > 0.0;
+}
+
+/// Makes `arc` take the short way. Centres that a CAM system rounds can be on the wrong side of a
+/// chord, and controls differ in what they make of it.
+void Machine::shorten(ProgramArc& arc, double radius, std::string_view name, SourceSpan span) {
+    if (!takes_long_way(arc)) return;
+    warn(Message::ArcLongWay, span, {name, number(radius)});
+    arc.turns = -arc.turns;
 }
 
 bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc) {
@@ -139,6 +183,19 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
     arc.centre_1 = x0 + dx / 2.0 - dy * side;
     arc.centre_2 = y0 + dy / 2.0 + dx * side;
     return true;
+}
+
+/// Decides how I, J, K of the program are read. Posts of old write them absolute without G90.1.
+void Machine::settle_centres(bool fits_incremental, bool fits_absolute, bool are_equal,
+                             SourceSpan span) {
+    if (fits_incremental != fits_absolute)
+        ++(fits_absolute ? centres_.absolute : centres_.incremental);
+    // Arcs that fit incremental centres alone, the default of all controls, need no look ahead.
+    if (centres_.counts_only || !fits_absolute || are_equal) return;
+    centres_.is_settled = true;
+    if (!centres_.are_absolute || !centres_.are_absolute()) return;
+    state_.absolute_centres = true;
+    warn(Message::ArcCentreMode, span);
 }
 
 bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& arc) {
@@ -180,20 +237,21 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     if (state_.absolute_centres && rules_.strict && (!command.has(c1) || !command.has(c2))) {
         return fail(Message::ArcWithoutCentre, command.span, {name, {&c1, 1}, {&c2, 1}});
     }
+    // An arc from a place that an error left proves nothing.
+    if (!rules_.strict && !centres_.is_settled && log_.errors() == 0) {
+        centre(true);
+        const PlanePoint absolute{arc.centre_1, arc.centre_2};
+        const bool fits_absolute = fits();
+        centre(false);
+        settle_centres(fits(), fits_absolute,
+                       absolute.x == arc.centre_1 && absolute.y == arc.centre_2, command.span);
+        if (centres_.counts_only) return true;
+    }
     centre(state_.absolute_centres);
     if (fits()) return true;
     const double r0 = trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2);
     const double r1 = trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2);
     if (!rules_.strict) {
-        // Perhaps the centres are meant the other way: old posts write them absolute without G90.1.
-        centre(!state_.absolute_centres);
-        if (fits() && arc.centre_1 != x0) {
-            state_.absolute_centres = !state_.absolute_centres;
-            warn(Message::ArcCentreMode, command.span,
-                 {state_.absolute_centres ? "absolute" : "incremental"});
-            return true;
-        }
-        centre(state_.absolute_centres);
         // What grbl and most controls let pass ends up as a spiral.
         const double difference = std::abs(r0 - r1);
         const double mm = difference * state_.unit_mm();

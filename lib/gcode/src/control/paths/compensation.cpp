@@ -126,6 +126,7 @@ bool Compensation::arc(MachineState& state, const ProgramArc& arc, AxisMask mask
     element.to = {arc.end[axes.first], arc.end[axes.second]};
     element.centre = {arc.centre_1, arc.centre_2};
     element.turns = arc.turns;
+    element.is_open = arc.is_open;
     if (offset_radius(element) <= 0.0) {
         log_.add(Message::CompensationArc, span);
         return false;
@@ -166,7 +167,6 @@ bool Compensation::enter(MachineState& state, Element& element) {
             return false;
         }
     } else if (length <= s_.radius) {
-        path_.note_compensation_start(element.span, element.file);
         log_.add(Message::CompensationEntry, element.span);
         return false;
     } else if (element.is_arc && !place_centre(element, state.position)) {
@@ -207,7 +207,6 @@ bool Compensation::join(const Element& next) {
     const double turn =
         trig::angle_of(in.x * out.x + in.y * out.y, cross(in.x, in.y, out.x, out.y));
     const bool is_flat = std::abs(turn) < kFlat;
-    if (s_.held_enters && !is_flat) path_.note_compensation_start(held.span, held.file);
     if (is_flat || (s_.held_enters && s_.start == CompensationStart::SquareToNext)) {
         if (!is_made) emit(held, beside(corner, out));
         return true;
@@ -321,6 +320,7 @@ void Compensation::emit(Element element, Vec end) {
         arc.centre_1 = element.centre.x;
         arc.centre_2 = element.centre.y;
         arc.turns = element.turns;
+        arc.is_open = element.is_open;
         path_.arc(state, arc, element.mask);
     } else {
         path_.straight(state, target, element.kind, element.mask);

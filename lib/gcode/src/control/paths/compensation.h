@@ -35,6 +35,7 @@ struct CompensationState {
         bool is_arc = false;
         Vec from, to, centre;
         int turns = 1;
+        bool is_open = false;  ///< As ProgramArc.
         bool operator==(const Element&) const = default;
     };
     /// A move that leaves the plane alone, or a pause, to be made when the element before has

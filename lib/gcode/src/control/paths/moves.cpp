@@ -56,6 +56,7 @@ bool Machine::move(const Command& command, Code motion) {
             }
         }
     }
+    if (!distance_is_stated_) distance_.take(command, state_, {file_, command.span});
     if (!state_.first_length_seen && command.axis_words) {
         state_.first_length_seen = true;
         state_.first_length_in_inches = state_.inches;
@@ -251,9 +252,8 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
         if (meets && end == state_.position && command.corner == 0) return true;  // it ends there
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
-    constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
     if (!machine) go_with_table(end, mask);
-    if (state_.face && (mask & kRotary) != 0 && !machine)
+    if (state_.face && (mask & kRotaryAxes) != 0 && !machine)
         return fail(Message::PlaneForbids, command.span, {"a rotary axis"});
     if (state_.cylinder && !machine && (mask & 1U << state_.cylinder->axis) != 0) {
         if (compensation_.is_on())
@@ -261,7 +261,7 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
         return straight_on_cylinder(end, kind, mask);
     }
     const bool by_joints =
-        state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotary) != 0;
+        state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotaryAxes) != 0;
     if (by_joints && !machine) {
         if (compensation_.is_on())
             return fail(Message::ForbiddenWithCompensation, command.span, {"a rotary axis"});

@@ -448,7 +448,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     const double x1 = end[axes.first] - arc.centre_1;
     const double y1 = end[axes.second] - arc.centre_2;
     const double limit = options_.strict ? kFullCircleStrict : kFullCircle;
-    const bool full = std::abs(x0 * y1 - y0 * x1) <= limit * (x0 * x0 + y0 * y0) &&
+    const bool full = !arc.is_open && std::abs(x0 * y1 - y0 * x1) <= limit * (x0 * x0 + y0 * y0) &&
                       x0 * x1 + y0 * y1 > 0.0 &&
                       trig::length_of(x1 - x0, y1 - y0) <= limit * trig::length_of(x0, y0) * 4;
     const Place from = start(state);

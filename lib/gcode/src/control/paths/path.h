@@ -41,11 +41,13 @@ struct ProgramArc {
     Axes end{};
     double centre_1 = 0.0, centre_2 = 0.0;
     int turns = 1;
+    bool is_open = false;  ///< No full circle, however near its ends are to each other.
 };
 
 /// Which axes a block commanded: a bit per Axis.
 using AxisMask = std::uint32_t;
 constexpr AxisMask kAllAxes = 0x1FF;
+constexpr AxisMask kRotaryAxes = 1U << kA | 1U << kB | 1U << kC;
 
 /// What is known of the place of the axes; see MachineState.
 struct Knowledge {
@@ -85,10 +87,6 @@ public:
     void shift_unspecified(std::size_t axis, double distance_mm);
     /// The block at the current origin sets the origin of `system`.
     void record_offset(int system) { offset_places_[system] = {file_, span_}; }
-    /// Keeps the first place where controls begin compensation in two ways.
-    void note_compensation_start(SourceSpan span, std::uint32_t file) {
-        if (!result_.compensation_start) result_.compensation_start = {file, span};
-    }
     /// The end of the program: lets out what is held back.
     void finish();
 

@@ -29,6 +29,7 @@ struct JobFile {
     std::optional<bool> block_delete;
     std::optional<bool> increments;
     std::map<std::string, double> variables;  ///< At the start: "#500", "#<_depth>".
+    std::map<int, double> compensation;       ///< Radii in the registers D, by number.
     std::vector<std::string> allow, accept, require;
     std::optional<cda::Vec3> start;    ///< Where the tool stands at the beginning, in G54.
     std::map<int, cda::Vec3> offsets;  ///< Origins in the machine, by MachineState::system.
@@ -41,11 +42,13 @@ struct JobFile {
     bool has_unknown_origin = false;
 };
 
-/// Throws std::runtime_error with line and column if `file` is no TOML, or says something that is
-/// not known or makes no sense: a key that is passed over is a set-up that is not what it seems.
 /// Name of a variable as the interpreter has it ("#500", "#<_depth>"); empty if it is none.
 std::optional<std::string> variable_name(std::string_view text);
+/// Number of a register of cutter compensation, 1 to 9999, as in "D1"; empty if it is none.
+std::optional<int> compensation_register(std::string_view text);
 
+/// Throws std::runtime_error with line and column if `file` is no TOML, or says something that is
+/// not known or makes no sense: a key that is passed over is a set-up that is not what it seems.
 JobFile parse_job_file(const gcode::SourceFile& file);
 
 /// What a job file tells people beside its values: remarks of one line each.

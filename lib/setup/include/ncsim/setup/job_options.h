@@ -43,6 +43,8 @@ struct JobOptions {
     std::optional<bool> block_delete;
     /// Values of variables at the start: "#500", "#<_depth>".
     std::map<std::string, double> variables;
+    /// Radii in the registers D of cutter compensation at the start, by number, mm.
+    std::map<int, double> compensation;
     gcode::Dialect dialect = gcode::Dialect::Auto;
     bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.
     std::vector<std::string> allow;  ///< Words declared harmless: "G187".

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unit of a program without G20 and G21, concluded from its tools and its numbers.
+#pragma once
+
+#include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/tool_table.h"
+
+#include <span>
+
+namespace ncsim::setup {
+
+/// Returns: true if the program has neither G20 nor G21, all sizes of its tool comments are in
+/// inches, and its feeds and coordinates are as small as those of programs in inches.
+/// Cost: the text of the tools; if they are in inches, the program is read once.
+bool suggests_inches(const gcode::SourceFile& program,
+                     std::span<const toolpath::ToolEntry> tools_of_comments);
+
+}  // namespace ncsim::setup

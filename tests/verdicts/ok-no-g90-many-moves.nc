@@ -1,0 +1,21 @@
+%
+(neither G90 nor G91, but values that are places)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G17 G54 G40 G49 G80
+T1 M6
+S5000 M3
+G0 X10. Y10.
+Z2.
+G1 Z-2. F500.
+X20.
+G0 Z2.
+X10. Y15.
+G1 Z-2.
+X20.
+G0 Z2.
+X10. Y20.
+G1 Z-2.
+X20.
+G0 Z50.
+M30
+%
