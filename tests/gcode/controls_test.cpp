@@ -214,8 +214,8 @@ TEST(Controls, G28CancelsTheToolLengthOnHaasAlone) {
         options.observe_frame = [&](const Motion&, const ProgramFrame& frame) {
             last = frame.length_register;
         };
-        (void)interpret({"t.nc", kHead + "G43 H1 G0 X0 Y0 Z50\nG28 Z60\nG0 Z50\nM30\n"},
-                        options, [](const Motion&) {});
+        (void)interpret({"t.nc", kHead + "G43 H1 G0 X0 Y0 Z50\nG28 Z60\nG0 Z50\nM30\n"}, options,
+                        [](const Motion&) {});
         return last;
     };
     EXPECT_EQ(last_register(Dialect::Haas), kNoLength);

@@ -246,6 +246,17 @@ const std::vector<Case>& cases() {
          "[1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1]",
          "3:1: error: a call takes 30 arguments at most [call-arguments]"},
         {By::Strict, "o1 sub~G0 X1", "1:1: error: the subroutine 1 has no end [sub-end-missing]"},
+        {By::Strict, "G21~o1 sub~o1 endsub~o1 sub~o1 endsub~M2",
+         "4:1: error: the subroutine O1 is defined a second time [sub-twice]"},
+        {By::Strict, "G21~o1 sub~o1 endsub~o1 return~M2",
+         "4:1: error: endsub or return of O1 stands outside of a subroutine [return-outside]"},
+        {By::Strict, "#1=3~o1 if #1~o1 endif~M2",
+         "2:1: error: a condition stands in brackets: [#1] [condition-bracket]"},
+        {By::Strict, "G21~G0 X0 (" + std::string(246, 'a') + ")~M2",
+         "2:1: error: a line has 252 characters at most [line-too-long]"},
+        {By::Strict, kStart + "G41.1 D2~G1 X[#5420+5]~M2",
+         "3:4: error: the position #5420 must not be read while cutter compensation is on "
+         "[parameter-range]"},
         {By::Default, "G0 X1~M99",
          "2:1: note: M99 starts the main program over; it was run once [main-repeats]"},
         // Cutter compensation

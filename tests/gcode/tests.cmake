@@ -8,6 +8,7 @@ ncsim_add_test(gcode
     expression_test.cpp
     file_programs_test.cpp
     messages_test.cpp
+    mode_pairs_test.cpp
     parser_test.cpp
     program_text_test.cpp
     redundant_words_test.cpp

@@ -14,6 +14,7 @@
 #include "control/growing_list.h"
 #include "control/paths/compensation.h"
 #include "control/paths/path.h"
+#include "control/rare.h"
 #include "control/store.h"
 
 #include <cstdint>
@@ -48,7 +49,7 @@ struct ControlState {
     MachineState machine;
     CopyOnWrite<Store> store;
     CompensationState compensation;
-    std::optional<HeldCorner> corner;
+    Rare<HeldCorner> corner;
     Curve curve;
     bool operator==(const ControlState&) const = default;
 };

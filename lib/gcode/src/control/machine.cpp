@@ -94,6 +94,12 @@ bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
         outline_->is_foreign |= kind != MoveKind::Feed;
         return hear(end, nullptr);
     }
+    if (compensation_.is_entering() && rules_.is_linuxcnc()) {
+        const PlaneAxes axes = axes_of(state_.plane);
+        if (end[axes.first] == state_.position[axes.first] &&
+            end[axes.second] == state_.position[axes.second])
+            return fail(Message::CompensationEntry, span_);
+    }
     if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
     path_.straight(state_, with_cancelled_offset(end, mask), kind, mask);
     state_.just_left_compensation = false;

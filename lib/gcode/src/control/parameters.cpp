@@ -142,7 +142,7 @@ std::optional<Parameters::Shown> Parameters::of_machine(int number) const {
 
 std::optional<double> Parameters::numbered(double number) const {
     const int n = to_index(number, rules_.strict);
-    if (n < 0 || (n == 0 && rules_.strict)) return std::nullopt;
+    if (n < 0 || (n == 0 && rules_.strict) || is_hidden(number)) return std::nullopt;
     if (n == 0) return empty();
     const auto i = static_cast<std::size_t>(n);
     bool is_set = i <= kLocals ? locals_set_[i] : i < is_set_.size() && is_set_[i] != 0;
@@ -156,6 +156,12 @@ std::optional<double> Parameters::numbered(double number) const {
     if (!is_set || !computed_from_.empty())
         note_read(std::string("#").append(std::to_string(n)), is_set);
     return value;
+}
+
+/// LinuxCNC refuses to read the position while cutter compensation is on.
+bool Parameters::is_hidden(double number) const {
+    return rules_.strict && is_in(to_index(number, true), 5420, 9) &&
+           view.state->cutter_side != CutterSide::Off;
 }
 
 bool Parameters::is_read_only(double number) {

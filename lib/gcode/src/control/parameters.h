@@ -35,6 +35,7 @@ public:
     static constexpr std::size_t kLocals = 33;  ///< #1 … #33; RS274/NGC calls keep #1 … #30 apart.
 
     std::optional<double> numbered(double number) const override;
+    bool is_hidden(double number) const override;
     std::optional<double> named(std::string_view name) const override;
 
     /// `unknown`: the name of the unknown variable that `value` was computed from, if any.

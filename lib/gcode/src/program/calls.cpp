@@ -40,6 +40,11 @@ std::optional<std::string> Runner::label_of(std::string_view label, SourceSpan s
 }
 
 std::optional<bool> Runner::condition(std::string_view text, SourceSpan span) {
+    if (rules_.strict && !text.starts_with('[')) {
+        fault(Message::ConditionBracket, span, {text});
+        ended_ = true;
+        return std::nullopt;
+    }
     const std::optional<double> value = resolver_.value_of(text, span, !rules_.strict);
     if (!value) return std::nullopt;
     return !std::isnan(*value) && *value != 0.0;

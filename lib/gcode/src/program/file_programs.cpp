@@ -18,37 +18,62 @@ namespace {
 
 constexpr std::string_view kAxes = "XYZABCUVW";
 
-/// True if `line` may contain M2, M02 or M30.
-bool may_end(std::string_view line) {
-    for (std::size_t at = line.find_first_of("Mm"); at != std::string_view::npos;
-         at = line.find_first_of("Mm", at + 1)) {
-        const std::size_t digit = line.find_first_not_of(" \t0", at + 1);
-        if (digit != std::string_view::npos && (line[digit] == '2' || line[digit] == '3'))
-            return true;
+/// The first 'M' or 'm' of M2, M02 or M30 in `text` from `from` on; npos: none.
+std::size_t find_end(std::string_view text, std::size_t from) {
+    constexpr auto kNone = std::string_view::npos;
+    std::size_t upper = text.find('M', from);
+    std::size_t lower = text.find('m', from);
+    while (upper != kNone || lower != kNone) {
+        const std::size_t at = std::min(upper, lower);
+        // Digits, and blanks between them.
+        int number = 0;
+        for (std::size_t i = at + 1; i < text.size() && number < 100; ++i) {
+            if (text[i] == ' ' || text[i] == '\t') continue;
+            if (text[i] < '0' || text[i] > '9') break;
+            number = 10 * number + (text[i] - '0');
+        }
+        if (number == 2 || number == 30) return at;
+        (at == upper ? upper : lower) = text.find(text[at], at + 1);
     }
-    return false;
+    return kNone;
+}
+
+/// How many lines begin with O or a colon, behind blanks and '/'; at most `enough`.
+std::size_t count_heads(std::string_view text, std::size_t enough) {
+    std::size_t heads = 0;
+    for (const char letter : {'O', 'o', ':'}) {
+        for (std::size_t at = text.find(letter); at != std::string_view::npos && heads < enough;
+             at = text.find(letter, at + 1)) {
+            const std::size_t before = text.find_last_not_of(std::string_view(" \t\0/", 4), at - 1);
+            const bool is_first = at == 0 || before == std::string_view::npos ||
+                                  text[before] == '\n' || text[before] == '\r';
+            if (is_first) ++heads;
+        }
+    }
+    return heads;
 }
 
 /// True if the file has to be read block by block: two O numbers, or something behind an end.
 bool may_hold_more(std::string_view text) {
-    std::size_t heads = 0;
-    bool has_ended = false;
-    std::size_t closings = 0;
     text = after_byte_order_mark(text);
+    if (count_heads(text, 2) > 1) return true;
+    // The end: M2, M30, or the second line that begins with '%'.
+    std::size_t end = find_end(text, 0);
+    std::size_t closings = 0;
+    for (std::size_t at = text.find('%'); at < end && at != std::string_view::npos;
+         at = text.find('%', at + 1)) {
+        if (++closings > 1) end = at;
+    }
+    if (end == std::string_view::npos) return false;
+    text.remove_prefix(end);
+    text.remove_prefix(find_line_end(text).next);
     while (!text.empty()) {
-        const LineEnd end = find_line_end(text);
-        const std::string_view line = text.substr(0, end.length);
-        text.remove_prefix(end.next);
-        std::size_t at = line.find_first_not_of(" \t\0/");
-        if (at == std::string_view::npos) continue;
-        if (line[at] == '%') {
-            has_ended = has_ended || ++closings > 1;
-            continue;
-        }
-        if (has_ended && line.find_first_of("0123456789", at) != std::string_view::npos)
-            return true;
-        if ((line[at] == 'O' || line[at] == 'o' || line[at] == ':') && ++heads > 1) return true;
-        has_ended = has_ended || may_end(line);
+        const LineEnd line_end = find_line_end(text);
+        const std::string_view line = text.substr(0, line_end.length);
+        text.remove_prefix(line_end.next);
+        const std::size_t at = line.find_first_not_of(std::string_view(" \t\0/", 4));
+        if (at == std::string_view::npos || line[at] == '%') continue;
+        if (line.find_first_of("0123456789", at) != std::string_view::npos) return true;
     }
     return false;
 }

@@ -44,6 +44,12 @@ void Runner::o_word() {
             // A subroutine is passed by; it runs when it is called.
             const auto end = marks.next(i, label, ControlWord::EndSub);
             if (rules_.strict) {
+                const auto [defined, is_new] = subs_.try_emplace(label, current_, block_.line);
+                if (!is_new && defined->second != std::pair{current_, block_.line}) {
+                    fault(Message::SubTwice, control.span, {tagged("O", label)});
+                    ended_ = true;
+                    return;
+                }
                 std::size_t inner = i;
                 while (++inner < (end ? *end : marks.markers().size())) {
                     if (marks[inner].word == ControlWord::Sub) {
@@ -66,7 +72,12 @@ void Runner::o_word() {
         }
         case ControlWord::EndSub:
         case ControlWord::Return: {
-            if (frames_.empty()) return;
+            if (frames_.empty()) {
+                if (!rules_.strict) return;
+                fault(Message::ReturnOutside, control.span, {tagged("O", label)});
+                ended_ = true;
+                return;
+            }
             Frame& frame = frames_.back();
             if (rules_.strict && frame.kind != CallKind::OWord) {
                 return fault(Message::CallForms, control.span, {tagged("O", label)});

@@ -87,6 +87,12 @@ bool Runner::step() {
             return false;
         }
     }
+    constexpr std::size_t kLongestStrict = 252;  // of LinuxCNC
+    if (rules_.strict && block_.text.size() > kLongestStrict) {
+        fault(Message::LineTooLong, {block_.line, 1, 1});
+        ended_ = true;
+        return false;
+    }
     parameters_.view.line = block_.line;
     if (block_.kind != BlockKind::Words) {
         if (block_.kind == BlockKind::Percent) return percent();

@@ -16,7 +16,10 @@
 
 #include <array>
 #include <deque>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace ncsim::gcode {
 
@@ -126,6 +129,8 @@ private:
     std::size_t current_ = 0;
     std::vector<Frame> frames_;
     std::vector<Repeat> repeats_;
+    /// File and line of each subroutine that was met.
+    std::map<std::string, std::pair<std::size_t, std::uint32_t>> subs_;
     std::shared_ptr<const Machine::SavedModes> main_modes_;  // of M70 outside of calls
     Block block_;
     Command command_;

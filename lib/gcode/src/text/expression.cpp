@@ -158,7 +158,9 @@ private:
         if (arithmetic_.vacant && std::isnan(*number)) number = 0.0;
         if (const std::optional<double> found = parameters_.numbered(*number)) return found;
         const double shown = std::isnan(*number) ? 0.0 : std::clamp(*number, -1e15, 1e15);
-        return fail(Message::ParameterRange, std::to_string(static_cast<long long>(shown)));
+        return fail(
+            parameters_.is_hidden(shown) ? Message::PositionHidden : Message::ParameterRange,
+            std::to_string(static_cast<long long>(shown)));
     }
 
     std::optional<double> function() {

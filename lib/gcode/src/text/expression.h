@@ -34,6 +34,8 @@ class ParameterSource {
 public:
     /// The value of #number; nullopt if there is no such parameter.
     virtual std::optional<double> numbered(double number) const = 0;
+    /// True if #`number` exists and the control does not let it be read now.
+    virtual bool is_hidden(double) const { return false; }
     /// The value of #<name>; nullopt if it was never set.
     virtual std::optional<double> named(std::string_view name) const = 0;
 

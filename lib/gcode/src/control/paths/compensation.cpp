@@ -370,7 +370,7 @@ void Compensation::convert_units(double factor, const std::function<void(Machine
             if (!is_rotary(i)) axes[i] *= factor;
         }
     };
-    const auto scale_element = [&](std::optional<Element>& element) {
+    const auto scale_element = [&](Rare<Element>& element) {
         if (!element) return;
         convert(element->state);
         scale(element->end);

@@ -9,6 +9,7 @@
 
 #include "control/growing_list.h"
 #include "control/paths/path.h"
+#include "control/rare.h"
 #include "text/message.h"
 
 #include <cstdint>
@@ -59,9 +60,9 @@ struct CompensationState {
     bool held_enters = false;  ///< `held` is the move that begins compensation.
     /// The programmed end of the last move, while that differs from where the tool is.
     std::optional<Axes> programmed;
-    std::optional<Element> held;
+    Rare<Element> held;
     /// The move before, if it was made to its end before the next one was known (M0 on LinuxCNC).
-    std::optional<Element> made;
+    Rare<Element> made;
     GrowingList<Follower> followers;
     Axes at{};  ///< Where the tool is, program coordinates.
     bool operator==(const CompensationState&) const = default;
@@ -82,6 +83,8 @@ public:
     /// The same, with the tool beside the start of the next move already, at `at`.
     void begin_beside(CutterSide side, double radius, const Axes& at);
     bool is_on() const { return s_.radius > 0.0; }
+    /// On, and the next move is the first one.
+    bool is_entering() const { return is_on() && s_.entering; }
 
     // Like those of Path, for programmed moves. False after reporting a move that cannot be made.
     bool straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
