@@ -52,7 +52,7 @@ with open("seen", "w") as seen:
         seen.write(f"{name}: {box.XLength:.2f} x {box.YLength:.2f}\n")
         FreeCAD.closeDocument("d")
 PY
-freecadcmd read.py >log 2>&1 || true
+freecadcmd read.py </dev/null >log 2>&1 || true
 cat seen
 diff seen - <<'EXPECTED' || { echo 'behaviour changed' >&2; exit 1; }
 scale-2-2-1.dxf: 15.87 x 15.87

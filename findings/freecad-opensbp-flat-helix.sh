@@ -42,7 +42,7 @@ operation.Path = Path.Path([
 post = importlib.import_module("opensbp_post")
 post.export([operation], "seen", "--no-show-editor --no-header")
 PY
-freecadcmd check.py >log 2>&1 || true
+freecadcmd check.py </dev/null >log 2>&1 || true
 sed -i '/^ *$/d' seen
 cat seen
 diff seen - <<'EXPECTED' || { echo 'behaviour changed' >&2; exit 1; }

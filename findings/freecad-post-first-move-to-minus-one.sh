@@ -48,7 +48,7 @@ with open("seen", "w") as seen:
             blocks = [line for line in lines[first : first + 4] if line.startswith(("G0", "G1", "X"))]
             seen.write(f"{name}{option}, corner {corner}: " + " | ".join(blocks) + "\n")
 PY
-freecadcmd check.py >log 2>&1 || true
+freecadcmd check.py </dev/null >log 2>&1 || true
 cat seen
 diff seen - <<'EXPECTED' || { echo 'behaviour changed' >&2; exit 1; }
 linuxcnc, corner -2: G0 Z5.000 | G0 X-2.000 Y-2.000 | G1 Z-3.000 F300.000 | G1 X20.000 Y-2.000 F300.000

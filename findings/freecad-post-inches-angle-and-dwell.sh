@@ -41,7 +41,7 @@ with open("seen", "w") as seen:
         blocks = [line.strip() for line in open("out.nc") if line.startswith(("G1 ", "G4 ", "G82 "))]
         seen.write(name + ": " + " | ".join(blocks) + "\n")
 PY
-freecadcmd check.py >log 2>&1 || true
+freecadcmd check.py </dev/null >log 2>&1 || true
 cat seen
 diff seen - <<'EXPECTED' || { echo 'behaviour changed' >&2; exit 1; }
 grbl: G1 X1.0000 A180.0000 F11.8110 | G4 P2.0 | G82 X2.0000 Z-0.2000 F11.8110 R0.1000 P1.5

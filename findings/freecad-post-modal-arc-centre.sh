@@ -45,7 +45,7 @@ with open("seen", "w") as seen:
         first = next(i for i, line in enumerate(lines) if line.startswith("G1 "))
         seen.write(name + ": " + " | ".join(lines[first : first + 4]) + "\n")
 PY
-freecadcmd check.py >log 2>&1 || true
+freecadcmd check.py </dev/null >log 2>&1 || true
 cat seen
 diff seen - <<'EXPECTED' || { echo 'behaviour changed' >&2; exit 1; }
 linuxcnc: G1 X1.000 Y0.000 Z-2.000 F600.000 | G2 X11.000 Y0.000 Z-2.000 I5.000 J0.000 F600.000 | G2 X21.000 Y0.000 Z-2.000 I5.000 J0.000 F600.000 | G3 X21.000 Y0.000 Z-2.000 I-5.000 J0.000 F600.000

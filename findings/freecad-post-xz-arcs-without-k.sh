@@ -54,7 +54,7 @@ with open("seen", "w") as seen:
         arcs = [line.strip() for line in open(name + ".nc") if line.startswith(("G2 ", "G3 "))]
         seen.write(name + ": " + " | ".join(arcs) + "\n")
 PY
-freecadcmd check.py >log 2>&1 || true
+freecadcmd check.py </dev/null >log 2>&1 || true
 export LD_LIBRARY_PATH=$work/root/usr/lib:$work/root/usr/lib/x86_64-linux-gnu
 for name in grbl linuxcnc; do
   { root/usr/bin/rs274 -g $name.nc 2>&1 || true; } | grep -oE '(ARC_FEED|Zero-radius arc).*' |
