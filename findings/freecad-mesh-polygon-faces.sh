@@ -51,7 +51,8 @@ with open("seen", "w") as seen:
     for name in ("triangles", "polygons"):
         for kind in ("off", "obj", "ply"):
             mesh = Mesh.Mesh(f"{name}.{kind}")
-            seen.write(f"{name}.{kind}: {mesh.CountFacets} triangles, volume {mesh.Volume:.3f}, solid {mesh.isSolid()}\n")
+            size = f"{mesh.CountFacets} triangles, volume {mesh.Volume:.3f}"
+            seen.write(f"{name}.{kind}: {size}, solid {mesh.isSolid()}\n")
 PY
 freecadcmd read.py </dev/null >log 2>&1 || true
 cat seen

@@ -4,7 +4,8 @@
 # Package:  npm, gerber-parser 4.2.7 (filetype drill).
 # Input:    Excellon: a hole at 1,1 repeated by R3X2 (three more holes, 2 apart); a pattern of two holes (M25 … M01)
 #           that is repeated at an offset of 10,0 (M02X10Y0, M08); an incremental hole (G91).
-# Expected: R3X2 gives holes at 3,1 5,1 7,1. The pattern gives holes at 11,1 and 12,1. An unsupported code gives a warning.
+# Expected: R3X2 gives holes at 3,1 5,1 7,1. The pattern gives holes at 11,1 and 12,1.
+#           An unsupported code gives a warning.
 # Seen:     R3X2 gives one hole at 2,1, and M02X10Y0 gives one hole at 10,0: positions where the file has no hole.
 #           G91 is ignored: the second hole is at 2,0, not 3,1.
 #           No warning appears.

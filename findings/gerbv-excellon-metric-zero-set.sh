@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Package:  Debian 12, gerbv 2.9.6-1 (Excellon in, Excellon out).
-# Input:    the same two holes in millimetres and in inches. G93 sets a new zero between the holes, 25.4 mm (1 inch) away.
+# Input:    the same two holes in millimetres and in inches. G93 sets a new zero between the holes,
+#           25.4 mm (1 inch) away.
 # Expected: Both files give the same holes.
 # Seen:     The inch file shifts the second hole by 1 inch. The metric file shifts it by 25.4 inches (645 mm):
 #           the offset of G93 is not converted to the unit of the file. No message appears.

@@ -41,7 +41,8 @@ function binary(list) {
 }
 function show(name, data) {
   const shapes = [].concat(deserialize({ output: 'geometry' }, data));
-  console.log(`${name}: ${shapes.map((s) => `${s.polygons.length} triangles, volume ${measureVolume(s).toFixed(2)}`).join('; ')}`);
+  const sizes = shapes.map((shape) => `${shape.polygons.length} triangles, volume ${measureVolume(shape).toFixed(2)}`);
+  console.log(`${name}: ${sizes.join('; ')}`);
 }
 const zero = [0, 0, 0];
 show('ascii, calculated normals', ascii(facets()));

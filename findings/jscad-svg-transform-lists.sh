@@ -21,12 +21,13 @@ npm install --silent --ignore-scripts --no-audit --no-fund --prefix "$work" \
 cat >check.js <<'JS'
 const { deserialize } = require('@jscad/svg-deserializer');
 const { measureBoundingBox } = require('@jscad/modeling').measurements;
-const head = '<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">';
+const size = 'width="100mm" height="100mm" viewBox="0 0 100 100"';
+const head = `<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg" ${size}>`;
 function show(name, body) {
   try {
     const [shape] = [].concat(deserialize({ output: 'geometry', target: 'path' }, `${head}${body}</svg>`));
-    const [low, high] = measureBoundingBox(shape);
-    console.log(`${name}: x ${low[0].toFixed(0)}..${high[0].toFixed(0)} y ${(-high[1]).toFixed(0)}..${(-low[1]).toFixed(0)}`);
+    const [low, high] = measureBoundingBox(shape).map((p) => [p[0].toFixed(0), (-p[1]).toFixed(0)]);
+    console.log(`${name}: x ${low[0]}..${high[0]} y ${high[1]}..${low[1]}`);
   } catch (error) {
     console.log(`${name}: ${error.message}`);
   }

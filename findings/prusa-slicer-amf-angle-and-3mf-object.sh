@@ -72,7 +72,8 @@ for name, objects in (("one object", (1,)), ("second object, not in the build", 
             "[Content_Types].xml",
             f'<?xml version="1.0" encoding="UTF-8"?><Types xmlns="{package}content-types">'
             f'<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
-            f'<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>',
+            f'<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>'
+            f"</Types>",
         )
         archive.writestr(
             "_rels/.rels",

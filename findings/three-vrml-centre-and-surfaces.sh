@@ -32,7 +32,9 @@ function show(name, body) {
     const plain = mesh.geometry.index ? mesh.geometry.toNonIndexed() : mesh.geometry;
     const points = plain.attributes.position;
     for (let i = 0; i < points.count; i += 3) {
-      [a, b, c].forEach((p, k) => box.expandByPoint(p.fromBufferAttribute(points, i + k).applyMatrix4(mesh.matrixWorld)));
+      [a, b, c].forEach((p, k) => {
+        box.expandByPoint(p.fromBufferAttribute(points, i + k).applyMatrix4(mesh.matrixWorld));
+      });
       volume += a.dot(b.clone().cross(c)) / 6;
       area += b.sub(a).cross(c.sub(a)).length() / 2;
     }
@@ -43,7 +45,8 @@ function show(name, body) {
 const square = 'crossSection [ 1 1, 1 -1, -1 -1, -1 1, 1 1 ]';
 const corner = '0 0 0, 3 0 0, 3 1 0, 1 1 0, 1 3 0, 0 3 0';
 show('box', `Transform { center 1 0 0 rotation 0 0 1 1.5707963 children [ Shape { geometry Box { size 1 1 1 } } ] }`);
-show('grid', `Shape { geometry ElevationGrid { xDimension 3 zDimension 2 xSpacing 2 zSpacing 4 height [ 0 0 0 1 1 1 ] } }`);
+show('grid', `Shape { geometry ElevationGrid {
+  xDimension 3 zDimension 2 xSpacing 2 zSpacing 4 height [ 0 0 0 1 1 1 ] } }`);
 show('extrusion along y', `Shape { geometry Extrusion { ${square} spine [ 0 0 0, 0 3 0 ] } }`);
 show('extrusion along x', `Shape { geometry Extrusion { ${square} spine [ 0 0 0, 3 0 0 ] } }`);
 show('concave face', `Shape { geometry IndexedFaceSet { convex FALSE
