@@ -4,7 +4,7 @@
 # Package:  Debian 12, freecad-python3 0.20.2+dfsg1-4+deb12u1 (installed; workbench Path, operation Adaptive).
 # Input:    a rectangular pocket of 40 x 20 x 10, with the standard tool; the same script in four processes.
 # Expected: The same program each time, as with the operation Pocket.
-# Seen:     Adaptive gives different paths: the number of commands differs by about 1 %, and so do the coordinates.
+# Seen:     Adaptive gives different paths: the number of commands differs by less than 1 %, and so do the coordinates.
 #           So a program that is posted again differs from the program that was simulated. Pocket gives one path.
 
 set -euo pipefail

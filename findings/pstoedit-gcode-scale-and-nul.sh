@@ -6,7 +6,7 @@
 # Input:    PostScript: a horizontal line of 1440 points, which are 20 inches or 508 mm.
 # Expected: LinuxCNC, for which the format is intended, reads the program. The line ends at X508.
 # Seen:     The first comment has a NUL byte before its ")": LinuxCNC stops with "Unclosed comment found".
-#           Without this byte the program is read. It multiplies by 0.0139 instead of 1/72: the line ends at X508.41.
+#           Without this byte the program is read. Its scale is 0.0139 instead of 1/72: the line ends at X508.41.
 
 set -euo pipefail
 work=$(mktemp -d)
