@@ -122,7 +122,7 @@ TEST(ModePairs, LeadToThePlacesOfTheirFormulas) {
                                      .length_told = true,
                                      .diameter = Length::from_mm(4.0)});
             Position last;
-            std::vector<double> machine_z;  // of the places that are told in machine coordinates
+            std::vector<double> machine_z;  // of places in machine coordinates
             const std::string text = program(modes);
             SCOPED_TRACE(text);
             const Interpretation made =

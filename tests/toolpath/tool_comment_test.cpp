@@ -52,7 +52,11 @@ const char* name_of_kind(const ToolSpec& spec) {
                                                            {ToolKind::TaperedEndMill, "taper"},
                                                            {ToolKind::SlotMill, "slot"},
                                                            {ToolKind::DovetailMill, "dovetail"},
-                                                           {ToolKind::LollipopMill, "lollipop"}};
+                                                           {ToolKind::LollipopMill, "lollipop"},
+                                                           {ToolKind::Tap, "tap"},
+                                                           {ToolKind::Reamer, "reamer"},
+                                                           {ToolKind::BoringBar, "boring-bar"},
+                                                           {ToolKind::ThreadMill, "thread"}};
     if (!spec.kind && spec.corner_radius.value_or(0.0) <= 0.0) return "any";
     const auto name = kNames.find(*filled(spec, 50).kind);
     return name == kNames.end() ? "other" : name->second;

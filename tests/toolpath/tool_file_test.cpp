@@ -100,7 +100,7 @@ TEST(ToolFile, OfFusionHasWholeAssemblies) {
               "T2 ball end mill D6.35 L12.7, D5.08-6.35 to 25.4, D25.4 to 50.8\n"
               "T3 slot mill D20 L4, D10 to 40\n"
               "T4 dovetail mill D20 L6, D10 to 40\n"
-              "T5 flat end mill D8 L15, D8 to 39\n"
+              "T5 thread mill D8 L15, D8 to 39\n"
               "0:1 tool-unknown\n");
 }
 

@@ -23,6 +23,22 @@ std::string tool_of(const std::string& comment) {
         .append(describe(make_tool(spec, 50)));
 }
 
+TEST(ToolComments, OfAToolSurviveTheWayHomeBeforeItsCall) {
+    for (const char* between : {"G28 G91 Z0.", "G53 G0 Z0", "G30 Z0", "G10 L2 P1 X0 Y0 Z0",
+                                "G92 X0", "G52 X0 Y0", "G0 G49"}) {
+        const ProgramNotes n =
+            notes(std::string("G21\nT7 M6\nG0 X1 Y1\nG1 Z-1 F100\n(M6X1 TAP)\n") + between +
+                  "\nT2 M6\nG0 X0\n");
+        ASSERT_EQ(n.tools.size(), 1U) << between;
+        EXPECT_EQ(n.tools[0].spec.number, 2) << between;
+        EXPECT_EQ(n.tools[0].spec.pitch, 1.0);
+    }
+    // Behind a move at work, the comment is of the tool in the spindle.
+    const ProgramNotes n = notes("G21\nT7 M6\n(M6X1 TAP)\nG0 X1 Y1\nT2 M6\nG0 X0\n");
+    ASSERT_EQ(n.tools.size(), 1U);
+    EXPECT_EQ(n.tools[0].spec.number, 7);
+}
+
 TEST(ToolComments, AreReadInAllTheirForms) {
     const std::pair<const char*, const char*> table[] = {
         {"T1 D=3.175 CR=0. - ZMIN=-4.2 - FLAT END MILL", "T1 flat end mill D3.175 L50"},

@@ -43,6 +43,26 @@ void extend_shank(toolpath::Tool& tool, const toolpath::ToolSpec& spec) {
     tool.pieces.back().assumed = true;
 }
 
+// What does not cut about the axis, as a share of the diameter.
+struct BlindCore {
+    double share = 0.0;
+    const char* why = "";
+};
+
+BlindCore blind_core(toolpath::ToolKind kind) {
+    using enum toolpath::ToolKind;
+    switch (kind) {
+        case FaceMill: return {0.5, "a face mill does not cut in the inner half of its diameter"};
+        case SlotMill: return {0.5, "a slot cutter does not cut in the inner half of its diameter"};
+        case DovetailMill:
+            return {0.5, "a dovetail cutter does not cut in the inner half of its diameter"};
+        case Tap: return {0.6, "a tap needs a hole of the minor diameter"};
+        case Reamer: return {0.8, "a reamer needs a hole a little smaller than itself"};
+        case BoringBar: return {0.6, "a boring bar needs a hole"};
+        default: return {};
+    }
+}
+
 verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts* told) {
     verify::ToolFacts facts;
     if (told) facts = *told;
@@ -59,10 +79,16 @@ verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts
     } else {
         facts.assumption = used.filled_in;
     }
-    if (!facts.blind_diameter && used.tool.kind == toolpath::ToolKind::FaceMill) {
-        facts.blind_diameter = 0.5 * toolpath::cutting_diameter_of(used.tool);
-        facts.blind_assumption = "a face mill does not cut in the inner half of its diameter";
+    if (const BlindCore core = blind_core(used.tool.kind);
+        !facts.blind_diameter && core.share > 0) {
+        facts.blind_diameter = core.share * toolpath::cutting_diameter_of(used.tool);
+        facts.blind_assumption = core.why;
     }
+    facts.left_hand |= used.spec.left_hand;
+    if (!facts.pitch) facts.pitch = used.spec.pitch;
+    const bool has_flutes = used.length_told && !used.is_guess;
+    if (used.tool.kind == toolpath::ToolKind::Drill && has_flutes)
+        facts.flute_length = toolpath::cutting_height_of(used.tool);
     return facts;
 }
 

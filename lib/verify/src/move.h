@@ -95,6 +95,10 @@ struct Move {
     /// been aside; beyond what the tool may.
     double plunged_mm = 0.0;
     double too_deep_mm = 0.0;  ///< Engaged height above the limit of the tool.
+    /// Straight along its axis in a hole: the tip below the first contact with material there, mm.
+    double hole_depth_mm = 0.0;
+    /// The motion before cut straight down, with this spindle; this one goes straight up.
+    std::optional<gcode::SpindleTurning> leaves_cut;
     /// Farther off the programmed path than the tolerance allows, mm.
     double path_error_mm = 0.0;
     std::vector<BodyContact> bodies;

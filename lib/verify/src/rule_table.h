@@ -78,6 +78,10 @@ void judge_below_stock(const Setup&, const Move&, FindingLog&);
 void judge_machine_collision(const Setup&, const Move&, FindingLog&);
 void judge_machine_near_miss(const Setup&, const Move&, FindingLog&);
 void judge_length_offset(const Setup&, const Move&, FindingLog&);
+void judge_sideways(const Setup&, const Move&, FindingLog&);
+void judge_tap_feed(const Setup&, const Move&, FindingLog&);
+void judge_tap_retract(const Setup&, const Move&, FindingLog&);
+void judge_drill_depth(const Setup&, const Move&, FindingLog&);
 
 /// The rule that a diagnostic of this code belongs to; empty: another rule tells it better.
 std::string_view rule_of_diagnostic(std::string_view code);

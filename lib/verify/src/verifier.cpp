@@ -12,6 +12,7 @@
 #include "finding_log.h"
 #include "fixture.h"
 #include "guesses.h"
+#include "hole_course.h"
 #include "idle_spindle.h"
 #include "ledger_book.h"
 #include "machine_scene.h"
@@ -226,6 +227,7 @@ public:
             return;
         }
         if (setup_.second_look) measuring_.look_closer();
+        hole_.take(move_);
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
         count_idle_cuts();
@@ -443,6 +445,8 @@ private:
             case MoveKind::Feed: break;
         }
         const bool well = turns_well(motion, is_left_handed(motion.tool));
+        const ToolFacts* tool = facts_of(setup_, motion.tool);
+        if (tool && toolpath::is_axial(tool->tool.kind)) return true;
         return contacts_ || ((!well || motion.spindle_in_doubt) && !idle_.is_told() &&
                              (asked("spindle-off") || asked("spindle-reversed")));
     }
@@ -549,6 +553,7 @@ private:
     std::uint64_t motions_ = 0;
     bool probed_ = false;
     Move move_;
+    HoleCourse hole_;
     Measuring measuring_;
     Watched* now_ = nullptr;
     struct CutAt {

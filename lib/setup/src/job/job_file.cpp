@@ -44,6 +44,10 @@ constexpr std::pair<std::string_view, ToolKind> kKinds[] = {{"flat", ToolKind::F
                                                             {"slot", ToolKind::SlotMill},
                                                             {"dovetail", ToolKind::DovetailMill},
                                                             {"lollipop", ToolKind::LollipopMill},
+                                                            {"tap", ToolKind::Tap},
+                                                            {"reamer", ToolKind::Reamer},
+                                                            {"boring-bar", ToolKind::BoringBar},
+                                                            {"thread", ToolKind::ThreadMill},
                                                             {"form", ToolKind::Other}};
 
 // The lengths and angles of a tool, by the names they have in the file.
@@ -57,6 +61,7 @@ constexpr NamedValue kValues[] = {{"diameter", &ToolSpec::diameter},
                                   {"angle", &ToolSpec::angle},
                                   {"taper", &ToolSpec::taper},
                                   {"length", &ToolSpec::length},
+                                  {"pitch", &ToolSpec::pitch},
                                   {"neck_diameter", &ToolSpec::neck_diameter},
                                   {"neck_length", &ToolSpec::neck_length},
                                   {"shank_diameter", &ToolSpec::shank_diameter},
@@ -307,7 +312,7 @@ private:
                  if (found == std::end(kKinds)) {
                      r_.fail(n,
                              "expected flat, ball, bull, face, v, drill, taper, slot, dovetail, "
-                             "lollipop or form");
+                             "lollipop, tap, reamer, boring-bar, thread or form");
                  }
                  spec.kind = found->second;
              }},

@@ -38,6 +38,11 @@ Tool cone(ToolKind kind, double diameter, double tip_diameter, double included_a
 
 }  // namespace
 
+bool is_axial(ToolKind kind) {
+    return kind == ToolKind::Drill || kind == ToolKind::Tap || kind == ToolKind::Reamer ||
+           kind == ToolKind::BoringBar;
+}
+
 std::string_view name_of(ToolKind kind) {
     switch (kind) {
         case ToolKind::FlatEndMill: return "flat end mill";
@@ -46,6 +51,10 @@ std::string_view name_of(ToolKind kind) {
         case ToolKind::FaceMill: return "face mill";
         case ToolKind::VCutter: return "v-cutter";
         case ToolKind::Drill: return "drill";
+        case ToolKind::Tap: return "tap";
+        case ToolKind::Reamer: return "reamer";
+        case ToolKind::BoringBar: return "boring bar";
+        case ToolKind::ThreadMill: return "thread mill";
         case ToolKind::TaperedEndMill: return "tapered end mill";
         case ToolKind::SlotMill: return "slot mill";
         case ToolKind::DovetailMill: return "dovetail mill";

@@ -257,16 +257,16 @@ std::optional<ToolKind> fusion_kind(const std::string& type) {
         {"SPOT DRILL", ToolKind::VCutter},
         {"CENTER DRILL", ToolKind::VCutter},
         {"COUNTER SINK", ToolKind::VCutter},
-        {"REAMER", ToolKind::FlatEndMill},
+        {"REAMER", ToolKind::Reamer},
         {"COUNTER BORE", ToolKind::FlatEndMill},
-        {"BORING BAR", ToolKind::FlatEndMill},
-        {"BORING HEAD", ToolKind::FlatEndMill},
-        {"THREAD MILL", ToolKind::FlatEndMill},
+        {"BORING BAR", ToolKind::BoringBar},
+        {"BORING HEAD", ToolKind::BoringBar},
+        {"THREAD MILL", ToolKind::ThreadMill},
         {"SLOT MILL", ToolKind::SlotMill},
         {"DOVETAIL MILL", ToolKind::DovetailMill},
         {"LOLLIPOP MILL", ToolKind::LollipopMill},
-        {"TAP RIGHT HAND", ToolKind::FlatEndMill},
-        {"TAP LEFT HAND", ToolKind::FlatEndMill},
+        {"TAP RIGHT HAND", ToolKind::Tap},
+        {"TAP LEFT HAND", ToolKind::Tap},
         {"RADIUS MILL", ToolKind::BullNoseEndMill},
         {"ENGRAVE", ToolKind::VCutter},
         {"ENGRAVER", ToolKind::VCutter}};
@@ -332,6 +332,10 @@ void read_fusion_tool(const Json& json, Collector& out) {
     spec.corner_radius = scaled(positive_of(g, "RE"), unit);
     spec.length = scaled(positive_of(g, "LCF"), unit);
     spec.tip_diameter = scaled(positive_of(g, "tip-diameter"), unit);
+    if (spec.kind == ToolKind::Tap) {
+        spec.pitch = scaled(positive_of(g, "TP"), unit);
+        spec.left_hand = text::upper(type) == "TAP LEFT HAND";
+    }
     if (spec.kind == ToolKind::Drill) spec.angle = positive_of(g, "SIG");
     if (spec.kind == ToolKind::VCutter) {
         spec.angle = positive_of(g, "SIG");

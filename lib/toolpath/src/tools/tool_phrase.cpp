@@ -169,6 +169,7 @@ private:
                 has_noun_ = true;
                 is_mill_ = word.rank != 2 && word.rank != 3;
                 if (word.rank == 3) is_thread_ = true;
+                is_left_ = is_left_ || word.text == "LEFT HAND TAP";
                 if (word.text == "CENTER DRILL" || word.text == "CENTRE DRILL")
                     is_centre_drill_ = true;
                 has_reamer_ = has_reamer_ || word.text.find("REAMER") != std::string::npos;
@@ -226,8 +227,12 @@ private:
     void skip_pitch(std::size_t value) {
         at_ = value;
         const Token* x = token(value + 1);
-        if (x && (x->text == "X" || x->is('*') || x->is('-')) && number_at(value + 2))
+        if (x && (x->text == "X" || x->is('*') || x->is('-')) && number_at(value + 2)) {
             at_ = value + 2;
+            pitch_mm_ = tokens_[at_].quantity.value;
+        } else if (!pitch_mm_) {
+            pitch_mm_ = words::coarse_pitch(tokens_[value].quantity.value);
+        }
     }
 
     void take_tool(bool is_first) {
@@ -298,6 +303,7 @@ private:
             return false;
         }
         at_ = number + 2;
+        if (const double turns = tokens_[at_].quantity.value; turns > 0.0) pitch_mm_ = 25.4 / turns;
         return true;
     }
 
@@ -544,6 +550,10 @@ private:
             // The radius says more than the name.
             if (is_round && spec.kind == ToolKind::FlatEndMill) spec.kind.reset();
         }
+        if (spec.kind == ToolKind::Tap) {
+            if (pitch_mm_.value_or(0.0) > 0.0) spec.pitch = pitch_mm_;
+            spec.left_hand = is_left_;
+        }
         spec.length = length(flute_length_);
         spec.shank_diameter = length(shank_);
         spec.stick_out = length(stick_out_);
@@ -575,6 +585,8 @@ private:
     std::optional<Quantity> diameter_, weak_diameter_, corner_, tip_, flute_length_, shank_,
         stick_out_;
     std::optional<double> angle_;
+    std::optional<double> pitch_mm_;  // of a thread
+    bool is_left_ = false;
     double register_ = 0.0;
     // What speaks against a tool.
     int words_seen_ = 0, unknown_ = 0, letters_ = 0, expressions_ = 0, dimensions_ = 0;

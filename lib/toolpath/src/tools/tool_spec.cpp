@@ -119,9 +119,16 @@ Tool shaped(const ToolSpec& spec, double length) {
             return dovetail_mill(d, spec.taper.value_or(kDovetailTaper), length);
         case ToolKind::LollipopMill: return lollipop_mill(d);
         case ToolKind::FlatEndMill:
+        case ToolKind::Tap:
+        case ToolKind::Reamer:
+        case ToolKind::BoringBar:
+        case ToolKind::ThreadMill:
         case ToolKind::Other: break;
     }
-    return corner > 0 ? bull_nose_end_mill(d, corner, length) : flat_end_mill(d, length);
+    Tool plain = corner > 0 ? bull_nose_end_mill(d, corner, length) : flat_end_mill(d, length);
+    if (kind != ToolKind::Other)
+        plain.kind = corner > 0 && kind == ToolKind::FlatEndMill ? plain.kind : kind;
+    return plain;
 }
 
 }  // namespace
@@ -256,6 +263,10 @@ double least_flute_length(const Tool& tool) {
         case ToolKind::FlatEndMill:
         case ToolKind::BallEndMill:
         case ToolKind::BullNoseEndMill:
+        case ToolKind::Tap:
+        case ToolKind::Reamer:
+        case ToolKind::BoringBar:
+        case ToolKind::ThreadMill:
         case ToolKind::Other: break;
     }
     return std::max(cone, 1.25 * d);
@@ -326,7 +337,11 @@ public:
             {"TAPER", ToolKind::TaperedEndMill},
             {"SLOT", ToolKind::SlotMill},
             {"DOVETAIL", ToolKind::DovetailMill},
-            {"LOLLIPOP", ToolKind::LollipopMill}};
+            {"LOLLIPOP", ToolKind::LollipopMill},
+            {"TAP", ToolKind::Tap},
+            {"REAMER", ToolKind::Reamer},
+            {"BORING-BAR", ToolKind::BoringBar},
+            {"THREAD", ToolKind::ThreadMill}};
         const auto* kind = std::find_if(std::begin(kKinds), std::end(kKinds),
                                         [part](const auto& k) { return k.first == part; });
         if (kind != std::end(kKinds)) {
@@ -339,11 +354,12 @@ public:
         if (!value || (at != part.size() && part.front() != 'S' && part.front() != 'N')) {
             return std::string(part).append(
                 " is neither a kind of tool (flat, ball, bull, face, v, chamfer, drill, taper, "
-                "slot, "
-                "dovetail, lollipop) nor a value (D, R, L, A, P, N, S, E, H)");
+                "slot, dovetail, lollipop, tap, reamer, boring-bar, thread) nor a value (D, K, R, "
+                "L, A, P, N, S, E, H)");
         }
         switch (part.front()) {
             case 'D': spec_.diameter = value; break;
+            case 'K': spec_.pitch = value; break;
             case 'R': spec_.corner_radius = value; break;
             case 'L': spec_.length = value; break;
             case 'P': spec_.tip_diameter = value; break;
@@ -352,7 +368,8 @@ public:
             case 'N': return read_step(part, at, *value, spec_.neck_diameter, spec_.neck_length);
             case 'A': return read_angle(*value);
             default:
-                return std::string(part).append(" starts with none of D, R, L, A, P, N, S, E, H");
+                return std::string(part).append(
+                    " starts with none of D, K, R, L, A, P, N, S, E, H");
         }
         return {};
     }

@@ -11,6 +11,7 @@
 #include "tools/tool_comment.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -33,7 +34,16 @@ bool is_word(const gcode::Word& word, char letter, double number) {
     return word.letter == letter && word.literal && !word.comma && word.number == number;
 }
 
+// True for moves of a tool that is at work: the way home, to a place of the machine and offsets
+// stand before tool changes.
 bool is_move(const Block& block) {
+    static constexpr std::array kBeforeChange{4.0, 10.0, 28.0, 30.0, 52.0, 53.0, 92.0};
+    const bool is_before_change =
+        std::any_of(block.words.begin(), block.words.end(), [](const gcode::Word& w) {
+            return w.letter == 'G' && w.literal &&
+                   std::ranges::find(kBeforeChange, w.number) != kBeforeChange.end();
+        });
+    if (is_before_change) return false;
     return std::any_of(block.words.begin(), block.words.end(), [](const gcode::Word& w) {
         return w.letter == 'X' || w.letter == 'Y' || w.letter == 'Z';
     });

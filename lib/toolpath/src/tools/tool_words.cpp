@@ -19,7 +19,10 @@ struct Named {
 constexpr Named kAny{};
 constexpr Named kFlat{ToolKind::FlatEndMill, 1};
 constexpr Named kDrill{ToolKind::Drill, 2};
-constexpr Named kThread{ToolKind::FlatEndMill, 3};  // taps and reamers: as wide as they say
+constexpr Named kTap{ToolKind::Tap, 3};
+constexpr Named kReamer{ToolKind::Reamer, 3};
+constexpr Named kThreadMill{ToolKind::ThreadMill, 3};
+constexpr Named kBoringBar{ToolKind::BoringBar, 1};
 constexpr Named kFace{ToolKind::FaceMill, 4};
 constexpr Named kBull{ToolKind::BullNoseEndMill, 5};
 constexpr Named kBall{ToolKind::BallEndMill, 6};
@@ -41,7 +44,7 @@ constexpr Group kGroups[] = {
     // English.
     {Role::Noun, kFlat,
      "END MILL|ENDMILL*|END MILLS|EM|E M|FLATENDMILL|FLAT END MILL|FLAT END|FLAT MILL|SQUARE END|"
-     "SLOT MILL|SLOT CUTTER|SLOT DRILL|SLOTDRILL|ROUTER BIT|STRAIGHT BIT|BORING BAR|BORING HEAD|"
+     "SLOT MILL|SLOT CUTTER|SLOT DRILL|SLOTDRILL|ROUTER BIT|STRAIGHT BIT|"
      "CYLINDRICALCUTTER|ROUGHER|FLAT NOSE|END MIL|ENDMIL|FISHTAIL"},
     {Role::Noun, kBall,
      "BALL END|BALL END MILL|BALLENDMILL|BALL ENDMILL|BALL NOSE|BALLNOSE*|BALL NOSED|BALL MILL|"
@@ -66,9 +69,11 @@ constexpr Group kGroups[] = {
     {Role::Noun, kDrill,
      "DRILL|DRILL BIT|TWIST DRILL|JOBBER DRILL|STUB DRILL|TAP DRILL|SCREW MACHINE DRILL|"
      "SPADE DRILL|INSERT DRILL|FORM DRILL|CARBIDE DRILL"},
-    {Role::Noun, kThread,
-     "TAP|REAMER|THREAD MILL|THREADMILL|FORM TAP|CUT TAP|SPIRAL TAP|ROLL TAP|RIGID TAP|"
-     "FORM REAMER|RIGHT HAND TAP"},
+    {Role::Noun, kTap,
+     "TAP|FORM TAP|CUT TAP|SPIRAL TAP|ROLL TAP|RIGID TAP|RIGHT HAND TAP|LEFT HAND TAP"},
+    {Role::Noun, kReamer, "REAMER|FORM REAMER"},
+    {Role::Noun, kThreadMill, "THREAD MILL|THREADMILL"},
+    {Role::Noun, kBoringBar, "BORING BAR|BORING HEAD"},
     {Role::Noun, kAny, "CUTTER|BIT|MILL|COMPRESSION BIT|ROUTER|CORN BIT|BURR|FORM MILL"},
     {Role::Shape, kFlat, "FLAT"},
     {Role::Attribute, kFlat, "SQUARE|UPCUT|UP CUT|DOWNCUT|DOWN CUT|CYLINDRICAL"},
@@ -152,7 +157,10 @@ constexpr Group kGroups[] = {
      "KEGELFR*"},
     {Role::Noun, kDrill,
      "BOHRER|SPIRALBOHRER|VHM BOHRER|WENDEPLATTENBOHRER|STUFENBOHRER|HSS BOHRER"},
-    {Role::Noun, kThread, "GEWINDEBOHRER|GEWINDEFORMER|GEWINDEFR*|REIBAHLE|MASCHINENREIBAHLE"},
+    {Role::Noun, kTap, "GEWINDEBOHRER|GEWINDEFORMER"},
+    {Role::Noun, kThreadMill, "GEWINDEFR*"},
+    {Role::Noun, kReamer, "REIBAHLE|MASCHINENREIBAHLE"},
+    {Role::Noun, kBoringBar, "BOHRSTANGE|AUSDREHKOPF|FEINBOHRKOPF"},
     {Role::Noun, kSlot, "T NUTENFR*|T NUTFR*|SCHEIBENFR*"},
     {Role::Noun, kDovetail, "SCHWALBENSCHWANZ*"},
     {Role::Noun, kAny, "FRAESER|FRASER|HM FRAESER|VHM FRAESER"},
@@ -200,8 +208,8 @@ constexpr Group kGroups[] = {
      "FRESA GRABADO|FRESA EN V|AVELLANADOR|PUNTA DA CENTRO|PUNTA CENTRO|CENTRINO|SVASATORE|BULINO|"
      "FRESA A SMUSSO|FRESA SMUSSO|FRESA PER SMUSSI|FRESA CONICA|PUNTA A CENTRARE|FRESA INCISIONE"},
     {Role::Noun, kDrill, "FORET|FORETS|BROCA|BROCA HELICOIDAL|PUNTA|PUNTA ELICOIDALE|WIERTLO|BOOR"},
-    {Role::Noun, kThread,
-     "TARAUD|ALESOIR|MACHO|MACHO DE ROSCAR|ESCARIADOR|MASCHIO|MASCHIO A FILETTARE|ALESATORE"},
+    {Role::Noun, kTap, "TARAUD|MACHO|MACHO DE ROSCAR|MASCHIO|MASCHIO A FILETTARE"},
+    {Role::Noun, kReamer, "ALESOIR|ESCARIADOR|ALESATORE"},
     {Role::Noun, kDovetail, "FRAISE QUEUE D ARONDE|FRESA COLA DE MILANO|FRESA A CODA DI RONDINE"},
     {Role::Noun, kSlot, "FRAISE A RAINURER EN T|FRAISE EN T|FRESA EN T|FRESA A T"},
     {Role::Noun, kAny, "FRAISE|FRESA|FREZA|FREZ|FREES|MECHE"},
@@ -430,6 +438,19 @@ double centre_drill(int number) {
     static constexpr std::array<int, 8> kSizes = {2, 3, 4, 5, 7, 8, 10, 12};
     if (number < 1 || number > 8) return 0.0;
     return kSizes[static_cast<std::size_t>(number - 1)] / 16.0;
+}
+
+double coarse_pitch(double diameter) {
+    struct Thread {
+        double diameter, pitch;
+    };
+    static constexpr Thread kCoarse[] = {
+        {1.0, 0.25}, {1.2, 0.25},  {1.6, 0.35}, {2.0, 0.4},  {2.5, 0.45}, {3.0, 0.5},
+        {3.5, 0.6},  {4.0, 0.7},   {5.0, 0.8},  {6.0, 1.0},  {7.0, 1.0},  {8.0, 1.25},
+        {10.0, 1.5}, {12.0, 1.75}, {14.0, 2.0}, {16.0, 2.0}, {18.0, 2.5}, {20.0, 2.5},
+        {22.0, 2.5}, {24.0, 3.0},  {27.0, 3.0}, {30.0, 3.5}, {36.0, 4.0}};
+    const auto* found = std::ranges::find(kCoarse, diameter, &Thread::diameter);
+    return found == std::end(kCoarse) ? 0.0 : found->pitch;
 }
 
 double number_screw(int number) {

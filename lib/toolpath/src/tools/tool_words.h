@@ -73,4 +73,7 @@ double letter_drill(char letter);
 double centre_drill(int number);
 double number_screw(int number);
 
+/// Pitch of the coarse metric thread M`diameter`, mm; 0 where there is none. Source: ISO 261.
+double coarse_pitch(double diameter);
+
 }  // namespace ncsim::toolpath::words

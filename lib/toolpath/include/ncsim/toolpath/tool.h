@@ -22,11 +22,20 @@ enum class ToolKind : std::uint8_t {
     SlotMill,      ///< A disc on a neck: T-slots, keyseats, thread mills of one row.
     DovetailMill,  ///< Widest at its tip.
     LollipopMill,  ///< A ball on a neck.
-    Other,         ///< Put together by hand, piece by piece.
+    // Shape of a flat end mill.
+    Tap,
+    Reamer,
+    BoringBar,
+    ThreadMill,
+    Other,  ///< Put together by hand, piece by piece.
 };
 
 /// Is it wider below than above, so that it needs a neck?
 bool is_undercutting(ToolKind kind);
+
+/// True for tools that cut along their axis alone, in a hole or into solid material: drills, taps,
+/// reamers, boring bars.
+bool is_axial(ToolKind kind);
 
 /// "flat end mill", "ball end mill" …
 std::string_view name_of(ToolKind kind);

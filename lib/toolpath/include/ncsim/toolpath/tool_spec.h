@@ -30,6 +30,8 @@ struct ToolSpec {
     std::optional<double> angle;         ///< Included angle of V-cutters, point angle of drills.
     std::optional<double> taper;         ///< Per side.
     std::optional<double> length;        ///< Of the cutting part: of the flutes.
+    std::optional<double> pitch;         ///< Of taps, mm.
+    bool left_hand = false;              ///< Cuts with M4.
     // Above the flutes, from below upwards: neck, shank, holder.
     std::optional<double> neck_diameter, neck_length;
     std::optional<double> shank_diameter, shank_length;
@@ -90,12 +92,12 @@ std::string filled_in(const ToolSpec& spec, double assumed_length);
 std::string describe(const Tool& tool);
 
 /// Reads `T1=flat:D10:L22:S12x30:H28x15,40x25`: a number, a kind (flat, ball, bull, face, v,
-/// chamfer, drill, taper, slot, dovetail, lollipop; may be left out) and values: D diameter, R
-/// corner radius, L length of the flutes, A angle (included; per side for taper and dovetail), P
-/// tip diameter, N neck and S shank (diameter, or diameter x length), E stick-out from the tip to
-/// the holder, H the holder from below upwards (diameter x height, or lower-upper x height for a
-/// cone). Numbers are mm, or inches with `in` behind them; case does not matter. Nothing if it is
-/// not of that form; the message then says why.
+/// chamfer, drill, taper, slot, dovetail, lollipop, tap, reamer, boring-bar, thread; may be left
+/// out) and values: D diameter, K pitch of a tap, R corner radius, L length of the flutes, A angle
+/// (included; per side for taper and dovetail), P tip diameter, N neck and S shank (diameter, or
+/// diameter x length), E stick-out from the tip to the holder, H the holder from below upwards
+/// (diameter x height, or lower-upper x height for a cone). Numbers are mm, or inches with `in`
+/// behind them; case does not matter. Nothing if it is not of that form; the message then says why.
 std::optional<ToolSpec> parse_tool_option(std::string_view text, std::string& message);
 
 }  // namespace ncsim::toolpath

@@ -43,6 +43,9 @@ struct ToolFacts {
     std::string blind_assumption;    ///< Where that was concluded, in words.
     std::optional<double> max_ramp;  ///< Degrees, of one with such a diameter.
     bool left_hand = false;          ///< Cuts with M4.
+    std::optional<double> pitch;     ///< Of a tap, mm.
+    /// Specified height of the flutes of a drill, mm.
+    std::optional<double> flute_length;
 };
 
 /// The accuracy of the tools leaves open whether something touches: somewhere in `boxes` (mm, W).

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Course of a tool along its axis in one hole: depth, and the way out of the cut.
+#pragma once
+
+#include "ncsim/gcode/motion.h"
+
+#include "move.h"
+
+#include <optional>
+
+namespace ncsim::verify {
+
+class HoleCourse {
+public:
+    /// Fills in hole_depth_mm and leaves_cut of `move`. Requires: `move` is measured.
+    void take(Move& move);
+
+private:
+    int tool_ = 0;
+    double x_ = 0.0, y_ = 0.0;
+    std::optional<double> top_;                 // of the first contact, Z; empty: outside of a hole
+    std::optional<gcode::SpindleTurning> cut_;  // the last motion cut straight down
+};
+
+}  // namespace ncsim::verify

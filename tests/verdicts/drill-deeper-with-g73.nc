@@ -1,0 +1,14 @@
+%
+(G73 to 21 mm with flutes of 20 mm)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T1 M6
+S800 M3
+G0 X0. Y0.
+Z10.
+G73 X0. Y0. Z-21. R2. Q5. F100.
+G80
+G0 Z50.
+M5
+M30
+%

@@ -1,0 +1,14 @@
+%
+(a drill is fed sideways)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T1 M6
+S800 M3
+G0 X-60. Y0.
+Z10.
+G0 Z-2.
+G1 X60. F200.
+G0 Z50.
+M5
+M30
+%

@@ -1,0 +1,14 @@
+%
+(a reamer where no hole is)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T2 M6
+S500 M3
+G0 X0. Y0.
+G43 H2 Z10.
+G85 X0. Y0. Z-10. R2. F100.
+G80
+G0 Z50.
+M5
+M30
+%
