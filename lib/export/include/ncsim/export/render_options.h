@@ -30,6 +30,11 @@ struct RenderOptions {
     double depth_top = 0.0, depth_bottom = -10.0;
     /// Every pixel is the mean of samples × samples; 1 … 4.
     std::uint32_t samples = 2;
+    /// Samples that are drawn at once, about, some 16 bytes each: bounds the memory of a picture
+    /// and changes no byte of it.
+    std::uint32_t band_samples = 1U << 19;
+    /// Draws all samples of all pixels, also where no edge is near: slower, the same bytes.
+    bool samples_everywhere = false;
     /// Uncut stock is pale, as if the background shone through it: nobody told what it is.
     bool ghost_stock = false;
     bool edges = true;  ///< Lines where faces meet at an angle and around the silhouette.

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// EGL_MESA_platform_surfaceless: an OpenGL context that never had a surface.
-#include "render/gl.h"
-#include "render/offscreen.h"
+// EGL_MESA_platform_surfaceless: OpenGL context without a surface.
+#include "opengl/gl.h"
+#include "opengl/offscreen.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
 #include <stdexcept>
 
-namespace ncsim::exporter {
+namespace ncsim::exporter::test {
 
 namespace {
 
-// The names that the dispatch library of all vendors promises.
+// Names of the dispatch library of all vendors.
 struct Egl {
     SharedLibrary opengl{"libOpenGL.so.0"};
     SharedLibrary library{"libEGL.so.1"};
@@ -50,7 +50,7 @@ struct OffscreenContext::Handle {
         if (display == EGL_NO_DISPLAY) return;
         egl().make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context != EGL_NO_CONTEXT) egl().destroy_context(display, context);
-        // The display is shared by all contexts of the process: it stays initialised.
+        // The display stays initialised, because all contexts of the process share the display.
     }
 };
 
@@ -77,4 +77,4 @@ const Gl& OffscreenContext::gl() const {
     return egl().gl;
 }
 
-}  // namespace ncsim::exporter
+}  // namespace ncsim::exporter::test
