@@ -39,4 +39,5 @@ says what is left and whether the program is safe: pictures, meshes, solids, rep
 for CI.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libosmesa6)
 include(CPack)

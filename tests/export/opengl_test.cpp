@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rasteriser against OpenGL (Mesa's, if no other is installed).
-#include "opengl/opengl_buffer.h"
+// The rasteriser against OpenGL: OSMesa, and EGL (Mesa's, if no other is installed).
+#include "opengl/offscreen_egl.h"
+#include "render/opengl/opengl_buffer.h"
 #include "render/visibility.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <span>
 #include <vector>
@@ -40,7 +42,7 @@ std::vector<ScreenPoint> random_polygon(std::mt19937& random, bool in_perspectiv
 }
 
 // Samples without an edge in their neighbourhood must see the same; of the others, all but a few.
-void expect_same(std::span<const SurfaceId> found, const std::vector<SurfaceId>& expected) {
+void expect_same(std::span<const SurfaceId> found, std::span<const SurfaceId> expected) {
     ASSERT_EQ(found.size(), expected.size());
     std::size_t different = 0, inside = 0;
     for (std::size_t y = 1; y + 1 < kHeight; ++y) {
@@ -58,12 +60,19 @@ void expect_same(std::span<const SurfaceId> found, const std::vector<SurfaceId>&
     EXPECT_LE(different, found.size() / 500);
 }
 
-TEST(Rasteriser, SeesWhatOpenGlSees) {
+using MakeContext = std::unique_ptr<OffscreenContext> (*)();
+
+class Rasteriser : public testing::TestWithParam<MakeContext> {};
+
+INSTANTIATE_TEST_SUITE_P(OpenGl, Rasteriser, testing::Values(&osmesa_context, &egl_context));
+
+TEST_P(Rasteriser, SeesWhatOpenGlSees) {
     for (const bool in_perspective : {false, true}) {
         for (std::uint32_t seed = 0; seed < 20; ++seed) {
             SCOPED_TRACE(seed);
             std::mt19937 random(seed);
-            OpenGlBuffer expected(kWidth, kHeight);
+            OpenGlBuffer expected(GetParam()());
+            expected.begin({0, 0, kWidth, kHeight});
             VisibilityBuffer found;
             found.begin({0, 0, kWidth, kHeight});
             for (SurfaceId id = 1; id <= 60; ++id) {
@@ -71,16 +80,17 @@ TEST(Rasteriser, SeesWhatOpenGlSees) {
                 expected.draw(polygon, id);
                 found.draw(polygon, id);
             }
-            expect_same(found.ids(), expected.read());
+            expect_same(found.ids(), expected.ids());
         }
     }
 }
 
-TEST(Rasteriser, MasksAsOpenGlDoes) {
+TEST_P(Rasteriser, MasksAsOpenGlDoes) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
-        OpenGlBuffer expected(kWidth, kHeight);
+        OpenGlBuffer expected(GetParam()());
+        expected.begin({0, 0, kWidth, kHeight});
         VisibilityBuffer found;
         found.begin({0, 0, kWidth, kHeight});
         for (SurfaceId id = 1; id <= 30; ++id) {
@@ -91,12 +101,12 @@ TEST(Rasteriser, MasksAsOpenGlDoes) {
             expected.draw(polygon, id, masks);
             found.draw(polygon, id, masks);
         }
-        expect_same(found.ids(), expected.read());
+        expect_same(found.ids(), expected.ids());
     }
 }
 
 // All samples are equal, wherever the rectangle begins and ends.
-TEST(Rasteriser, WhatASampleSeesDoesNotDependOnTheRectangle) {
+TEST(RasteriserAlone, WhatASampleSeesDoesNotDependOnTheRectangle) {
     std::mt19937 random(7);
     std::vector<std::vector<ScreenPoint>> polygons;
     for (int i = 0; i < 300; ++i)
@@ -123,7 +133,7 @@ TEST(Rasteriser, WhatASampleSeesDoesNotDependOnTheRectangle) {
 }
 
 // Triangles of a fan about random points cover each sample once: no gaps, no overlaps.
-TEST(Rasteriser, NeighboursShareNoSampleAndLeaveNone) {
+TEST(RasteriserAlone, NeighboursShareNoSampleAndLeaveNone) {
     std::mt19937 random(11);
     for (int round = 0; round < 50; ++round) {
         const auto polygon = random_polygon(random, false);

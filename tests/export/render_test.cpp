@@ -198,6 +198,26 @@ cda::FlatCda slotted_plate() {
 
 const Provenance kTwoSlots{{{0, 0}, {10, 1}, {20, 7}}, "plate.nc"};
 
+TEST(Render, OsmesaDrawsTheSamePictureButForPixelsAtEdges) {
+    const cda::FlatCda part = slotted_plate();
+    const cda::Boundary boundary = part.boundary();
+    for (const Projection projection : {Projection::Orthographic, Projection::Perspective}) {
+        RenderOptions options = options_for(boundary, View::Iso, projection);
+        const Image own = render_boundary(boundary, kTwoSlots, options);
+        const Image own_by_masks = render_model(part, kTwoSlots, options);
+        options.renderer = Renderer::Osmesa;
+        const Image osmesa = render_boundary(boundary, kTwoSlots, options);
+        const Image osmesa_by_masks = render_model(part, kTwoSlots, options);
+        for (const auto& [a, b] :
+             {std::pair{&own, &osmesa}, std::pair{&own_by_masks, &osmesa_by_masks}}) {
+            const Comparison c = compare(*a, *b);
+            EXPECT_EQ(c.flat_different, 0U);
+            EXPECT_GT(c.flat, c.edge);
+            EXPECT_LE(c.edge_different, c.edge / 20);
+        }
+    }
+}
+
 TEST(Render, OnlyTilesWithEdgesAreSampledAndNoByteShowsIt) {
     for (const View view : {View::Iso, View::Top}) {
         for (const Projection projection : {Projection::Orthographic, Projection::Perspective}) {

@@ -36,8 +36,7 @@ target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
 # The rasteriser against OpenGL, from EGL without a surface.
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
 add_executable(ncsim_opengl_tests
-  export/opengl_test.cpp export/opengl/gl.cpp export/opengl/offscreen_egl.cpp
-  export/opengl/shared_library.cpp export/opengl/opengl_buffer.cpp)
+  export/opengl_test.cpp export/opengl/offscreen_egl.cpp)
 target_compile_features(ncsim_opengl_tests PRIVATE cxx_std_20)
 target_include_directories(ncsim_opengl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/export
   ${PROJECT_SOURCE_DIR}/lib/export/src)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // EGL_MESA_platform_surfaceless: OpenGL context without a surface.
-#include "opengl/gl.h"
-#include "opengl/offscreen.h"
+#include "opengl/offscreen_egl.h"
+
+#include "render/opengl/gl.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -40,41 +41,41 @@ const Egl& egl() {
     return loaded;
 }
 
-}  // namespace
-
-struct OffscreenContext::Handle {
-    EGLDisplay display = EGL_NO_DISPLAY;
-    EGLContext context = EGL_NO_CONTEXT;
-
-    ~Handle() {
-        if (display == EGL_NO_DISPLAY) return;
-        egl().make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        if (context != EGL_NO_CONTEXT) egl().destroy_context(display, context);
-        // The display stays initialised, because all contexts of the process share the display.
+class EglContext final : public OffscreenContext {
+public:
+    EglContext() {
+        display_ =
+            egl().get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        if (display_ == EGL_NO_DISPLAY ||
+            egl().initialize(display_, nullptr, nullptr) != EGL_TRUE ||
+            egl().bind_a_p_i(EGL_OPENGL_API) != EGL_TRUE) {
+            throw std::runtime_error("cannot render: EGL has no surfaceless OpenGL");
+        }
+        context_ = egl().create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
+        if (context_ == EGL_NO_CONTEXT ||
+            egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
+            throw std::runtime_error("cannot render: EGL gives no OpenGL context");
+        }
     }
+    // The display stays initialised, because all contexts of the process share the display.
+    ~EglContext() override {
+        egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        egl().destroy_context(display_, context_);
+    }
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+
+    const Gl& gl() const override { return egl().gl; }
+
+private:
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-OffscreenContext::OffscreenContext() : handle_(std::make_unique<Handle>()) {
-    handle_->display =
-        egl().get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (handle_->display == EGL_NO_DISPLAY ||
-        egl().initialize(handle_->display, nullptr, nullptr) != EGL_TRUE ||
-        egl().bind_a_p_i(EGL_OPENGL_API) != EGL_TRUE) {
-        throw std::runtime_error("cannot render: EGL has no surfaceless OpenGL");
-    }
-    handle_->context =
-        egl().create_context(handle_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
-    if (handle_->context == EGL_NO_CONTEXT ||
-        egl().make_current(handle_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_->context) !=
-            EGL_TRUE) {
-        throw std::runtime_error("cannot render: EGL gives no OpenGL context");
-    }
-}
+}  // namespace
 
-OffscreenContext::~OffscreenContext() = default;
-
-const Gl& OffscreenContext::gl() const {
-    return egl().gl;
+std::unique_ptr<OffscreenContext> egl_context() {
+    return std::make_unique<EglContext>();
 }
 
 }  // namespace ncsim::exporter::test

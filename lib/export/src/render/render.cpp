@@ -7,6 +7,8 @@
 #include "ncsim/cda/mesh.h"
 
 #include "render/edge_tiles.h"
+#include "render/opengl/offscreen.h"
+#include "render/opengl/opengl_buffer.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "render/resolve.h"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -57,6 +60,11 @@ public:
     virtual void mark(EdgeTiles& tiles) { draw(tiles); }
 };
 
+std::unique_ptr<SampleBuffer> buffer_of(Renderer renderer) {
+    if (renderer == Renderer::Osmesa) return std::make_unique<OpenGlBuffer>(osmesa_context());
+    return std::make_unique<VisibilityBuffer>();
+}
+
 // Makes the picture of a scene, in bands. A tile that no edge is near, and whose four corners see
 // one surface, sees nothing else: depth is linear over a tile, so a plane that is nearest at the
 // corners is nearest between them. Only the other tiles are drawn sample by sample.
@@ -75,7 +83,8 @@ public:
     }
 
     Image paint() {
-        VisibilityBuffer buffer;
+        const std::unique_ptr<SampleBuffer> made = buffer_of(options_.renderer);
+        SampleBuffer& buffer = *made;
         if (options_.samples_everywhere) {
             tiles_.mark_all();
         } else {
@@ -96,7 +105,7 @@ private:
     }
 
     // Fills the tiles without an edge whose corners see one surface; marks all others.
-    void fill_plain_tiles(VisibilityBuffer& buffer) {
+    void fill_plain_tiles(SampleBuffer& buffer) {
         // The corners of tiles are the centres of these cells.
         const auto half = static_cast<std::int64_t>(tiles_.side() / 2);
         const SampleRect corners{-half, -half, tiles_.columns() + 1, tiles_.rows() + 1,
@@ -120,7 +129,7 @@ private:
     }
 
     // Draws what is marked of a band of tiles.
-    void draw_tiles(VisibilityBuffer& buffer, std::uint32_t first_row) {
+    void draw_tiles(SampleBuffer& buffer, std::uint32_t first_row) {
         const std::uint32_t end_row = std::min(first_row + rows_at_once_, tiles_.rows());
         std::uint32_t left = tiles_.columns(), right = 0, top = end_row, bottom = first_row;
         for (std::uint32_t row = first_row; row < end_row; ++row) {
@@ -139,10 +148,11 @@ private:
             (right - left) * side + 2 * kTileMargin, (bottom - top) * side + 2 * kTileMargin};
         buffer.begin(seen);
         scene_.draw(buffer);
+        const std::span<const SurfaceId> ids = buffer.ids();
         for (std::uint32_t row = top; row < bottom; ++row) {
             for (std::uint32_t column = left; column < right; ++column) {
                 if (tiles_.is_marked(column, row))
-                    resolver_.resolve(buffer.ids(), seen, pixels(column, row), image_);
+                    resolver_.resolve(ids, seen, pixels(column, row), image_);
             }
         }
     }

@@ -64,6 +64,16 @@ public:
                       std::span<const std::vector<ScreenPoint>> masks) = 0;
 };
 
+/// PolygonTarget with one rectangle of samples at a time.
+class SampleBuffer : public PolygonTarget {
+public:
+    /// Clears, and sets where the following polygons are drawn. `rect.x` and `rect.y` must be
+    /// multiples of half a cell.
+    virtual void begin(const SampleRect& rect) = 0;
+    /// The numbers seen, row by row from the top. Valid until the next call of begin().
+    virtual std::span<const SurfaceId> ids() = 0;
+};
+
 /// Draws polygons into one rectangle at a time and keeps what is seen.
 ///
 /// Corners are rounded to 1/256 of a sample, counted from the corner of the picture, and depths to
@@ -73,16 +83,13 @@ public:
 /// Guarantees: the same numbers on every machine; what a sample sees does not depend on the
 /// rectangle.
 /// Cost: 8 bytes a sample of the largest rectangle, 12 if there are masks.
-class VisibilityBuffer final : public PolygonTarget {
+class VisibilityBuffer final : public SampleBuffer {
 public:
-    /// Clears, and sets where the following polygons are drawn. `rect.x` and `rect.y` must be
-    /// multiples of half a cell.
-    void begin(const SampleRect& rect);
+    void begin(const SampleRect& rect) override;
     void draw(std::span<const ScreenPoint> polygon, SurfaceId id) override;
     void draw(std::span<const ScreenPoint> polygon, SurfaceId id,
               std::span<const std::vector<ScreenPoint>> masks) override;
-    /// The numbers seen, row by row from the top.
-    std::span<const SurfaceId> ids() const { return {ids_.data(), size_}; }
+    std::span<const SurfaceId> ids() override { return {ids_.data(), size_}; }
 
 private:
     // A corner in cells from the corner of the rectangle, in units of kUnit, and as it was.

@@ -21,10 +21,17 @@ enum class Colouring {
     Depth,  ///< How deep it lies, point by point: yellow, green, blue, violet.
 };
 
+/// Drawing of polygons. Pictures of both differ in a few pixels at edges.
+enum class Renderer {
+    Own,     ///< Rasteriser of ncsim: the same bytes on every machine.
+    Osmesa,  ///< OSMesa, which is loaded at run time. Slower.
+};
+
 struct RenderOptions {
     std::uint32_t width = 1280, height = 960;  ///< In pixels, 1 … kMaxImageSide each.
     Camera camera;  ///< For instance fit_camera(stock, View::Iso, 4 / 3.).
     Background background = Background::White;
+    Renderer renderer = Renderer::Own;
     Colouring colouring = Colouring::Tool;
     /// In mm, z of the workpiece: where the colours of Colouring::Depth begin and end.
     double depth_top = 0.0, depth_bottom = -10.0;

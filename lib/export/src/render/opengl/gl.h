@@ -3,13 +3,13 @@
 // Functions of OpenGL for the tests, from a library that is loaded with the first context.
 #pragma once
 
-#include "opengl/shared_library.h"
+#include "render/opengl/shared_library.h"
 
 #define GL_GLEXT_PROTOTYPES  // NOLINT(readability-identifier-naming): of OpenGL
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-namespace ncsim::exporter::test {
+namespace ncsim::exporter {
 
 struct Gl {
     explicit Gl(const SharedLibrary& library);
@@ -45,4 +45,4 @@ struct Gl {
     decltype(&::glViewport) viewport = nullptr;
 };
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::exporter

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "opengl/opengl_buffer.h"
+#include "render/opengl/opengl_buffer.h"
 
-#include "opengl/gl.h"
+#include "render/opengl/gl.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
-namespace ncsim::exporter::test {
+namespace ncsim::exporter {
 
 namespace {
 
@@ -15,23 +17,11 @@ GLsizei to_size(std::uint32_t n) {
 
 }  // namespace
 
-OpenGlBuffer::OpenGlBuffer(std::uint32_t width, std::uint32_t height)
-    : gl_(context_.gl()), width_(width), height_(height) {
+OpenGlBuffer::OpenGlBuffer(std::unique_ptr<OffscreenContext> context)
+    : context_(std::move(context)), gl_(context_->gl()) {
     gl_.gen_framebuffers(1, &framebuffer_);
     gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.gen_renderbuffers(2, renderbuffers_.data());
-    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[0]);
-    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, to_size(width), to_size(height));
-    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                 renderbuffers_[0]);
-    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[1]);
-    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, to_size(width), to_size(height));
-    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                                 renderbuffers_[1]);
-    if (gl_.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
-        gl_.get_error() != GL_NO_ERROR) {
-        throw std::runtime_error("OpenGL has no framebuffer of this size");
-    }
     // Disables everything that could change a number.
     gl_.disable(GL_DITHER);
     gl_.disable(GL_BLEND);
@@ -42,16 +32,40 @@ OpenGlBuffer::OpenGlBuffer(std::uint32_t width, std::uint32_t height)
     gl_.pixel_storei(GL_PACK_ALIGNMENT, 1);
     gl_.enable_client_state(GL_VERTEX_ARRAY);
     gl_.enable_client_state(GL_COLOR_ARRAY);
-    gl_.viewport(0, 0, to_size(width), to_size(height));
     gl_.clear_color(0, 0, 0, 0);
     gl_.clear_depth(1.0);
     gl_.clear_stencil(0);
-    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 OpenGlBuffer::~OpenGlBuffer() {
     gl_.delete_framebuffers(1, &framebuffer_);
     gl_.delete_renderbuffers(2, renderbuffers_.data());
+}
+
+// Makes the framebuffer at least as large as the rectangle.
+void OpenGlBuffer::resize() {
+    width_ = std::max(width_, rect_.width);
+    height_ = std::max(height_, rect_.height);
+    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[0]);
+    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, to_size(width_), to_size(height_));
+    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                 renderbuffers_[0]);
+    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[1]);
+    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, to_size(width_),
+                             to_size(height_));
+    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                 renderbuffers_[1]);
+    if (gl_.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
+        gl_.get_error() != GL_NO_ERROR) {
+        throw std::runtime_error("cannot render: OpenGL has no framebuffer of this size");
+    }
+}
+
+void OpenGlBuffer::begin(const SampleRect& rect) {
+    rect_ = rect;
+    if (rect.width > width_ || rect.height > height_) resize();
+    gl_.viewport(0, 0, to_size(rect.width), to_size(rect.height));
+    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 // Appends the triangles of the polygon in clip coordinates. Rows of the framebuffer run downwards,
@@ -60,13 +74,17 @@ void OpenGlBuffer::append_fan(std::span<const ScreenPoint> polygon, SurfaceId id
     const std::array<std::uint8_t, 4> bytes{
         static_cast<std::uint8_t>(id & 0xFF), static_cast<std::uint8_t>((id >> 8) & 0xFF),
         static_cast<std::uint8_t>((id >> 16) & 0xFF), static_cast<std::uint8_t>(id >> 24)};
+    const auto along = [this](double at, double w, std::int64_t begin, std::uint32_t cells) {
+        const double in_rect = (at - static_cast<double>(begin) * w) / rect_.cell;
+        return static_cast<float>(2.0 * in_rect / cells - w);
+    };
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
             const ScreenPoint& p = polygon[corner];
-            pending_.push_back({{static_cast<float>(2.0 * p.x / width_ - p.w),
-                                 static_cast<float>(2.0 * p.y / height_ - p.w),
-                                 static_cast<float>(p.z), static_cast<float>(p.w)},
-                                bytes});
+            pending_.push_back(
+                {{along(p.x, p.w, rect_.x, rect_.width), along(p.y, p.w, rect_.y, rect_.height),
+                  static_cast<float>(p.z), static_cast<float>(p.w)},
+                 bytes});
         }
     }
 }
@@ -80,12 +98,14 @@ void OpenGlBuffer::flush() {
 }
 
 void OpenGlBuffer::draw(std::span<const ScreenPoint> polygon, SurfaceId id) {
+    constexpr std::size_t kMost = 3U << 14;  // vertices at once
     append_fan(polygon, id);
-    flush();
+    if (pending_.size() >= kMost) flush();
 }
 
 void OpenGlBuffer::draw(std::span<const ScreenPoint> polygon, SurfaceId id,
                         std::span<const std::vector<ScreenPoint>> masks) {
+    flush();
     gl_.clear(GL_STENCIL_BUFFER_BIT);
     gl_.enable(GL_STENCIL_TEST);
     // Masks are drawn into the stencil buffer only, without a depth test.
@@ -94,27 +114,31 @@ void OpenGlBuffer::draw(std::span<const ScreenPoint> polygon, SurfaceId id,
     gl_.stencil_func(GL_ALWAYS, 1, 0xFF);
     gl_.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
     for (const auto& mask : masks)
-        draw(mask, id);
+        append_fan(mask, id);
+    flush();
     // The facet is drawn if the stencil is not set.
     gl_.color_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.enable(GL_DEPTH_TEST);
     gl_.stencil_func(GL_NOTEQUAL, 1, 0xFF);
     gl_.stencil_op(GL_KEEP, GL_KEEP, GL_KEEP);
-    draw(polygon, id);
+    append_fan(polygon, id);
+    flush();
     gl_.disable(GL_STENCIL_TEST);
 }
 
-std::vector<SurfaceId> OpenGlBuffer::read() {
-    std::vector<std::uint8_t> bytes(std::size_t{4} * width_ * height_);
-    gl_.read_pixels(0, 0, to_size(width_), to_size(height_), GL_RGBA, GL_UNSIGNED_BYTE,
+std::span<const SurfaceId> OpenGlBuffer::ids() {
+    flush();
+    std::vector<std::uint8_t> bytes(std::size_t{4} * rect_.width * rect_.height);
+    gl_.read_pixels(0, 0, to_size(rect_.width), to_size(rect_.height), GL_RGBA, GL_UNSIGNED_BYTE,
                     bytes.data());
-    if (gl_.get_error() != GL_NO_ERROR) throw std::runtime_error("OpenGL reported an error");
-    std::vector<SurfaceId> ids;
+    if (gl_.get_error() != GL_NO_ERROR)
+        throw std::runtime_error("cannot render: OpenGL reported an error");
+    ids_.clear();
     for (std::size_t i = 0; i < bytes.size(); i += 4) {
-        ids.push_back(SurfaceId{bytes[i]} | SurfaceId{bytes[i + 1]} << 8 |
-                      SurfaceId{bytes[i + 2]} << 16 | SurfaceId{bytes[i + 3]} << 24);
+        ids_.push_back(SurfaceId{bytes[i]} | SurfaceId{bytes[i + 1]} << 8 |
+                       SurfaceId{bytes[i + 2]} << 16 | SurfaceId{bytes[i + 3]} << 24);
     }
-    return ids;
+    return ids_;
 }
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::exporter

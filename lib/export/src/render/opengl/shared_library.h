@@ -3,7 +3,7 @@
 // Library that is loaded at run time.
 #pragma once
 
-namespace ncsim::exporter::test {
+namespace ncsim::exporter {
 
 /// Loaded library; unloaded when the process ends.
 class SharedLibrary {
@@ -25,4 +25,4 @@ private:
     void* handle_ = nullptr;
 };
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::exporter

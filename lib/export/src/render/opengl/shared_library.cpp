@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "opengl/shared_library.h"
+#include "render/opengl/shared_library.h"
 
 #include <dlfcn.h>
 
 #include <stdexcept>
 #include <string>
 
-namespace ncsim::exporter::test {
+namespace ncsim::exporter {
 
 namespace {
 
@@ -28,4 +28,4 @@ void* SharedLibrary::address_of(const char* name) const {
     return address;
 }
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::exporter

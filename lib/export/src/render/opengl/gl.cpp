@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "opengl/gl.h"
+#include "render/opengl/gl.h"
 
-namespace ncsim::exporter::test {
+namespace ncsim::exporter {
 
 Gl::Gl(const SharedLibrary& library) {
     library.find(bind_framebuffer, "glBindFramebuffer");
@@ -35,4 +35,4 @@ Gl::Gl(const SharedLibrary& library) {
     library.find(viewport, "glViewport");
 }
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::exporter
