@@ -27,6 +27,7 @@ ncsim_add_test(cda
     plane_store_test.cpp
     polytope_test.cpp
     predicates_test.cpp
+    same_way_test.cpp
     separation_test.cpp
     shape_test.cpp
     tiles_test.cpp

@@ -52,7 +52,9 @@ function linesOf(glb) {
   const lines = new Set();
   for (const { attributes, indices } of json.meshes?.[0].primitives ?? []) {
     const [line, position, index] = [attributes._NC_LINE, attributes.POSITION, indices].map((n) => json.accessors[n]);
-    const corner = (i) => bin.readUInt32LE(offset(index) + 4 * i);
+    const isShort = index.componentType === 5123;
+    const corner = (i) =>
+      isShort ? bin.readUInt16LE(offset(index) + 2 * i) : bin.readUInt32LE(offset(index) + 4 * i);
     const point = (i) => [0, 1, 2].map((k) => bin.readFloatLE(offset(position) + 12 * corner(i) + 4 * k));
     for (let i = 0; i < index.count; i += 3) {
       const [a, b, c] = [point(i), point(i + 1), point(i + 2)];

@@ -3,6 +3,8 @@
 // That the files are valid is for the Khronos validator to say (gltf/validate.mjs).
 #include "ncsim/export/gltf.h"
 
+#include "ncsim/cda/mesh.h"
+
 #include "box_part.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
+#include <cstdint>
 #include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -50,6 +56,57 @@ TEST(WriteGltf, TheNodeMovesTheCentreBackAndTurnsItUpright) {
     EXPECT_TRUE(has(glb, R"("max":[30.0,20.0,10.0])"));
 }
 
+struct Corner {
+    std::array<float, 3> position{}, normal{};
+    float line = 0.0F;
+    auto operator<=>(const Corner&) const = default;
+};
+
+struct ReadPrimitive {
+    std::vector<Corner> vertices;
+    std::vector<std::uint32_t> indices;
+};
+
+// The primitives of the only mesh of a file.
+std::vector<ReadPrimitive> primitives_of(const std::string& glb) {
+    constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+    std::uint32_t length = 0;
+    std::memcpy(&length, &glb[kHeader], sizeof length);
+    const auto json = nlohmann::json::parse(glb.substr(kHeader + kChunkHeader, length));
+    const std::size_t buffer = kHeader + kChunkHeader + length + kChunkHeader;
+    // Copies what an accessor of `size` bytes an element refers to.
+    const auto read = [&](int accessor, std::size_t size, const auto& put) {
+        const auto& a = json["accessors"][accessor];
+        const auto& view = json["bufferViews"][a["bufferView"].get<int>()];
+        const std::size_t begin = buffer + view.value("byteOffset", std::size_t{0}) +
+                                  a.value("byteOffset", std::size_t{0});
+        for (std::size_t i = 0; i < a["count"].get<std::size_t>(); ++i)
+            put(i, &glb[begin + i * size]);
+    };
+    std::vector<ReadPrimitive> all;
+    for (const auto& from : json["meshes"][0]["primitives"]) {
+        ReadPrimitive& to = all.emplace_back();
+        const auto& attributes = from["attributes"];
+        read(attributes["POSITION"], 12, [&](std::size_t, const char* bytes) {
+            std::memcpy(to.vertices.emplace_back().position.data(), bytes, 12);
+        });
+        read(attributes["NORMAL"], 12, [&](std::size_t i, const char* bytes) {
+            std::memcpy(to.vertices.at(i).normal.data(), bytes, 12);
+        });
+        read(attributes["_NC_LINE"], 4, [&](std::size_t i, const char* bytes) {
+            std::memcpy(&to.vertices.at(i).line, bytes, 4);
+        });
+        // Little-endian, in two bytes or four.
+        constexpr int kUnsignedShort = 5123;
+        const bool is_short =
+            json["accessors"][from["indices"].get<int>()]["componentType"] == kUnsignedShort;
+        read(from["indices"], is_short ? 2 : 4, [&](std::size_t, const char* bytes) {
+            std::memcpy(&to.indices.emplace_back(), bytes, is_short ? 2 : 4);
+        });
+    }
+    return all;
+}
+
 // A roof of two slopes that meet at `rise` over 1, cut by `tool`; the normals written for it.
 std::vector<std::array<float, 3>> roof_normals(double rise, std::uint32_t tool) {
     cda::Boundary b;
@@ -62,19 +119,19 @@ std::vector<std::array<float, 3>> roof_normals(double rise, std::uint32_t tool) 
                {{-rise * s, 0, s}, 0, cut, 0, {{0, 4, 5, 3}}},
                {{rise * s, 0, s}, 2 * rise * s, cut, 0, {{1, 2, 5, 4}}}};
     b.shells = 1;
-    const std::string glb = written(b, {{{}, {5, tool}}, ""});
-    // The last primitive is the tool's: 12 indices, then positions and normals of 8 vertices, 8
-    // lines, 8 tools, and nothing after them.
-    std::vector<std::array<float, 3>> normals(8);
-    const std::size_t tail = 8 * (4 + 4) + 8 * 12;
-    std::memcpy(normals.data(), &glb[glb.size() - tail], 8 * 12);
+    // The last primitive is the tool's.
+    std::vector<std::array<float, 3>> normals;
+    for (const Corner& corner : primitives_of(written(b, {{{}, {5, tool}}, ""})).back().vertices)
+        normals.push_back(corner.normal);
     return normals;
 }
 
 TEST(WriteGltf, ShadesGentleBendsOfOneToolAsRound) {
-    // At the ridge the two normals of 2 × 10° average to straight up; at the eaves they stay.
+    // At the ridge the two normals of 2 × 10° average to straight up, so both slopes share its two
+    // vertices; at the eaves they stay.
     const auto normals = roof_normals(0.176, 3);
-    EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 4);
+    EXPECT_EQ(normals.size(), 6U);
+    EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 2);
 }
 
 TEST(WriteGltf, ShadesWhatAToolWithoutANumberCutAsAnyOther) {
@@ -95,7 +152,37 @@ TEST(WriteGltf, HasAMaterialForAToolWithoutANumber) {
 
 TEST(WriteGltf, KeepsSharpEdges) {
     const auto normals = roof_normals(0.3, 3);  // 2 × 17°
+    EXPECT_EQ(normals.size(), 8U);
     EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 0);
+}
+
+// Equal corners are one vertex, and each triangle has the corners that it had.
+TEST(WriteGltf, CornersWithOneNormalAndOneLineAreOneVertex) {
+    for (const auto& part : {test::grooved_part(), test::raster_part().tilted()}) {
+        const cda::Boundary boundary = test::boundary_of(part);
+        const Provenance provenance = test::provenance_of(part);
+        std::size_t triangles = 0;
+        std::set<float> lines;
+        for (const ReadPrimitive& primitive : primitives_of(written(boundary, provenance))) {
+            const std::set<Corner> different(primitive.vertices.begin(), primitive.vertices.end());
+            EXPECT_EQ(different.size(), primitive.vertices.size());
+            EXPECT_LT(primitive.vertices.size(), primitive.indices.size());
+            triangles += primitive.indices.size() / 3;
+            for (const Corner& corner : different)
+                lines.insert(corner.line);
+            // All corners of a triangle are of one face.
+            for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {
+                const Corner& first = primitive.vertices.at(primitive.indices[i]);
+                for (std::size_t k = 1; k < 3; ++k) {
+                    const Corner& other = primitive.vertices.at(primitive.indices[i + k]);
+                    EXPECT_EQ(other.line, first.line);
+                    EXPECT_EQ(other.normal, first.normal);  // boxes have no gentle bends
+                }
+            }
+        }
+        EXPECT_EQ(triangles, cda::triangulate(boundary).triangles.size());
+        EXPECT_GT(lines.size(), 4U);
+    }
 }
 
 TEST(WriteGltf, AnEmptyPartIsAnEmptyScene) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -33,6 +34,17 @@ TEST(Palette, Tool0ChangesTheColourOfNoOtherTool) {
     const Palette with(cut_by({0, 3, 12}));
     for (const Entry entry : {Entry{}, Entry{9, 3}, Entry{9, 12}})
         EXPECT_EQ(without.colour(entry), with.colour(entry));
+}
+
+// The curve of the standard, which the tests may compute with the C library.
+TEST(Palette, LinearSharesAreThoseOfSrgb) {
+    for (int channel = 0; channel < 256; ++channel) {
+        const double c = channel / 255.0;
+        const double expected = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+        EXPECT_NEAR(linear_share(static_cast<std::uint8_t>(channel)), expected, 1e-7);
+    }
+    EXPECT_EQ(linear_share(0), 0.0);
+    EXPECT_EQ(linear_share(255), 1.0);
 }
 
 TEST(Palette, NamesStockAndTools) {

@@ -148,7 +148,148 @@ TEST(Render, TellsStockAndToolsApart) {
     EXPECT_EQ(plain, 4U);
 }
 
-// 4096 / 2 samples are one tile: 2500 pixels are two by two of them.
+// The ink of a path, on white.
+std::size_t path_pixels(const Image& with, const Image& without) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i)
+        count += difference(with.pixels[i], without.pixels[i]) > 40;
+    return count;
+}
+
+// Expects the same picture from all ways of drawing. The slow way, which draws every sample of
+// every pixel, is the oracle.
+void expect_same_in_all_ways(const cda::WorkpieceModel& model, const Provenance& provenance,
+                             const RenderOptions& options, const Overlay& overlay = {}) {
+    const cda::Boundary boundary = model.boundary();
+    const auto draw = [&](bool by_masks, const RenderOptions& how) {
+        return by_masks ? render_model(model, provenance, how, overlay)
+                        : render_boundary(boundary, provenance, how, overlay);
+    };
+    for (const bool by_masks : {false, true}) {
+        SCOPED_TRACE(by_masks ? "by masks" : "boundary");
+        RenderOptions slow = options;
+        slow.samples_everywhere = true;
+        const Image expected = draw(by_masks, slow);
+        EXPECT_TRUE(draw(by_masks, options) == expected);
+        for (const std::uint32_t band : {1U, 40000U, 1U << 22}) {
+            SCOPED_TRACE(band);
+            RenderOptions how = options;
+            how.band_samples = band;
+            EXPECT_TRUE(draw(by_masks, how) == expected);
+            how.samples_everywhere = true;
+            EXPECT_TRUE(draw(by_masks, how) == expected);
+        }
+    }
+}
+
+const cda::Lattice kLattice = cda::Lattice::for_stock({{0, 0, 0}, {40, 30, 10}});
+
+cda::Cell box(cda::Vec3 min, cda::Vec3 max, std::uint32_t origin) {
+    return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{origin});
+}
+
+// A plate of 40 × 30 × 10 with two slots: few edges, large faces.
+cda::FlatCda slotted_plate() {
+    cda::FlatCda part(box({0, 0, 0}, {40, 30, 10}, 0), kLattice);
+    part.subtract(box({5, -1, 6}, {14, 31, 11}, 1));
+    part.subtract(box({-1, 17, 3}, {41, 21, 11}, 2));
+    return part;
+}
+
+const Provenance kTwoSlots{{{0, 0}, {10, 1}, {20, 7}}, "plate.nc"};
+
+TEST(Render, OsmesaDrawsTheSamePictureButForPixelsAtEdges) {
+    const cda::FlatCda part = slotted_plate();
+    const cda::Boundary boundary = part.boundary();
+    for (const Projection projection : {Projection::Orthographic, Projection::Perspective}) {
+        RenderOptions options = options_for(boundary, View::Iso, projection);
+        const Image own = render_boundary(boundary, kTwoSlots, options);
+        const Image own_by_masks = render_model(part, kTwoSlots, options);
+        options.renderer = Renderer::Osmesa;
+        const Image osmesa = render_boundary(boundary, kTwoSlots, options);
+        const Image osmesa_by_masks = render_model(part, kTwoSlots, options);
+        for (const auto& [a, b] :
+             {std::pair{&own, &osmesa}, std::pair{&own_by_masks, &osmesa_by_masks}}) {
+            const Comparison c = compare(*a, *b);
+            EXPECT_EQ(c.flat_different, 0U);
+            EXPECT_GT(c.flat, c.edge);
+            EXPECT_LE(c.edge_different, c.edge / 20);
+        }
+    }
+}
+
+TEST(Render, OnlyTilesWithEdgesAreSampledAndNoByteShowsIt) {
+    for (const View view : {View::Iso, View::Top}) {
+        for (const Projection projection : {Projection::Orthographic, Projection::Perspective}) {
+            for (const std::uint32_t samples : {1U, 2U, 3U}) {
+                SCOPED_TRACE(samples);
+                const cda::FlatCda plate = slotted_plate(), polytopes = test::polytope_part();
+                RenderOptions options = options_for(plate.boundary(), view, projection);
+                options.width = 409;  // not a whole number of tiles
+                options.samples = samples;
+                expect_same_in_all_ways(plate, kTwoSlots, options);
+                expect_same_in_all_ways(polytopes, test::provenance_of_polytope_part(), options);
+            }
+        }
+    }
+    const auto raster = test::raster_part().tilted();
+    expect_same_in_all_ways(test::BoxModel(raster), test::provenance_of(raster),
+                            options_for(test::boundary_of(raster), View::Iso));
+}
+
+// Lines, a body that crosses the part, and one through which the part is seen.
+TEST(Render, OverlaysAndColoursByDepthAreSampledWhereTheyHaveEdges) {
+    const cda::FlatCda plate = slotted_plate();
+    RenderOptions options = options_for(plate.boundary(), View::Iso, Projection::Perspective);
+    options.camera.depth *= 3.0;
+    options.depth_top = 10;
+    options.depth_bottom = 0;
+    Overlay overlay{
+        {{{{0, 0, 0}, {40, 30, 10}, {40, 0, 15}}, false}, {{{0, 30, 19}, {40, 30, 10}}, true}},
+        {},
+        {{{{-2, -2, -2}, {42, 32, 12}}}}};
+    for (const std::uint8_t alpha : {std::uint8_t{255}, std::uint8_t{100}}) {
+        test::BoxPart body;
+        body.cell_mm = 8.0;
+        body.stock = {{1, 1, 0}, {2, 2, 5}};
+        overlay.bodies.assign(1, {test::boundary_of(body), {200, 40, 90, alpha}});
+        for (const Colouring colouring : {Colouring::Tool, Colouring::Depth}) {
+            options.colouring = colouring;
+            expect_same_in_all_ways(plate, kTwoSlots, options, overlay);
+        }
+    }
+}
+
+// A body whose faces cross those of the part where no edge is drawn.
+TEST(Render, FacesThatCrossEachOtherAreSampled) {
+    const cda::FlatCda plate = slotted_plate();
+    const RenderOptions options = options_for(plate.boundary(), View::Iso);
+    test::BoxPart body;
+    body.stock = {{0, 0, 0}, {1, 1, 1}};
+    body.cell_mm = 30.0;
+    body = body.tilted();
+    body.shift = body.shift + cda::Vec3{10, -8, -16};
+    Overlay overlay;
+    overlay.bodies.push_back({test::boundary_of(body), {200, 40, 90}});
+    expect_same_in_all_ways(plate, kTwoSlots, options, overlay);
+}
+
+// A groove that lies between the middles of pixels is found by its edges.
+TEST(Render, AGrooveNarrowerThanAPixelIsSampled) {
+    const cda::FlatCda plain(box({0, 0, 0}, {40, 30, 10}, 0), kLattice);
+    const RenderOptions options = options_for(plain.boundary(), View::Top);
+    const double pixel = options.camera.height / options.height;
+    for (const double share : {0.1, 0.35, 0.6, 0.85}) {
+        cda::FlatCda part = plain;
+        const double x = (150 + share) * pixel;
+        part.subtract(box({x, -1, 9}, {x + 0.55 * pixel, 31, 11}, 1));
+        const Image with = render_boundary(part.boundary(), kTwoSlots, options);
+        EXPECT_GT(path_pixels(with, render_boundary(plain.boundary(), kTwoSlots, options)), 0U);
+        expect_same_in_all_ways(part, kTwoSlots, options);
+    }
+}
+
+// 4096 samples at most are drawn at once: 2500 pixels are two by two blocks.
 TEST(Render, TilesHaveNoSeams) {
     const auto part = test::grooved_part().tilted();
     const cda::Boundary boundary = test::boundary_of(part);
@@ -206,14 +347,6 @@ TEST(Render, SaysTheSameTwice) {
               render_boundary(boundary, test::provenance_of(part), options));
     EXPECT_EQ(render_model(test::BoxModel(part), test::provenance_of(part), options),
               render_model(test::BoxModel(part), test::provenance_of(part), options));
-}
-
-// The ink of a path, on white.
-std::size_t path_pixels(const Image& with, const Image& without) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < with.pixels.size(); ++i)
-        count += difference(with.pixels[i], without.pixels[i]) > 40;
-    return count;
 }
 
 TEST(Render, PathsAreHiddenByWhatStandsBeforeThem) {

@@ -33,27 +33,21 @@ find_package(PNG REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)
 target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
 
-# The same pictures where OpenGL comes from EGL, whatever the library was built with.
+# The rasteriser against OpenGL, from EGL without a surface.
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
-set(renderer mesh/provenance render/camera render/gl render/lettering render/offscreen_egl
-  render/overlay render/palette render/png render/render render/resolve render/shared_library
-  render/sheet render/surface render/visibility)
-list(TRANSFORM renderer REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/lib/export/src/\\1.cpp")
-add_executable(ncsim_egl_tests ${renderer}
-  export/box_part.cpp export/golden_test.cpp export/polytope_part.cpp
-  support/golden.cpp support/read_png.cpp)
-target_compile_features(ncsim_egl_tests PRIVATE cxx_std_20)
-target_compile_definitions(ncsim_egl_tests PRIVATE NCSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-target_include_directories(ncsim_egl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
-  ${PROJECT_SOURCE_DIR}/lib/export/include ${PROJECT_SOURCE_DIR}/lib/export/src)
-target_link_libraries(ncsim_egl_tests PRIVATE ncsim::brep ncsim::cda ncsim::trig GTest::gtest_main PNG::PNG
-  ${CMAKE_DL_LIBS} ncsim_build_flags)
-add_test(NAME export.egl_draws_the_same COMMAND ncsim_egl_tests)
+add_executable(ncsim_opengl_tests
+  export/opengl_test.cpp export/opengl/offscreen_egl.cpp)
+target_compile_features(ncsim_opengl_tests PRIVATE cxx_std_20)
+target_include_directories(ncsim_opengl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/export
+  ${PROJECT_SOURCE_DIR}/lib/export/src)
+target_link_libraries(ncsim_opengl_tests PRIVATE ncsim::export GTest::gtest_main ${CMAKE_DL_LIBS}
+  ncsim_build_flags)
+add_test(NAME export.opengl_sees_the_same COMMAND ncsim_opengl_tests)
 
-# What draws nothing loads nothing that draws: the loader lists what comes with the program.
-add_test(NAME export.is_loaded_without_opengl
+# Pictures need no graphics library: the loader lists what comes with the program.
+add_test(NAME export.needs_no_opengl
   COMMAND ${CMAKE_COMMAND} -E env LD_TRACE_LOADED_OBJECTS=1 $<TARGET_FILE:ncsim>)
-set_tests_properties(export.is_loaded_without_opengl PROPERTIES
+set_tests_properties(export.needs_no_opengl PROPERTIES
   FAIL_REGULAR_EXPRESSION "OSMesa;LLVM;libGL;OpenGL;EGL")
 
 # What ncsim writes is read by programs that nobody here wrote. `write_samples` writes a folder of
@@ -97,12 +91,6 @@ target_compile_features(ncsim_read_vrml PRIVATE cxx_std_20)
 target_link_libraries(ncsim_read_vrml PRIVATE Coin::Coin)
 add_test(NAME export.vrml_is_read_by_coin COMMAND ncsim_read_vrml ${samples})
 set_tests_properties(export.vrml_is_read_by_coin PROPERTIES FIXTURES_REQUIRED export_samples)
-
-# The same bytes for any number of threads of the software renderer.
-add_test(NAME export.threads_change_no_byte
-  COMMAND ${CMAKE_COMMAND} -D WRITER=$<TARGET_FILE:ncsim_export_samples>
-    -D FOLDER=${CMAKE_CURRENT_BINARY_DIR}/export/threads
-    -P ${CMAKE_CURRENT_SOURCE_DIR}/export/check_threads.cmake)
 
 # STEP: OpenCASCADE finds valid closed solids. Its package config names no version that can be asked for.
 find_package(OpenCASCADE CONFIG REQUIRED)

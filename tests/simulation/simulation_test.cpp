@@ -51,6 +51,22 @@ TEST(Simulation, KeepsWhatItIsAskedFor) {
     EXPECT_NEAR(part.removed_by_block.at({0, 6}), 6 * 40 * 5, 1e-9);
 }
 
+// Volumes by tool cost an evaluation of the part at each tool change: only where they are shown.
+TEST(Simulation, VolumesByToolAreMeasuredOnRequest) {
+    const std::string tools = "(T1 D=6. CR=0. - flat end mill)\n(T2 D=6. CR=0. - flat end mill)\n";
+    Plan plan = plan_of(tools + kStock +
+                        "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y20. Z5.\nG0 Z-2.\nG1 X45. F300.\nG0 Z5.\n"
+                        "T2 M6 S8000 M3\nG0 X-5. Y20. Z5.\nG0 Z-5.\nG1 X45. F300.\nG0 Z5.\nM30\n");
+    const Simulation shown = simulate(plan);
+    ASSERT_EQ(shown.removed_by_tool.size(), 2U);
+    EXPECT_NEAR(shown.removed_by_tool.at(1), 6 * 40 * 2, 1e-9);
+    EXPECT_NEAR(shown.removed_by_tool.at(2), 6 * 40 * 3, 1e-9);
+    plan.tool_volumes = false;
+    const Simulation hidden = simulate(plan);
+    EXPECT_TRUE(hidden.removed_by_tool.empty());
+    EXPECT_NEAR(hidden.part_volume, shown.part_volume, 1e-12 * shown.part_volume);
+}
+
 // However often a slot is gone through on the way down, its walls are those of the last pass, and
 // the part is the one that a single pass would have made; what each took is told all the same.
 TEST(Simulation, AWallIsWhoseToolWentDeepest) {

@@ -89,8 +89,12 @@ WrittenMesh read_glb(const std::string& bytes) {
             const auto& view = scene["bufferViews"][accessor["bufferView"].get<std::size_t>()];
             return buffer + view.value("byteOffset", std::size_t{0});
         };
+        constexpr int kUnsignedShort = 5123;
+        const bool is_short = indices["componentType"] == kUnsignedShort;
         for (std::size_t i = 0; i < indices["count"].get<std::size_t>(); ++i) {
-            const std::size_t corner = at<std::uint32_t>(bytes, start(indices) + 4 * i);
+            const std::size_t corner =
+                is_short ? std::size_t{at<std::uint16_t>(bytes, start(indices) + 2 * i)}
+                         : std::size_t{at<std::uint32_t>(bytes, start(indices) + 4 * i)};
             corners.push_back(at<Point>(bytes, start(positions) + 12 * corner));
         }
     }

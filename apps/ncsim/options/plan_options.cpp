@@ -13,6 +13,7 @@ simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions
     plan.tolerance = simulation.tolerance;
     plan.tool_tolerance = simulation.tool_tolerance;
     plan.threads = simulation.threads;
+    plan.tool_volumes = false;
     return plan;
 }
 
@@ -27,6 +28,7 @@ simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
     plan.keep_boundary = needs_surface(options);
     plan.keep_paths = options.shows_path;
     plan.keep_carved = !options.save_stock.empty();
+    plan.tool_volumes = !options.quiet || !options.report.empty();
     plan.block_volumes = options.block_volumes;
     plan.hull_times = !options.stats.empty();
     return plan;

@@ -63,6 +63,12 @@ exporter::Background read_background(const std::string& name) {
     throw Refusal{fmt::format("--background '{}': expected white or dark", name)};
 }
 
+exporter::Renderer read_renderer(const std::string& name) {
+    if (name == "own") return exporter::Renderer::Own;
+    if (name == "osmesa") return exporter::Renderer::Osmesa;
+    throw Refusal{fmt::format("--renderer '{}': expected own or osmesa", name)};
+}
+
 exporter::Colouring read_colouring(const std::string& name) {
     if (name == "tool") return exporter::Colouring::Tool;
     if (name == "line") return exporter::Colouring::Line;
@@ -262,6 +268,10 @@ cli::App* add_run(cli::App& app, Options& options) {
            "--background", [&o](Text name) { o.background = read_background(name); },
            "Of the picture: white, dark")
         ->type_name("WHAT");
+    run->add_option_function<std::string>(
+           "--renderer", [&o](Text name) { o.renderer = read_renderer(name); },
+           "Of the picture: own, the same bytes on every machine, or osmesa, OSMesa [own]")
+        ->type_name("NAME");
     run->add_option_function<std::string>(
            "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
            "What colours tell: tool, line, depth")

@@ -40,6 +40,7 @@ struct Options : ProgramOptions, SimulationOptions {
     /// Of the picture; several are put on one sheet with a caption. Never empty.
     std::vector<exporter::View> views{exporter::View::Iso};
     exporter::Background background = exporter::Background::White;
+    exporter::Renderer renderer = exporter::Renderer::Own;
     exporter::Colouring colouring = exporter::Colouring::Tool;
     bool shows_path = false, shows_tool = false, has_caption = false;
     /// Line of the program after which the simulation stops; from 1.

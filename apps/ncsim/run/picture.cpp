@@ -117,6 +117,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.width = o.width;
     options.height = o.height;
     options.background = o.background;
+    options.renderer = o.renderer;
     options.colouring = o.colouring;
     options.ghost_stock = outcome.survey.stock->told_by == toolpath::ToldBy::Assumption;
     options.depth_top = stock.max.z;

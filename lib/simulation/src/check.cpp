@@ -505,6 +505,10 @@ std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
     Questions questions;
     questions.machine = machine;
     Prepared all{plan, survey, setup_for(plan, survey, questions), {}};
+    // Nothing is cut here, so the polytopes of the tools may be coarse: fine ones take milliseconds
+    // a tool.
+    constexpr double kCoarse = 1.0;  // mm
+    all.setup.accuracy.tolerance_mm = kCoarse;
     verify::Verifier verifier(all.setup, all.stock(), all.lattice(), {});
     verifier.add(survey.diagnostics);
     add_doubts_of_inputs(plan, survey, questions, verifier);

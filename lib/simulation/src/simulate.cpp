@@ -93,6 +93,8 @@ public:
           budget_(plan.budget),
           tolerance_mm_(plan.tolerance),
           machine_(plan.placed),
+          // Volumes that tiles measured are in their files, in the order of the tool changes.
+          tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume) {
         if (result.part->takes_sweeps()) walk_.leave_round();
@@ -170,7 +172,7 @@ public:
         const auto standing = result_.standing;
         change_tool(0);
         result_.standing = standing;
-        result_.part_volume = verifier_ ? result_.part->volume() : volume_;
+        result_.part_volume = verifier_ || !tool_volumes_ ? result_.part->volume() : volume_;
         result_.part_volume_error = result_.part->volume_error();
         if (const auto aliasing = result_.part->aliasing()) {
             const auto line_of = [&](cda::Origin origin) {
@@ -271,7 +273,7 @@ private:
 
     // What a tool removed is the difference of volumes.
     void change_tool(int next) {
-        if (is_near_stock_ && !verifier_) {
+        if (is_near_stock_ && tool_volumes_ && !verifier_) {
             const double volume = result_.part->volume();
             result_.removed_by_tool[tool_] += volume_ - volume;
             volume_ = volume;
@@ -311,8 +313,9 @@ private:
     std::shared_ptr<const toolpath::Kinematics> machine_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
+    bool tool_volumes_;
     std::optional<cda::Box> place_of_tile_;
-    double volume_;
+    double volume_;                // at the last tool change
     bool is_near_stock_ = false;   // was the tool, since it was changed
     bool has_covered_ = false;     // the motion at hand: more than its own steps took
     std::vector<cda::Cell> late_;  // what steps that are not near came with

@@ -67,7 +67,8 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
     // cda-flat costs the square of the facets, and the part is the same.
     other.model = verifying_model().name;
     other.keep_boundary = true;
-    other.keep_paths = other.keep_carved = other.block_volumes = other.hull_times = false;
+    other.keep_paths = other.keep_carved = other.hull_times = false;
+    other.tool_volumes = other.block_volumes = false;
     std::size_t facets = 0;
     const auto most = static_cast<std::size_t>(most_refinements);
     for (std::size_t i = 0; i < std::min(most, kCuts.size()) && is_coarse; ++i) {

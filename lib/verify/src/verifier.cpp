@@ -102,8 +102,19 @@ public:
         needs_part_ = needs_part(setup_);
         if (setup_.not_simulated) return;
         for (const auto& [number, facts] : setup_.tools) {
-            watched_.emplace(number, watch(facts, setup_.selection, lattice_, setup_.accuracy));
+            const auto same = std::ranges::find_if(watched_, [&](const auto& known) {
+                return is_same_shape(setup_.tools.at(known.first), facts);
+            });
+            watched_.emplace(number, same != watched_.end() ? same->second
+                                                            : watch(facts, setup_.selection,
+                                                                    lattice_, setup_.accuracy));
         }
+    }
+
+    // True if watch() makes the same bodies of both tools.
+    static bool is_same_shape(const ToolFacts& a, const ToolFacts& b) {
+        return a.tool.pieces == b.tool.pieces && a.blind_diameter == b.blind_diameter &&
+               a.max_depth == b.max_depth && a.certain_flutes == b.certain_flutes;
     }
 
     void set_frame(const gcode::ProgramFrame& frame) { path_facts_.set_frame(frame); }

@@ -33,10 +33,11 @@ function readAccessor({ json, bin }, index) {
   const width = { SCALAR: 1, VEC3: 3 }[accessor.type];
   const start = (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
   const isFloat = accessor.componentType === 5126;
+  const isShort = accessor.componentType === 5123;
   const values = [];
   for (let i = 0; i < accessor.count * width; i += 1) {
-    const at = start + 4 * i;
-    values.push(isFloat ? bin.readFloatLE(at) : bin.readUInt32LE(at));
+    const at = start + (isShort ? 2 : 4) * i;
+    values.push(isFloat ? bin.readFloatLE(at) : isShort ? bin.readUInt16LE(at) : bin.readUInt32LE(at));
   }
   return values;
 }

@@ -43,9 +43,13 @@ struct Block {
         outlines.reset();
         return *tree;
     }
-    // None waits any longer.
-    void send_down() {
-        going_down.insert(going_down.end(), waiting.begin(), waiting.end());
+    // Lets no cell wait any longer. Drops the cells whose numbers are set in `forgotten`.
+    void send_down(const std::vector<bool>& forgotten) {
+        for (auto& cell : waiting) {
+            const std::uint32_t number = cell->incoming.number;
+            if (number >= forgotten.size() || !forgotten[number])
+                going_down.push_back(std::move(cell));
+        }
         waiting.clear();
     }
     // Takes in those that go down; into the books, if there are any.

@@ -8,6 +8,7 @@
 #include "surface/stitch.h"
 #include "tree/block.h"
 #include "tree/evaluation.h"
+#include "tree/normals_pool.h"
 #include "tree/tile_bytes.h"
 
 #include <algorithm>
@@ -62,13 +63,16 @@ std::vector<std::uint32_t> tile_order(const std::vector<std::size_t>& axes, std:
 }  // namespace
 
 TreeCda::TreeCda(TreeParameters parameters)
-    : parameters_(parameters), cells_(std::make_unique<CellTable>()) {}
+    : parameters_(parameters),
+      cells_(std::make_unique<CellTable>()),
+      normals_(std::make_unique<NormalsPool>()) {}
 
 TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters)
     : parameters_(parameters),
       lattice_(lattice),
       stock_(stock),
-      cells_(std::make_unique<CellTable>()) {
+      cells_(std::make_unique<CellTable>()),
+      normals_(std::make_unique<NormalsPool>()) {
     const auto body = ConvexPolytope::of(stock, lattice);
     if (!body) throw std::invalid_argument("the stock has no volume");
     stock_box_ = body->bounds();
@@ -92,12 +96,17 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       stock_planes_(other.stock_planes_),
       stock_volume_(other.stock_volume_),
       cells_(std::make_unique<CellTable>(*other.cells_)),
+      normals_(std::make_unique<NormalsPool>(*other.normals_)),
       own_(other.own_),
       walls_(other.walls_),
       blocks_(other.blocks_),
       places_(other.places_),
       waiting_(other.waiting_),
       steps_(other.steps_),
+      recent_ways_(other.recent_ways_),
+      older_ways_(other.older_ways_),
+      forgotten_(other.forgotten_),
+      forgotten_waiting_(other.forgotten_waiting_),
       account_(other.account_),
       counts_(other.counts_),
       volumes_asked_(other.volumes_asked_) {}

@@ -2,14 +2,17 @@
 //
 // Cells on their way into the tree: they wait, block by block, until somebody asks about the part
 // where they are, or until the tool has left.
+#include "ncsim/cda/mix.h"
 #include "ncsim/cda/parallel.h"
 #include "ncsim/cda/tree.h"
 
 #include "polytope/within.h"
 #include "tree/block.h"
 #include "tree/evaluation.h"
+#include "tree/normals_pool.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -21,6 +24,9 @@ namespace {
 
 // Fewer cells than this are not worth waking a thread for.
 constexpr std::size_t kCellsWorthThreads = 16;
+
+// A block where no cell came for that many steps takes in what waits.
+constexpr std::uint64_t kWhile = 4096;
 
 // Volumes of single cells below this share of the stock are rounding.
 constexpr double kAccountRounding = 1e-15;
@@ -42,6 +48,24 @@ bool has_its_normals(const Cell& cell) {
         is_so &= n.x[i] == p.nx && n.y[i] == p.ny && n.z[i] == p.nz;
     }
     return is_so;
+}
+
+// Hashes the body of the cell, the direction of the motion without its sign, and the place of both
+// seen from above. Equal for a body on the same way at another height, forwards or backwards. Two
+// of the sides along the motion stand for its direction; lies_within() is asked in any case.
+std::uint64_t hash_of_way(const Cell& cell, std::size_t facets) {
+    std::uint64_t hash =
+        mix(reinterpret_cast<std::uintptr_t>(cell.normals.get()), cell.planes.size());
+    for (const double x :
+         {cell.bounds.min.x, cell.bounds.min.y, cell.bounds.max.x, cell.bounds.max.y})
+        hash = mix(hash, std::bit_cast<std::uint64_t>(x));
+    if (facets == cell.planes.size()) return hash;
+    for (const Plane* p : {&cell.planes[facets], &cell.planes.back()}) {
+        hash = mix(hash, static_cast<std::uint64_t>(p->nx) ^
+                             (static_cast<std::uint64_t>(p->ny) << 21) ^
+                             (static_cast<std::uint64_t>(p->nz) << 42));
+    }
+    return hash;
 }
 
 bool tells_share_of(const Cell& cell, Origin origin) {
@@ -90,12 +114,13 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
     }
     here.enclose(cell.bounds, lattice_.unit_mm);
     here.number = cells_->size() + static_cast<std::uint32_t>(listed_.size());
-    listed_.push_back({cell.origin, cell.rank, facets > 0 ? cell.normals : nullptr});
+    taken->cell = cell;
+    if (facets > 0) taken->cell.normals = normals_->first_of(cell.normals);
+    listed_.push_back({cell.origin, cell.rank, facets > 0 ? taken->cell.normals : nullptr});
     ++counts_.cells;
     counts_.planes += here.loose.size();
     for (const double d : here.facets)
         counts_.planes += d < kBeyond ? 1 : 0;
-    taken->cell = cell;
     here.planes = taken->cell.planes;
     here.steps = taken->cell.steps.get();
     const auto is_there = [](const Place& place, const IncomingCell& c) {
@@ -109,11 +134,47 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
     for (const std::uint32_t number : own_) {
         if (!is_there(places_[number], here)) continue;
         Block& block = blocks_[number];
-        if (covers) forget_within(block, cell);
+        if (covers) forget_within(block, taken->cell);
         block.waiting.push_back(taken);
         block.last_step = steps_;
     }
+    if (facets > 0 && !account_) forget_same_way(taken);
     return true;
+}
+
+// A contour in many depths makes the same hulls in each of them, only deeper. The last such hull
+// need not go down the tree where it still waits, if all of it lies within `deeper`.
+void TreeCda::forget_same_way(const std::shared_ptr<const WaitingCell>& deeper) {
+    const Cell& cell = deeper->cell;
+    const std::uint64_t way = hash_of_way(cell, deeper->incoming.facets.size());
+    auto& latest = recent_ways_[way];
+    auto before = latest.lock();
+    latest = deeper;
+    if (!before) {
+        const auto found = older_ways_.find(way);
+        if (found != older_ways_.end()) before = found->second.lock();
+    }
+    if (!before || cell.rank >= before->cell.rank || cell.normals != before->cell.normals ||
+        !lies_within(before->cell, cell, stock_box_)) {
+        return;
+    }
+    const std::uint32_t number = before->incoming.number;
+    if (forgotten_.size() <= number) forgotten_.resize(number + std::size_t{1});
+    forgotten_[number] = true;
+    ++counts_.forgotten;
+    constexpr std::size_t kMany = 1024;
+    if (++forgotten_waiting_ >= kMany) drop_forgotten();
+}
+
+// Returns the memory of cells that are forgotten and wait.
+void TreeCda::drop_forgotten() {
+    for (Block& block : blocks_) {
+        std::erase_if(block.waiting, [&](const auto& cell) {
+            const std::uint32_t number = cell->incoming.number;
+            return number < forgotten_.size() && forgotten_[number];
+        });
+    }
+    forgotten_waiting_ = 0;
 }
 
 // Of the latest cells that wait for a block, those that show nowhere beside this one, which is
@@ -135,9 +196,10 @@ void TreeCda::forget_within(Block& block, const Cell& covering) const {
 // Every so often, those go down that wait where nobody has come for a while: a block that the tool
 // has left takes in all at once, while other threads would wait; all do if they are many.
 void TreeCda::settle_some() {
-    constexpr std::uint64_t kTurn = 512, kWhile = 4096;
+    constexpr std::uint64_t kTurn = 512;
     const bool are_many = ++waiting_ >= parameters_.batch;
-    if (++steps_ % kTurn != 0 && !are_many) return;
+    if (++steps_ % kWhile == 0) older_ways_ = std::exchange(recent_ways_, {});
+    if (steps_ % kTurn != 0 && !are_many) return;
     begin_settling(
         [&](const Block& block) { return are_many || steps_ - block.last_step >= kWhile; });
     if (are_many) waiting_ = 0;
@@ -155,7 +217,7 @@ void TreeCda::begin_settling(const std::function<bool(const Block&)>& goes) cons
     if (changing.empty()) return;
     finish_settling();
     for (Block* block : changing)
-        block->send_down();
+        block->send_down(forgotten_);
     changing_ = std::move(changing);
     // The one with most to do first, so that nobody waits for it in the end.
     std::ranges::stable_sort(changing_, std::ranges::greater{},
@@ -204,7 +266,7 @@ void TreeCda::settle_near(const Box& bounds) const {
         if (std::ranges::none_of(block.waiting,
                                  [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
             continue;
-        block.send_down();
+        block.send_down(forgotten_);
         block.settle({stock_planes_, *cells_, centre_, parameters_.leaf}, account_.has_value());
         tell_place(i);
     }

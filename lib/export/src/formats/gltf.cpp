@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 //  1. Triangles are sorted by the rank of their tool: a primitive each.
-//  2. Within a primitive each face gets vertices of its own, since its line is its own, and with
-//     them normals (corner_normals.h).
+//  2. Within a primitive, corners of faces with one point, one normal (corner_normals.h) and one
+//     line share a vertex.
 //  3. The buffer is filled stream by stream (indices, positions, normals, lines, tools), an
 //     accessor for each stream of each primitive.
 #include "ncsim/export/gltf.h"
@@ -26,6 +26,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace ncsim::exporter {
@@ -39,7 +40,30 @@ struct Primitive {
     std::vector<FloatPoint> normals;
     std::vector<float> lines;
     std::vector<float> tools;
+
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> last_at;  // for each point, the last of its vertices
+    std::vector<std::uint32_t> before;   // for each vertex, the vertex before it at its point
+
+    std::uint32_t vertex(std::uint32_t point, const FloatPoint& position, const FloatPoint& normal,
+                         Provenance::Entry entry);
 };
+
+// Returns the vertex at the point with this normal and this line; makes one if there is none.
+std::uint32_t Primitive::vertex(std::uint32_t point, const FloatPoint& position,
+                                const FloatPoint& normal, Provenance::Entry entry) {
+    const auto line = static_cast<float>(entry.nc_line);
+    for (std::uint32_t v = last_at[point]; v != kNone; v = before[v]) {
+        if (normals[v] == normal && lines[v] == line) return v;
+    }
+    const auto made = static_cast<std::uint32_t>(positions.size());
+    before.push_back(std::exchange(last_at[point], made));
+    positions.push_back(position);
+    normals.push_back(normal);
+    lines.push_back(line);
+    tools.push_back(static_cast<float>(entry.tool));
+    return made;
+}
 
 // Steps 1 and 2. Primitives without triangles are left out.
 std::vector<Primitive> primitives(const PartMesh& part, const Provenance& provenance,
@@ -48,10 +72,12 @@ std::vector<Primitive> primitives(const PartMesh& part, const Provenance& proven
     std::vector<Primitive> all(palette.makers().size());
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].maker = palette.makers()[i];
+    for (Primitive& primitive : all)
+        primitive.last_at.assign(mesh.points.size(), Primitive::kNone);
     const CornerNormals normals(boundary, provenance, palette, shading);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
-    std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → its copy for this face
+    std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → its vertex for this face
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (mesh.face[t] != current_face) local.clear();
         current_face = mesh.face[t];
@@ -59,15 +85,12 @@ std::vector<Primitive> primitives(const PartMesh& part, const Provenance& proven
         const Provenance::Entry entry = provenance.of(face.origin);
         Primitive& primitive = all[palette.rank(entry)];
         for (const std::uint32_t point : mesh.triangles[t]) {
-            const auto next = static_cast<std::uint32_t>(primitive.positions.size());
-            const auto [found, is_new] = local.try_emplace(point, next);
+            const auto [found, is_new] = local.try_emplace(point, 0);
             if (is_new) {
                 const FloatPoint& p = mesh.points[point];
-                primitive.positions.push_back(p);
-                primitive.normals.push_back(to_floats(normals.at(
-                    current_face, mesh.vertex[point], centre + cda::Vec3{p[0], p[1], p[2]})));
-                primitive.lines.push_back(static_cast<float>(entry.nc_line));
-                primitive.tools.push_back(static_cast<float>(entry.tool));
+                const FloatPoint normal = to_floats(normals.at(
+                    current_face, mesh.vertex[point], centre + cda::Vec3{p[0], p[1], p[2]}));
+                found->second = primitive.vertex(point, p, normal, entry);
             }
             primitive.indices.push_back(found->second);
         }
@@ -164,10 +187,10 @@ cda::Vec3 whole_centre(const cda::Boundary& boundary) {
 }
 
 tinygltf::Material plain_material(const std::string& name, Rgba8 colour) {
-    const LinearColour linear = to_linear(colour);
     tinygltf::Material result;
     result.name = name;
-    result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, colour.a / 255.0};
+    result.pbrMetallicRoughness.baseColorFactor = {linear_share(colour.r), linear_share(colour.g),
+                                                   linear_share(colour.b), colour.a / 255.0};
     if (colour.a < 255) result.alphaMode = "BLEND";
     result.pbrMetallicRoughness.metallicFactor = 0.0;
     result.pbrMetallicRoughness.roughnessFactor = 0.6;

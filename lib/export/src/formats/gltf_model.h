@@ -36,6 +36,8 @@ public:
     template <typename T>
     int pack(const std::vector<T>& values, int component_type, int type, int target) {
         std::vector<unsigned char>& bytes = model_.buffers.front().data;
+        constexpr std::size_t kAlignment = 4;
+        bytes.resize((bytes.size() + kAlignment - 1) / kAlignment * kAlignment);
         tinygltf::BufferView view;
         view.buffer = 0;
         view.byteOffset = bytes.size();
@@ -53,7 +55,18 @@ public:
         return static_cast<int>(model_.accessors.size()) - 1;
     }
 
+    /// Two bytes an index if all are below 65,535, which is reserved; four bytes otherwise.
     int pack_indices(const std::vector<std::uint32_t>& indices) {
+        constexpr std::uint32_t kMostInTwoBytes = 65534;
+        const auto fits = [](std::uint32_t index) { return index <= kMostInTwoBytes; };
+        if (std::ranges::all_of(indices, fits)) {
+            std::vector<std::uint16_t> narrow;
+            narrow.reserve(indices.size());
+            for (const std::uint32_t index : indices)
+                narrow.push_back(static_cast<std::uint16_t>(index));
+            return pack(narrow, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR,
+                        TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+        }
         return pack(indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
                     TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     }
@@ -102,6 +115,10 @@ private:
 
     static void append_value(std::vector<unsigned char>& bytes, std::uint32_t number) {
         for (int shift = 0; shift < 32; shift += 8)
+            bytes.push_back(static_cast<unsigned char>((number >> shift) & 0xFF));
+    }
+    static void append_value(std::vector<unsigned char>& bytes, std::uint16_t number) {
+        for (int shift = 0; shift < 16; shift += 8)
             bytes.push_back(static_cast<unsigned char>((number >> shift) & 0xFF));
     }
     static void append_value(std::vector<unsigned char>& bytes, float number) {

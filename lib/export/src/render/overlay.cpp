@@ -147,14 +147,14 @@ void OverlayArt::add_body(const Body& body) {
     }
 }
 
-void OverlayArt::draw(VisibilityBuffer& buffer, std::vector<Surface>& surfaces) {
+void OverlayArt::draw(PolygonTarget& target, std::vector<Surface>& surfaces) {
     if (pieces_.empty()) return;
     if (!first_) {
         first_ = surfaces.size();
         surfaces.insert(surfaces.end(), surfaces_.begin(), surfaces_.end());
     }
     for (const Piece& piece : pieces_) {
-        buffer.draw(std::span(piece.corners).first(piece.count),
+        target.draw(std::span(piece.corners).first(piece.count),
                     static_cast<SurfaceId>(*first_ + piece.surface + 1));
     }
 }

@@ -22,9 +22,9 @@ class OverlayArt {
 public:
     OverlayArt(const ScreenMap& map, const Overlay& overlay, const RenderOptions& options);
 
-    /// Draws everything over what is in `buffer`. The first call appends its surfaces to
+    /// Draws everything over what is in `target`. The first call appends its surfaces to
     /// `surfaces`, which must hold all those of the part by then.
-    void draw(VisibilityBuffer& buffer, std::vector<Surface>& surfaces);
+    void draw(PolygonTarget& target, std::vector<Surface>& surfaces);
 
 private:
     struct Piece {

@@ -46,6 +46,22 @@ Rgba8 to_srgb(LinearColour colour) {
     return {to_srgb(colour.r), to_srgb(colour.g), to_srgb(colour.b), 255};
 }
 
+double linear_share(std::uint8_t channel) {
+    constexpr double kLinearUpTo = 0.04045;
+    const double c = static_cast<double>(channel) / 255.0;
+    if (c <= kLinearUpTo) return c / 12.92;
+    // x^2.4 = x² · ⁵√x², with the root by Newton's method from above: it falls until it is found.
+    const double x = (c + 0.055) / 1.055;
+    const double square = x * x;
+    double root = 1.0;
+    for (double next = 0.0;; root = next) {
+        next = (4.0 * root + square / (root * root * root * root)) / 5.0;
+        if (!(next < root)) break;
+    }
+    constexpr double kDigits = 1e7;
+    return std::round(kDigits * square * root) / kDigits;
+}
+
 LinearColour scale_colour(double t) {
     const double position = std::clamp(t, 0.0, 1.0) * static_cast<double>(kScale.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(position), kScale.size() - 2);

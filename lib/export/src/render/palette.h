@@ -36,6 +36,10 @@ inline double unit_share(std::uint8_t channel) {
     return static_cast<double>(thousandths) / 1000.0;
 }
 
+/// The linear share, 0 to 1, of a channel in sRGB (IEC 61966-2-1), as glTF files have it. Computed
+/// without powers of the C library: the same on every machine.
+double linear_share(std::uint8_t channel);
+
 /// The colours of a scale from 0 to 1: yellow, green, blue, violet, ever darker, so that the order
 /// can be seen without telling hues apart. Numbers beyond are clamped.
 LinearColour scale_colour(double t);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Both renderers draw the numbers of surfaces, tile by tile, and leave the rest to Resolver:
+// Both renderers draw the numbers of surfaces, band by band, and leave the rest to Resolver:
 // what differs between them is only how hidden and removed parts of a surface are found.
 #include "ncsim/export/render.h"
 
 #include "ncsim/cda/mesh.h"
 
+#include "render/edge_tiles.h"
+#include "render/opengl/offscreen.h"
+#include "render/opengl/opengl_buffer.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "render/resolve.h"
@@ -15,9 +18,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::exporter {
@@ -28,10 +33,6 @@ using cda::Vec3;
 
 constexpr std::uint32_t kMaxSamples = 4;
 constexpr unsigned kOpaque = 255;
-// Samples along a side of the largest rectangle drawn at once: with colours, depth and the copy
-// that is read back some 12 bytes a sample, so 200 MB.
-constexpr std::uint32_t kTileSide = 4096;
-
 void check(const RenderOptions& options) {
     const auto is_side = [](std::uint32_t n) { return n >= 1 && n <= kMaxImageSide; };
     if (!is_side(options.width) || !is_side(options.height)) {
@@ -48,33 +49,121 @@ void check(const RenderOptions& options) {
     }
 }
 
-// Draws everything `draw` draws, which is called once for each tile with the buffer.
-template <typename Draw>
-Image render(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table,
-             Draw draw) {
-    const std::uint32_t tile = (kTileSide - 2 * kTileMargin) / options.samples;
-    const auto samples_of = [&](std::uint32_t pixels) {
-        return std::min(pixels, tile) * options.samples + 2 * kTileMargin;
-    };
-    VisibilityBuffer buffer(samples_of(options.width), samples_of(options.height));
-    Resolver resolver(map, options, table);
-    Image image{options.width, options.height, {}};
-    image.pixels.resize(std::size_t{options.width} * options.height);
-    std::vector<SurfaceId> ids;
-    for (std::uint32_t y = 0; y < options.height; y += tile) {
-        for (std::uint32_t x = 0; x < options.width; x += tile) {
-            const std::uint32_t width = std::min(tile, options.width - x);
-            const std::uint32_t height = std::min(tile, options.height - y);
-            buffer.begin({std::int64_t{x} * options.samples - kTileMargin,
-                          std::int64_t{y} * options.samples - kTileMargin, samples_of(width),
-                          samples_of(height)});
-            draw(buffer);
-            buffer.read(ids);
-            resolver.resolve(ids, x, y, width, height, image);
+// What a picture shows.
+class Scene {
+public:
+    virtual ~Scene() = default;
+    // Draws all polygons, in the same order each time.
+    virtual void draw(PolygonTarget& target) = 0;
+    // Marks the tiles that edges of surfaces cross. Edges between polygons of one flat surface may
+    // be missing.
+    virtual void mark(EdgeTiles& tiles) { draw(tiles); }
+};
+
+std::unique_ptr<SampleBuffer> buffer_of(Renderer renderer) {
+    if (renderer == Renderer::Osmesa) return std::make_unique<OpenGlBuffer>(osmesa_context());
+    return std::make_unique<VisibilityBuffer>();
+}
+
+// Makes the picture of a scene, in bands. A tile that no edge is near, and whose four corners see
+// one surface, sees nothing else: depth is linear over a tile, so a plane that is nearest at the
+// corners is nearest between them. Only the other tiles are drawn sample by sample.
+class Painter {
+public:
+    Painter(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table,
+            Scene& scene)
+        : options_(options),
+          scene_(scene),
+          tiles_(options.width, options.height, options.samples, kTileMargin),
+          resolver_(map, options, table),
+          image_{options.width, options.height, {}} {
+        const std::uint32_t row = tiles_.columns() * tiles_.side() * tiles_.side();
+        rows_at_once_ = std::clamp(options.band_samples / row, 1U, tiles_.rows());
+        image_.pixels.resize(std::size_t{options.width} * options.height);
+    }
+
+    Image paint() {
+        const std::unique_ptr<SampleBuffer> made = buffer_of(options_.renderer);
+        SampleBuffer& buffer = *made;
+        if (options_.samples_everywhere) {
+            tiles_.mark_all();
+        } else {
+            scene_.mark(tiles_);
+            fill_plain_tiles(buffer);
+        }
+        for (std::uint32_t row = 0; row < tiles_.rows(); row += rows_at_once_)
+            draw_tiles(buffer, row);
+        return std::move(image_);
+    }
+
+private:
+    // Pixels of the tile.
+    PixelRect pixels(std::uint32_t column, std::uint32_t row) const {
+        const std::uint32_t x = column * kTilePixels, y = row * kTilePixels;
+        return {x, y, std::min(kTilePixels, options_.width - x),
+                std::min(kTilePixels, options_.height - y)};
+    }
+
+    // Fills the tiles without an edge whose corners see one surface; marks all others.
+    void fill_plain_tiles(SampleBuffer& buffer) {
+        // The corners of tiles are the centres of these cells.
+        const auto half = static_cast<std::int64_t>(tiles_.side() / 2);
+        const SampleRect corners{-half, -half, tiles_.columns() + 1, tiles_.rows() + 1,
+                                 tiles_.side()};
+        buffer.begin(corners);
+        scene_.draw(buffer);
+        const std::span<const SurfaceId> ids = buffer.ids();
+        for (std::uint32_t row = 0; row < tiles_.rows(); ++row) {
+            for (std::uint32_t column = 0; column < tiles_.columns(); ++column) {
+                if (tiles_.is_marked(column, row)) continue;
+                const std::size_t i = std::size_t{row} * corners.width + column;
+                const SurfaceId id = ids[i];
+                if (id == ids[i + 1] && id == ids[i + corners.width] &&
+                    id == ids[i + corners.width + 1]) {
+                    resolver_.fill(id, pixels(column, row), image_);
+                } else {
+                    tiles_.mark(column, row);
+                }
+            }
         }
     }
-    return image;
-}
+
+    // Draws what is marked of a band of tiles.
+    void draw_tiles(SampleBuffer& buffer, std::uint32_t first_row) {
+        const std::uint32_t end_row = std::min(first_row + rows_at_once_, tiles_.rows());
+        std::uint32_t left = tiles_.columns(), right = 0, top = end_row, bottom = first_row;
+        for (std::uint32_t row = first_row; row < end_row; ++row) {
+            for (std::uint32_t column = 0; column < tiles_.columns(); ++column) {
+                if (!tiles_.is_marked(column, row)) continue;
+                left = std::min(left, column);
+                right = std::max(right, column + 1);
+                top = std::min(top, row);
+                bottom = std::max(bottom, row + 1);
+            }
+        }
+        if (left >= right) return;
+        const std::uint32_t side = tiles_.side();
+        const SampleRect seen{
+            std::int64_t{left} * side - kTileMargin, std::int64_t{top} * side - kTileMargin,
+            (right - left) * side + 2 * kTileMargin, (bottom - top) * side + 2 * kTileMargin};
+        buffer.begin(seen);
+        scene_.draw(buffer);
+        const std::span<const SurfaceId> ids = buffer.ids();
+        for (std::uint32_t row = top; row < bottom; ++row) {
+            for (std::uint32_t column = left; column < right; ++column) {
+                if (tiles_.is_marked(column, row))
+                    resolver_.resolve(ids, seen, pixels(column, row), image_);
+            }
+        }
+    }
+
+    const RenderOptions& options_;
+    Scene& scene_;
+    EdgeTiles tiles_;
+    std::uint32_t rows_at_once_ = 1;  // of tiles
+    Resolver resolver_;
+    Image image_;
+};
 
 ScreenMap screen_map(const RenderOptions& options) {
     return {options.camera, static_cast<double>(options.width) * options.samples,
@@ -128,8 +217,8 @@ public:
     StencilCanvas(const ScreenMap& map, const Paint& paint, std::vector<Surface>& surfaces)
         : map_(map), paint_(paint), surfaces_(surfaces) {}
 
-    void begin(VisibilityBuffer& buffer) {
-        buffer_ = &buffer;
+    void begin(PolygonTarget& target) {
+        target_ = &target;
         next_ = 0;
     }
 
@@ -146,7 +235,7 @@ public:
         masks_.resize(facet.masks.size());
         for (std::size_t i = 0; i < facet.masks.size(); ++i)
             project(facet.masks[i], masks_[i]);
-        buffer_->draw(outline_, id, masks_);
+        target_->draw(outline_, id, masks_);
     }
 
 private:
@@ -158,7 +247,7 @@ private:
 
     const ScreenMap& map_;
     const Paint& paint_;
-    VisibilityBuffer* buffer_ = nullptr;
+    PolygonTarget* target_ = nullptr;
     std::size_t next_ = 0;
     std::vector<Surface>& surfaces_;
     std::vector<ScreenPoint> outline_;
@@ -169,10 +258,10 @@ private:
 // normals of their own each.
 class BoundaryArt {
 public:
-    /// Appends its surfaces to `table`.
+    /// Appends its surfaces to `table`. `boundary` and `table` must outlive it.
     BoundaryArt(const ScreenMap& map, const cda::Boundary& boundary, const brep::Shading& shading,
                 const Paint& paint, SurfaceTable& table)
-        : mesh_(cda::triangulate(boundary)) {
+        : boundary_(boundary), surfaces_(table.surfaces), mesh_(cda::triangulate(boundary)) {
         for (const Vec3& p : mesh_.vertices)
             points_.push_back(map(p));
         std::vector<SurfaceId> of_face(boundary.faces.size(), kBackground);
@@ -188,6 +277,7 @@ public:
             if (is_round || of_face[f] == kBackground) {
                 table.surfaces.push_back(paint.surface(face.normal, point, face.origin));
                 of_face[f] = static_cast<SurfaceId>(table.surfaces.size());
+                if (!is_round) flat_faces_.push_back(f);
             }
             ids_.push_back(of_face[f]);
             if (!is_round) continue;
@@ -203,16 +293,41 @@ public:
         }
     }
 
-    void draw(VisibilityBuffer& buffer) const {
+    void draw(PolygonTarget& target) const {
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            if (ids_[t] == kBackground) continue;
-            const auto& [a, b, c] = mesh_.triangles[t];
-            const std::array<ScreenPoint, 3> corners{points_[a], points_[b], points_[c]};
-            buffer.draw(corners, ids_[t]);
+            if (ids_[t] != kBackground) target.draw(corners(t), ids_[t]);
+        }
+    }
+
+    /// Marks the loops of flat faces that are drawn, and all triangles of round faces.
+    void mark(EdgeTiles& tiles) const {
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            if (ids_[t] != kBackground && has_edges_of_its_own(t)) tiles.draw(corners(t), ids_[t]);
+        }
+        for (const std::uint32_t f : flat_faces_) {
+            for (const auto& loop : boundary_.faces[f].loops) {
+                for (std::size_t i = 0; i < loop.size(); ++i)
+                    tiles.add_edge(points_[loop[i]], points_[loop[(i + 1) % loop.size()]]);
+            }
         }
     }
 
 private:
+    std::array<ScreenPoint, 3> corners(std::size_t t) const {
+        const auto& [a, b, c] = mesh_.triangles[t];
+        return {points_[a], points_[b], points_[c]};
+    }
+
+    // Triangles of round faces, and those with a vertex that the boundary does not have.
+    bool has_edges_of_its_own(std::size_t t) const {
+        return surfaces_[ids_[t] - 1].bend != 0 ||
+               std::ranges::any_of(mesh_.triangles[t],
+                                   [&](auto v) { return v >= boundary_.vertices.size(); });
+    }
+
+    const cda::Boundary& boundary_;
+    const std::vector<Surface>& surfaces_;
+    std::vector<std::uint32_t> flat_faces_;  // that are drawn
     cda::TriangleMesh mesh_;
     std::vector<ScreenPoint> points_;
     std::vector<SurfaceId> ids_;  // of triangles; the background's: they are not seen
@@ -246,19 +361,54 @@ Image with_transparent(const Overlay& overlay, const Draw& draw) {
     return image;
 }
 
+class ModelScene final : public Scene {
+public:
+    ModelScene(const cda::WorkpieceModel& model, const ScreenMap& map, const Paint& paint,
+               OverlayArt& art, std::vector<Surface>& surfaces)
+        : model_(model), canvas_(map, paint, surfaces), art_(art), surfaces_(surfaces) {}
+
+    void draw(PolygonTarget& target) override {
+        canvas_.begin(target);
+        model_.render(canvas_);
+        art_.draw(target, surfaces_);
+    }
+
+private:
+    const cda::WorkpieceModel& model_;
+    StencilCanvas canvas_;
+    OverlayArt& art_;
+    std::vector<Surface>& surfaces_;
+};
+
+class BoundaryScene final : public Scene {
+public:
+    BoundaryScene(const BoundaryArt& part, OverlayArt& art, std::vector<Surface>& surfaces)
+        : part_(part), art_(art), surfaces_(surfaces) {}
+
+    void draw(PolygonTarget& target) override {
+        part_.draw(target);
+        art_.draw(target, surfaces_);
+    }
+    void mark(EdgeTiles& tiles) override {
+        part_.mark(tiles);
+        art_.draw(tiles, surfaces_);
+    }
+
+private:
+    const BoundaryArt& part_;
+    OverlayArt& art_;
+    std::vector<Surface>& surfaces_;
+};
+
 Image draw_model(const cda::WorkpieceModel& model, const Provenance& provenance,
                  const RenderOptions& options, const Overlay& overlay) {
     check(options);
     const ScreenMap map = screen_map(options);
     const Paint paint(map, provenance, options);
     SurfaceTable table;
-    StencilCanvas canvas(map, paint, table.surfaces);
     OverlayArt art(map, overlay, options);
-    return render(map, options, table, [&](VisibilityBuffer& buffer) {
-        canvas.begin(buffer);
-        model.render(canvas);
-        art.draw(buffer, table.surfaces);
-    });
+    ModelScene scene(model, map, paint, art, table.surfaces);
+    return Painter(map, options, table, scene).paint();
 }
 
 Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
@@ -269,10 +419,8 @@ Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
     OverlayArt art(map, overlay, options);
     SurfaceTable table;
     const BoundaryArt part(map, boundary, shading, Paint(map, provenance, options), table);
-    return render(map, options, table, [&](VisibilityBuffer& buffer) {
-        part.draw(buffer);
-        art.draw(buffer, table.surfaces);
-    });
+    BoundaryScene scene(part, art, table.surfaces);
+    return Painter(map, options, table, scene).paint();
 }
 
 }  // namespace

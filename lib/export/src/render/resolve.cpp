@@ -54,8 +54,13 @@ LinearColour colour_of(Background background) {
 }
 
 Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table)
-    : map_(map), options_(options), surfaces_(table.surfaces), bends_(table.bends) {
+    : map_(map),
+      options_(options),
+      surfaces_(table.surfaces),
+      bends_(table.bends),
+      ink_colour_(to_linear(kInk)) {
     lit_.push_back(colour_of(options.background));
+    plain_.push_back(mean_of(lit_.back()));
 }
 
 Resolver::Lighting Resolver::lighting(Vec3 n_C) {
@@ -68,12 +73,14 @@ Resolver::Lighting Resolver::lighting(Vec3 n_C) {
 
 void Resolver::light_new_surfaces() {
     for (std::size_t i = lit_.size() - 1; i < surfaces_.size(); ++i) {
-        if (surfaces_[i].is_line) {
-            lit_.push_back(surfaces_[i].colour);
-            continue;
+        const Surface& surface = surfaces_[i];
+        LinearColour colour = surface.colour;
+        if (!surface.is_line) {
+            const Lighting light = lighting(surface.n_C);
+            colour = light.diffuse * surface.colour + light.sheen * kWhiteLight;
         }
-        const Lighting light = lighting(surfaces_[i].n_C);
-        lit_.push_back(light.diffuse * surfaces_[i].colour + light.sheen * kWhiteLight);
+        lit_.push_back(colour);
+        plain_.push_back(mean_of(colour));
     }
 }
 
@@ -151,17 +158,19 @@ float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const
 // Where edges of facets that ought to coincide are rounded apart, single samples see through the
 // crack, or see a facet that is cut away there. A sample none of whose four neighbours sees the
 // same plane shows nothing a picture could show: it takes the surface most of them see.
-void Resolver::remove_specks(std::vector<SurfaceId>& ids) {
+void Resolver::remove_specks() {
     const std::size_t width = rect_.width;
+    specks_.clear();
     for (std::size_t y = 1; y + 1 < rect_.height; ++y) {
         for (std::size_t x = 1; x + 1 < width; ++x) {
             const std::size_t i = y * width + x;
-            const std::array<SurfaceId, 4> around{ids[i - 1], ids[i + 1], ids[i - width],
-                                                  ids[i + width]};
+            if (ids_[i] == ids_[i - 1] || ids_[i] == ids_[i + 1]) continue;
+            const std::array<SurfaceId, 4> around{ids_[i - 1], ids_[i + 1], ids_[i - width],
+                                                  ids_[i + width]};
             const bool is_alone = std::none_of(around.begin(), around.end(), [&](SurfaceId id) {
-                return is_same_plane(id, ids[i]);
+                return is_same_plane(id, ids_[i]);
             });
-            if (!is_alone || is_line(ids[i])) continue;
+            if (!is_alone || is_line(ids_[i])) continue;
             const auto votes = [&](SurfaceId id) {
                 return std::count_if(around.begin(), around.end(),
                                      [&](SurfaceId other) { return is_same_plane(id, other); });
@@ -169,24 +178,27 @@ void Resolver::remove_specks(std::vector<SurfaceId>& ids) {
             const auto winner =
                 *std::max_element(around.begin(), around.end(),
                                   [&](SurfaceId a, SurfaceId b) { return votes(a) < votes(b); });
-            if (votes(winner) >= 2) ids[i] = winner;
+            if (votes(winner) >= 2) specks_.emplace_back(i, winner);
         }
     }
+    // Changed last: what a sample gets does not depend on where tiles begin.
+    for (const auto& [i, id] : specks_)
+        ids_[i] = id;
 }
 
-void Resolver::find_lines(std::span<const SurfaceId> ids) {
-    ink_.assign(ids.size(), 0.0F);
+void Resolver::find_lines() {
+    ink_.assign(ids_.size(), 0.0F);
     if (!options_.edges) return;
     const std::size_t width = rect_.width;
     const double h = map_.sample_size();
     const double left = static_cast<double>(rect_.x) - 0.5 * options_.samples * options_.width;
     const double top = static_cast<double>(rect_.y) - 0.5 * options_.samples * options_.height;
     const auto mark = [&](std::size_t i, float ink) {
-        if (ids[i] != kBackground) ink_[i] = std::max(ink_[i], ink);
+        if (ids_[i] != kBackground) ink_[i] = std::max(ink_[i], ink);
     };
     const auto compare = [&](std::size_t i, std::size_t j, double x, double y) {
-        if (ids[i] == ids[j]) return;
-        const float ink = line_between(ids[i], ids[j], h * x, h * y);
+        if (ids_[i] == ids_[j]) return;
+        const float ink = line_between(ids_[i], ids_[j], h * x, h * y);
         mark(i, ink);
         mark(j, ink);
     };
@@ -201,41 +213,123 @@ void Resolver::find_lines(std::span<const SurfaceId> ids) {
     }
 }
 
-void Resolver::resolve(std::vector<SurfaceId>& ids, std::uint32_t x0, std::uint32_t y0,
-                       std::uint32_t width, std::uint32_t height, Image& image) {
-    const std::uint32_t samples = options_.samples;
-    rect_ = {std::int64_t{x0} * samples - kTileMargin, std::int64_t{y0} * samples - kTileMargin,
-             width * samples + 2 * kTileMargin, height * samples + 2 * kTileMargin};
-    light_new_surfaces();
-    remove_specks(ids);
-    find_lines(ids);
-    const LinearColour ink = to_linear(kInk);
+// Returns a pixel all samples of which have the colour.
+Rgba8 Resolver::mean_of(LinearColour colour) const {
+    const std::uint32_t count = options_.samples * options_.samples;
+    LinearColour sum;
+    for (std::uint32_t s = 0; s < count; ++s)
+        sum = sum + colour;
+    return to_srgb((1.0F / static_cast<float>(count)) * sum);
+}
+
+// Returns the colour in the middle of the pixel.
+LinearColour Resolver::colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
     const double h = map_.sample_size();
-    const double left = static_cast<double>(rect_.x) + 0.5 - 0.5 * samples * options_.width;
-    const double top = static_cast<double>(rect_.y) + 0.5 - 0.5 * samples * options_.height;
-    const float share = 1.0F / static_cast<float>(samples * samples);
-    const double middle = 0.5 * (samples - 1);
-    for (std::uint32_t y = 0; y < height; ++y) {
-        for (std::uint32_t x = 0; x < width; ++x) {
-            LinearColour sum, light;
-            SurfaceId lit = kBackground;  // whose light is known all over the pixel
-            for (std::uint32_t s = 0; s < samples * samples; ++s) {
-                const std::uint32_t row = kTileMargin + y * samples + s / samples;
-                const std::uint32_t column = kTileMargin + x * samples + s % samples;
-                const std::size_t i = std::size_t{row} * rect_.width + column;
-                const SurfaceId id = ids[i];
-                const bool round = is_round(id);
-                if (!round) {
-                    light = colour_at(id, h * (left + column), -h * (top + row));
-                } else if (id != lit) {
-                    // What is round is lit once, in the middle: it hardly changes in a pixel.
-                    light = colour_at(id, h * (left + kTileMargin + x * samples + middle),
-                                      -h * (top + kTileMargin + y * samples + middle));
-                }
-                lit = round ? id : kBackground;
-                sum = sum + (1.0F - ink_[i]) * light + ink_[i] * ink;
-            }
-            image.at(x0 + x, y0 + y) = to_srgb(share * sum);
+    const double samples = options_.samples;
+    return colour_at(id, h * (samples * (x + 0.5 - 0.5 * options_.width)),
+                     -h * (samples * (y + 0.5 - 0.5 * options_.height)));
+}
+
+// Returns pixel (x, y) of the picture, all samples of which see a surface that is not coloured by
+// depth.
+Rgba8 Resolver::uniform_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
+    return is_round(id) ? mean_of(colour_of_pixel(id, x, y)) : plain_[id];
+}
+
+// Returns pixel (x, y) of the picture, whose first sample is at `first` in ids_.
+Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first) const {
+    const std::uint32_t samples = options_.samples;
+    const double h = map_.sample_size();
+    const double left = samples * (x - 0.5 * options_.width) + 0.5;
+    const double top = samples * (y - 0.5 * options_.height) + 0.5;
+    LinearColour sum, light;
+    SurfaceId lit = kBackground;  // whose light is known all over the pixel
+    for (std::uint32_t s = 0; s < samples * samples; ++s) {
+        const std::uint32_t row = s / samples, column = s % samples;
+        const std::size_t i = first + std::size_t{row} * rect_.width + column;
+        const SurfaceId id = ids_[i];
+        const bool round = is_round(id);
+        if (!round) {
+            light = colour_at(id, h * (left + column), -h * (top + row));
+        } else if (id != lit) {
+            // What is round is lit once, in the middle: it hardly changes in a pixel.
+            light = colour_of_pixel(id, x, y);
+        }
+        lit = round ? id : kBackground;
+        sum = sum + (1.0F - ink_[i]) * light + ink_[i] * ink_colour_;
+    }
+    return to_srgb((1.0F / static_cast<float>(samples * samples)) * sum);
+}
+
+// True if all samples of a pixel see one surface, without lines, whose colour does not depend on
+// depth.
+bool Resolver::is_uniform(std::size_t first) const {
+    const SurfaceId id = ids_[first];
+    for (std::uint32_t row = 0; row < options_.samples; ++row) {
+        const std::size_t begin = first + std::size_t{row} * rect_.width;
+        for (std::size_t i = begin; i < begin + options_.samples; ++i) {
+            if (ids_[i] != id || ink_[i] != 0.0F) return false;
+        }
+    }
+    return id == kBackground || !surfaces_[id - 1].by_depth;
+}
+
+void Resolver::fill(SurfaceId id, const PixelRect& tile, Image& image) {
+    light_new_surfaces();
+    if (id != kBackground && surfaces_[id - 1].by_depth) {
+        const std::uint32_t samples = options_.samples;
+        const SampleRect all{0, 0, tile.width * samples + 2 * kTileMargin,
+                             tile.height * samples + 2 * kTileMargin};
+        rect_ = {std::int64_t{tile.x} * samples - kTileMargin,
+                 std::int64_t{tile.y} * samples - kTileMargin, all.width, all.height};
+        ids_.assign(std::size_t{all.width} * all.height, id);
+        ink_.assign(ids_.size(), 0.0F);
+        return resolve_pixels(tile, image);
+    }
+    for (std::uint32_t y = tile.y; y < tile.y + tile.height; ++y) {
+        Rgba8* const row = &image.at(tile.x, y);
+        if (!is_round(id)) {
+            std::fill_n(row, tile.width, plain_[id]);
+            continue;
+        }
+        for (std::uint32_t x = 0; x < tile.width; ++x)
+            row[x] = uniform_pixel(id, tile.x + x, y);
+    }
+}
+
+void Resolver::resolve(std::span<const SurfaceId> ids, const SampleRect& seen,
+                       const PixelRect& tile, Image& image) {
+    const std::uint32_t samples = options_.samples;
+    rect_ = {std::int64_t{tile.x} * samples - kTileMargin,
+             std::int64_t{tile.y} * samples - kTileMargin, tile.width * samples + 2 * kTileMargin,
+             tile.height * samples + 2 * kTileMargin};
+    light_new_surfaces();
+    ids_.resize(std::size_t{rect_.width} * rect_.height);
+    bool is_one = true;
+    for (std::uint32_t row = 0; row < rect_.height; ++row) {
+        const auto from = ids.begin() + ((rect_.y - seen.y + row) * std::int64_t{seen.width} +
+                                         (rect_.x - seen.x));
+        const auto to = ids_.begin() + std::int64_t{row} * rect_.width;
+        std::copy_n(from, rect_.width, to);
+        is_one = is_one && std::all_of(to, to + rect_.width, [first = ids_.front()](SurfaceId id) {
+                     return id == first;
+                 });
+    }
+    if (is_one) return fill(ids_.front(), tile, image);
+    remove_specks();
+    find_lines();
+    resolve_pixels(tile, image);
+}
+
+void Resolver::resolve_pixels(const PixelRect& tile, Image& image) const {
+    const std::uint32_t samples = options_.samples;
+    for (std::uint32_t y = 0; y < tile.height; ++y) {
+        for (std::uint32_t x = 0; x < tile.width; ++x) {
+            const std::size_t first =
+                std::size_t{kTileMargin + y * samples} * rect_.width + kTileMargin + x * samples;
+            image.at(tile.x + x, tile.y + y) =
+                is_uniform(first) ? uniform_pixel(ids_[first], tile.x + x, tile.y + y)
+                                  : mixed_pixel(tile.x + x, tile.y + y, first);
         }
     }
 }

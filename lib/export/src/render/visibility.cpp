@@ -5,11 +5,9 @@
 // facet, and a mask that reaches over the facet's edge by a rounding cannot hit the next one.
 #include "render/visibility.h"
 
-#include "render/gl.h"
-
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+#include <cmath>
+#include <limits>
 
 namespace ncsim::exporter {
 
@@ -18,17 +16,35 @@ namespace {
 // A sine.
 constexpr double kGrazing = 1e-6;
 
-constexpr std::int32_t kLastStencilValue = 255;
-// Vertices collected before they are handed to OpenGL: some megabytes.
-constexpr std::size_t kBatch = std::size_t{3} * 65536;
+// Parts of a cell that corners are rounded to.
+constexpr std::int64_t kUnit = 256;
+// Corners farther away are cut off, in cells: products of two differences have 64 bits then.
+constexpr double kFarthest = 1 << 22;
+// Depths -1 to 1 are these numbers.
+constexpr double kDepthScale = 1 << 23;
+constexpr std::int32_t kNothing = std::numeric_limits<std::int32_t>::max();
 
-[[noreturn]] void fail(std::uint32_t width, std::uint32_t height) {
-    throw std::runtime_error("cannot render: OpenGL has no framebuffer of " +
-                             std::to_string(width) + " by " + std::to_string(height) + " samples");
+std::int64_t divided_up(std::int64_t a, std::int64_t b) {
+    const std::int64_t q = a / b;
+    return q * b < a ? q + 1 : q;
 }
 
-GLsizei to_size(std::uint32_t n) {
-    return static_cast<GLsizei>(n);
+// Cuts the polygon to where `height`, which is linear, is not negative.
+template <class Height>
+void clip(std::vector<ScreenPoint>& polygon, const Height& height) {
+    if (std::ranges::all_of(polygon, [&](const ScreenPoint& p) { return height(p) >= 0.0; }))
+        return;
+    std::vector<ScreenPoint> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const ScreenPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double from = height(a), to = height(b);
+        if (from >= 0.0) kept.push_back(a);
+        if ((from < 0.0) == (to < 0.0)) continue;
+        const double t = from / (from - to);
+        kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z),
+                        a.w + t * (b.w - a.w)});
+    }
+    polygon = std::move(kept);
 }
 
 }  // namespace
@@ -74,157 +90,166 @@ bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point) {
 
 // --- VisibilityBuffer --------------------------------------------------------------------
 
-VisibilityBuffer::VisibilityBuffer(std::uint32_t width, std::uint32_t height)
-    : gl_(context_.gl()), width_(width), height_(height) {
-    GLint largest = 0;
-    gl_.get_integerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
-    if (std::max(width, height) > static_cast<std::uint32_t>(std::max(largest, 0))) {
-        fail(width, height);
-    }
-    gl_.gen_framebuffers(1, &framebuffer_);
-    gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_);
-    gl_.gen_renderbuffers(2, renderbuffers_.data());
-    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[0]);
-    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, to_size(width), to_size(height));
-    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                 renderbuffers_[0]);
-    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[1]);
-    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, to_size(width), to_size(height));
-    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                                 renderbuffers_[1]);
-    if (gl_.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
-        gl_.get_error() != GL_NO_ERROR) {
-        fail(width, height);
-    }
-    // Everything that could make a number into another number is off.
-    gl_.disable(GL_DITHER);
-    gl_.disable(GL_BLEND);
-    gl_.disable(GL_CULL_FACE);
-    gl_.shade_model(GL_FLAT);
-    gl_.enable(GL_DEPTH_TEST);
-    gl_.depth_func(GL_LESS);
-    gl_.pixel_storei(GL_PACK_ALIGNMENT, 1);
-    gl_.enable_client_state(GL_VERTEX_ARRAY);
-    gl_.enable_client_state(GL_COLOR_ARRAY);
-}
-
-VisibilityBuffer::~VisibilityBuffer() {
-    gl_.delete_framebuffers(1, &framebuffer_);
-    gl_.delete_renderbuffers(2, renderbuffers_.data());
-}
-
 void VisibilityBuffer::begin(const SampleRect& rect) {
     rect_ = rect;
-    pending_.clear();
-    stencil_value_ = 0;
-    gl_.viewport(0, 0, to_size(rect.width), to_size(rect.height));
-    gl_.clear_color(0, 0, 0, 0);
-    gl_.clear_depth(1.0);
-    gl_.clear_stencil(0);
-    gl_.disable(GL_STENCIL_TEST);
-    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    size_ = std::size_t{rect.width} * rect.height;
+    left_ = kUnit * rect.x / rect.cell;
+    top_ = kUnit * rect.y / rect.cell;
+    if (ids_.size() < size_) {
+        ids_.resize(size_);
+        depths_.resize(size_);
+    }
+    std::fill_n(ids_.begin(), size_, kBackground);
+    std::fill_n(depths_.begin(), size_, kNothing);
+    stencil_.clear();
+    facets_with_masks_ = 0;
 }
 
-bool VisibilityBuffer::is_outside(std::span<const ScreenPoint> polygon) const {
-    const auto left = static_cast<double>(rect_.x);
-    const auto top = static_cast<double>(rect_.y);
-    const double right = left + rect_.width;
-    const double bottom = top + rect_.height;
-    const auto all = [&](auto beyond) {
-        return std::all_of(polygon.begin(), polygon.end(), beyond);
-    };
-    return all([&](const ScreenPoint& p) { return p.x < left * p.w; }) ||
-           all([&](const ScreenPoint& p) { return p.x > right * p.w; }) ||
-           all([&](const ScreenPoint& p) { return p.y < top * p.w; }) ||
-           all([&](const ScreenPoint& p) { return p.y > bottom * p.w; });
+// Makes corners_ of the polygon. False: none of it is in the rectangle.
+bool VisibilityBuffer::place(std::span<const ScreenPoint> polygon) {
+    // The eye is at w = 0.
+    constexpr double kNearest = 1e-6;
+    const double cell = rect_.cell;
+    const bool is_far = std::ranges::any_of(polygon, [&](const ScreenPoint& p) {
+        return p.w < kNearest || std::abs(p.x) > kFarthest * cell * p.w ||
+               std::abs(p.y) > kFarthest * cell * p.w || std::abs(p.z) > p.w;
+    });
+    if (is_far) {
+        clipped_.assign(polygon.begin(), polygon.end());
+        clip(clipped_, [](const ScreenPoint& p) { return p.w - kNearest; });
+        clip(clipped_, [](const ScreenPoint& p) { return p.z + p.w; });
+        clip(clipped_, [](const ScreenPoint& p) { return p.w - p.z; });
+        for (const double sign : {-1.0, 1.0}) {
+            clip(clipped_,
+                 [&](const ScreenPoint& p) { return kFarthest * cell * p.w + sign * p.x; });
+            clip(clipped_,
+                 [&](const ScreenPoint& p) { return kFarthest * cell * p.w + sign * p.y; });
+        }
+        polygon = clipped_;
+    }
+    if (polygon.size() < 3) return false;
+    corners_.clear();
+    std::int64_t left = std::numeric_limits<std::int64_t>::max(), right = -left;
+    std::int64_t top = left, bottom = right;
+    for (const ScreenPoint& p : polygon) {
+        const double x = p.x / p.w / cell, y = p.y / p.w / cell;
+        const Corner corner{std::llround(static_cast<double>(kUnit) * x) - left_,
+                            std::llround(static_cast<double>(kUnit) * y) - top_, x, y, p.z / p.w};
+        left = std::min(left, corner.x);
+        right = std::max(right, corner.x);
+        top = std::min(top, corner.y);
+        bottom = std::max(bottom, corner.y);
+        corners_.push_back(corner);
+    }
+    return right > 0 && bottom > 0 && left < kUnit * std::int64_t{rect_.width} &&
+           top < kUnit * std::int64_t{rect_.height};
 }
 
-// Appends the triangles of the polygon in clip coordinates of the rectangle. Its rows run
-// downwards in the framebuffer too, so they are read back in the order of the picture.
-void VisibilityBuffer::append_fan(std::span<const ScreenPoint> polygon, SurfaceId id) {
-    const std::array<std::uint8_t, 4> bytes{
-        static_cast<std::uint8_t>(id & 0xFF), static_cast<std::uint8_t>((id >> 8) & 0xFF),
-        static_cast<std::uint8_t>((id >> 16) & 0xFF), static_cast<std::uint8_t>(id >> 24)};
-    const auto vertex = [&](const ScreenPoint& p) {
-        const double x = p.x - static_cast<double>(rect_.x) * p.w;
-        const double y = p.y - static_cast<double>(rect_.y) * p.w;
-        return Vertex{{static_cast<float>(2.0 * x / rect_.width - p.w),
-                       static_cast<float>(2.0 * y / rect_.height - p.w), static_cast<float>(p.z),
-                       static_cast<float>(p.w)},
-                      bytes};
+// From the triangle of corners, the first among them, that has the largest area.
+VisibilityBuffer::Depth VisibilityBuffer::depth() const {
+    const Corner& a = corners_.front();
+    const auto area = [&](const Corner& b, const Corner& c) {
+        return (b.exact_x - a.exact_x) * (c.exact_y - a.exact_y) -
+               (c.exact_x - a.exact_x) * (b.exact_y - a.exact_y);
     };
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        pending_.push_back(vertex(polygon[0]));
-        pending_.push_back(vertex(polygon[i - 1]));
-        pending_.push_back(vertex(polygon[i]));
+    std::size_t best = 2;
+    for (std::size_t i = 3; i < corners_.size(); ++i) {
+        if (std::abs(area(corners_[i - 1], corners_[i])) >
+            std::abs(area(corners_[best - 1], corners_[best])))
+            best = i;
+    }
+    const Corner &b = corners_[best - 1], &c = corners_[best];
+    const double twice = area(b, c);
+    Depth depth;
+    if (twice != 0.0) {
+        const double to_b = b.z - a.z, to_c = c.z - a.z;
+        depth.along_x = (to_b * (c.exact_y - a.exact_y) - to_c * (b.exact_y - a.exact_y)) / twice;
+        depth.along_y = (to_c * (b.exact_x - a.exact_x) - to_b * (c.exact_x - a.exact_x)) / twice;
+    }
+    depth.at_origin = a.z + depth.along_x * (0.5 - a.exact_x) + depth.along_y * (0.5 - a.exact_y);
+    depth.least = depth.most = a.z;
+    for (const Corner& corner : corners_) {
+        depth.least = std::min(depth.least, corner.z);
+        depth.most = std::max(depth.most, corner.z);
+    }
+    for (double* value :
+         {&depth.at_origin, &depth.along_x, &depth.along_y, &depth.least, &depth.most})
+        *value *= kDepthScale;
+    return depth;
+}
+
+// The cells of the row whose middles are within the polygon: from the leftmost crossing of its
+// edges with the line through these middles to the rightmost.
+VisibilityBuffer::Run VisibilityBuffer::run(std::uint32_t row) const {
+    const std::int64_t y = kUnit * std::int64_t{row} + kUnit / 2;
+    std::int64_t begin = std::numeric_limits<std::int64_t>::max(), end = -begin;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const Corner *a = &corners_[i], *b = &corners_[i + 1 == corners_.size() ? 0 : i + 1];
+        if ((a->y <= y) == (b->y <= y)) continue;
+        if (a->y > b->y) std::swap(a, b);
+        // The first middle that is not on the left of the edge.
+        const std::int64_t dy = b->y - a->y;
+        const std::int64_t at =
+            divided_up((a->x - kUnit / 2) * dy + (y - a->y) * (b->x - a->x), kUnit * dy);
+        begin = std::min(begin, at);
+        end = std::max(end, at);
+    }
+    begin = std::max<std::int64_t>(begin, 0);
+    end = std::min<std::int64_t>(end, rect_.width);
+    if (begin >= end) return {};
+    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+template <class Draw>
+void VisibilityBuffer::for_each_run(const Draw& draw) const {
+    const auto [low, high] = std::ranges::minmax(corners_, {}, &Corner::y);
+    const std::int64_t first = std::max<std::int64_t>(0, divided_up(low.y - kUnit / 2, kUnit));
+    const std::int64_t end =
+        std::min<std::int64_t>(rect_.height, divided_up(high.y - kUnit / 2, kUnit));
+    for (std::int64_t row = first; row < end; ++row) {
+        const Run cells = run(static_cast<std::uint32_t>(row));
+        if (cells.begin < cells.end) draw(static_cast<std::uint32_t>(row), cells);
     }
 }
 
-void VisibilityBuffer::flush() {
-    if (pending_.empty()) return;
-    gl_.vertex_pointer(4, GL_FLOAT, sizeof(Vertex), pending_.front().position.data());
-    gl_.color_pointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), pending_.front().id.data());
-    gl_.draw_arrays(GL_TRIANGLES, 0, static_cast<GLsizei>(pending_.size()));
-    pending_.clear();
+// Draws the polygon of corners_; not where the last masks were, if `is_masked`.
+void VisibilityBuffer::fill(const Depth& depth, SurfaceId id, bool is_masked) {
+    const double first_column = static_cast<double>(left_) / static_cast<double>(kUnit);
+    const double first_row = static_cast<double>(top_) / static_cast<double>(kUnit);
+    for_each_run([&](std::uint32_t row, Run cells) {
+        const double at_row = depth.at_origin + depth.along_y * (first_row + row);
+        const std::size_t begin = std::size_t{row} * rect_.width;
+        for (std::uint32_t column = cells.begin; column < cells.end; ++column) {
+            const double z = std::clamp(at_row + depth.along_x * (first_column + column),
+                                        depth.least, depth.most);
+            const auto rounded = static_cast<std::int32_t>(z);
+            const std::size_t i = begin + column;
+            if (rounded >= depths_[i] || (is_masked && stencil_[i] == facets_with_masks_)) continue;
+            depths_[i] = rounded;
+            ids_[i] = id;
+        }
+    });
 }
 
 void VisibilityBuffer::draw(std::span<const ScreenPoint> polygon, SurfaceId id) {
-    if (is_outside(polygon)) return;
-    append_fan(polygon, id);
-    if (pending_.size() >= kBatch) flush();
-}
-
-void VisibilityBuffer::next_stencil_value() {
-    if (stencil_value_ == kLastStencilValue) {
-        gl_.clear(GL_STENCIL_BUFFER_BIT);
-        stencil_value_ = 0;
-    }
-    ++stencil_value_;
+    if (place(polygon)) fill(depth(), id, false);
 }
 
 void VisibilityBuffer::draw(std::span<const ScreenPoint> polygon, SurfaceId id,
                             std::span<const std::vector<ScreenPoint>> masks) {
     if (masks.empty()) return draw(polygon, id);
-    if (is_outside(polygon)) return;
-    flush();
-    next_stencil_value();
-    gl_.enable(GL_STENCIL_TEST);
-
-    // The masks, into the stencil buffer only, whatever lies before them.
-    gl_.color_mask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl_.disable(GL_DEPTH_TEST);
-    gl_.stencil_func(GL_ALWAYS, stencil_value_, 0xFF);
-    gl_.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
-    for (const auto& mask : masks) {
-        if (!is_outside(mask)) append_fan(mask, id);
+    if (!place(polygon)) return;
+    if (stencil_.empty()) stencil_.assign(size_, 0);
+    ++facets_with_masks_;
+    for (const std::vector<ScreenPoint>& mask : masks) {
+        if (!place(mask)) continue;
+        for_each_run([&](std::uint32_t row, Run cells) {
+            const auto begin =
+                stencil_.begin() + static_cast<std::ptrdiff_t>(std::size_t{row} * rect_.width);
+            std::fill(begin + cells.begin, begin + cells.end, facets_with_masks_);
+        });
     }
-    flush();
-
-    // The facet itself, where the stencil was not set.
-    gl_.color_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.enable(GL_DEPTH_TEST);
-    gl_.stencil_func(GL_NOTEQUAL, stencil_value_, 0xFF);
-    gl_.stencil_op(GL_KEEP, GL_KEEP, GL_KEEP);
-    append_fan(polygon, id);
-    flush();
-    gl_.disable(GL_STENCIL_TEST);
-}
-
-void VisibilityBuffer::read(std::vector<SurfaceId>& ids) {
-    flush();
-    const std::size_t count = std::size_t{rect_.width} * rect_.height;
-    std::vector<std::uint8_t> bytes(4 * count);
-    gl_.read_pixels(0, 0, to_size(rect_.width), to_size(rect_.height), GL_RGBA, GL_UNSIGNED_BYTE,
-                    bytes.data());
-    if (gl_.get_error() != GL_NO_ERROR) {
-        throw std::runtime_error("cannot render: OpenGL reported an error");
-    }
-    ids.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint8_t* from = &bytes[4 * i];
-        ids[i] = SurfaceId{from[0]} | SurfaceId{from[1]} << 8 | SurfaceId{from[2]} << 16 |
-                 SurfaceId{from[3]} << 24;
-    }
+    if (place(polygon)) fill(depth(), id, true);
 }
 
 }  // namespace ncsim::exporter

@@ -165,12 +165,17 @@ Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccurac
 const Cutter& Walk::add_tool(int number, const Tool& tool) {
     const auto found = tools_.find(number);
     if (found != tools_.end()) return found->second.cutter;
-    Cutter cutter(tool, lattice_, accuracy_);
+    // Tools of one shape have one polytope, which takes milliseconds to find.
+    const auto same = std::ranges::find_if(
+        tools_, [&](const auto& known) { return known.second.pieces == tool.pieces; });
+    Cutter cutter = same != tools_.end() ? same->second.cutter : Cutter(tool, lattice_, accuracy_);
     ToolExtent followed = cutter.extent();
     for (const ToolPiece& piece : tool.pieces) {
         if (!piece.cutting && watch_.shanks) followed.pieces.push_back(extent_of(piece));
     }
-    return tools_.try_emplace(number, Known{std::move(cutter), std::move(followed), round_of(tool)})
+    return tools_
+        .try_emplace(number,
+                     Known{std::move(cutter), std::move(followed), tool.pieces, round_of(tool)})
         .first->second.cutter;
 }
 

@@ -16,13 +16,16 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace ncsim::cda {
 
 class Background;
 struct Block;
+class NormalsPool;
 struct QueryPoint;
+struct WaitingCell;
 class CellTable;
 struct Evaluation;
 
@@ -37,6 +40,7 @@ struct TreeCounts {
     std::uint64_t facets_tested = 0;  ///< Facets in leaves.
     std::uint64_t facets_alive = 0;   ///< Of those, with something left.
     std::uint64_t pieces = 0;         ///< Of outlines, handed to the stitching.
+    std::uint64_t forgotten = 0;      ///< Cells within a deeper one on the same way.
 };
 
 /// How the tree works; none of it changes a part.
@@ -138,6 +142,8 @@ private:
     void split_into_blocks();
     bool take_in(const Cell& cell, bool covers = false);
     void forget_within(Block& block, const Cell& covering) const;
+    void drop_forgotten();
+    void forget_same_way(const std::shared_ptr<const WaitingCell>& deeper);
     void settle_some();
     void begin_settling(const std::function<bool(const Block&)>& goes) const;
     void finish_settling() const;
@@ -164,6 +170,7 @@ private:
     std::vector<Plane> stock_planes_;
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
+    std::unique_ptr<NormalsPool> normals_;            // of cells that came
     std::vector<std::uint32_t> own_;                  // blocks, ascending: all, or the tile's
     std::array<std::vector<std::int64_t>, 3> walls_;  // where blocks meet, half units, by axis
     // What asking changes.
@@ -171,9 +178,15 @@ private:
     mutable std::vector<Block*> changing_;  // by settling_
     mutable std::vector<Listed> listed_;    // cells that came meanwhile
     mutable std::vector<Block> blocks_;
-    mutable std::vector<Place> places_;       // of these, when none was changing
-    mutable std::size_t waiting_ = 0;         // cells since the last time that none waited
-    std::uint64_t steps_ = 0;                 // or cells, ever
+    mutable std::vector<Place> places_;  // of these, when none was changing
+    mutable std::size_t waiting_ = 0;    // cells since the last time that none waited
+    std::uint64_t steps_ = 0;            // or cells, ever
+    // The last cell for each way of a body, seen from above, by a hash of both: of the last
+    // kWhile steps or more, and of kWhile steps before these.
+    using CellsByWay = std::unordered_map<std::uint64_t, std::weak_ptr<const WaitingCell>>;
+    CellsByWay recent_ways_, older_ways_;
+    std::vector<bool> forgotten_;             // cells by number that need not go down any more
+    std::size_t forgotten_waiting_ = 0;       // at most so many of these wait
     mutable std::optional<Account> account_;  // cubic units; where it is kept
     mutable TreeCounts counts_;
     mutable std::vector<std::vector<double>>

@@ -26,7 +26,8 @@ namespace ncsim::exporter {
 /// the attributes _NC_LINE (program line, 0 for uncut stock) and _TOOL: floats, since glTF has no
 /// 32-bit integers there, exact up to 2^24. The extras of the asset hold the program's name, the
 /// unit, and as `lines` the text of each line that cut a face that is left, by its number; a
-/// material's extras hold its tool number.
+/// material's extras hold its tool number. Corners of one tool with the same position, normal and
+/// line are one vertex; indices have two bytes if they fit. Base colours are linear shares of sRGB.
 ///
 /// For a reader who joins equal positions, of all primitives, the triangles are a closed oriented
 /// 2-manifold, and none of them has a corner twice or no area; what that takes is what write_stl()

@@ -19,9 +19,8 @@ namespace ncsim::exporter {
 ///
 /// `overlay` is drawn over it, hidden by what stands before it.
 ///
-/// Both functions: the same input gives the same bytes for any number of threads. Throws
-/// std::runtime_error if the size or the number of samples is out of range, or if no
-/// off-screen context can be made.
+/// Both functions: the same input gives the same bytes on every machine. Throws std::runtime_error
+/// if the size or the number of samples is out of range.
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay = {});
 

@@ -64,9 +64,11 @@ struct Plan {
 
     // What is kept beside the part.
     bool keep_boundary = false;
-    bool needs_exact = false;    ///< Something is made of it that only exact models have.
-    bool keep_paths = false;     ///< Of the tip.
-    bool keep_carved = false;    ///< The cells that were taken away, of tools that contain theirs.
+    bool needs_exact = false;  ///< Something is made of it that only exact models have.
+    bool keep_paths = false;   ///< Of the tip.
+    bool keep_carved = false;  ///< The cells that were taken away, of tools that contain theirs.
+    /// Volumes by tool: of a program with several tools, the part is measured at each tool change.
+    bool tool_volumes = true;
     bool block_volumes = false;  ///< What each block removed, which is several times the work.
     bool hull_times =
         false;  ///< What each hull cost; only models that show their cells measure it.

@@ -110,6 +110,7 @@ private:
     struct Known {
         Cutter cutter;
         ToolExtent followed;
+        std::vector<ToolPiece> pieces;
         std::vector<cda::RoundSweep>
             round;  ///< Its cutting pieces, if all can be swept as they are.
         std::optional<Cutter::Rotation> rows = std::nullopt;  ///< Where its reach is known.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The functions of OpenGL that are used here, found in a library that is loaded when the first
-// picture is drawn.
+// Functions of OpenGL for the tests, from a library that is loaded with the first context.
 #pragma once
 
-#include "render/shared_library.h"
+#include "render/opengl/shared_library.h"
 
 #define GL_GLEXT_PROTOTYPES  // NOLINT(readability-identifier-naming): of OpenGL
 #include <GL/gl.h>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A library that is loaded when it is needed, not with the program. What draws comes with a
-// compiler of its own, which takes longer to load than most commands take to run.
+// Library that is loaded at run time.
 #pragma once
 
 namespace ncsim::exporter {
 
-/// Stays loaded until the process ends.
+/// Loaded library; unloaded when the process ends.
 class SharedLibrary {
 public:
-    /// `name` as the loader knows it, such as libEGL.so.1. Throws std::runtime_error with what the
-    /// loader says.
+    /// `name` as the loader knows it, such as libEGL.so.1. Throws std::runtime_error with the
+    /// message of the loader.
     explicit SharedLibrary(const char* name);
 
-    /// Points `function` to what has this name. Throws std::runtime_error if nothing has.
+    /// Points `function` to the symbol `name`. Throws std::runtime_error if the library has no such
+    /// symbol.
     template <class Function>
     void find(Function*& function, const char* name) const {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what dlsym() is made for

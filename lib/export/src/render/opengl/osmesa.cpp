@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/gl.h"
-#include "render/offscreen.h"
+#include "render/opengl/gl.h"
+#include "render/opengl/offscreen.h"
 
 #include <GL/osmesa.h>
 
@@ -46,34 +46,35 @@ const Osmesa& osmesa() {
     return loaded;
 }
 
-}  // namespace
-
-struct OffscreenContext::Handle {
-    OSMesaContext context = nullptr;
-    std::array<GLubyte, 4> pixel{};  // OSMesa insists on a framebuffer of its own
-
-    ~Handle() {
-        if (context == nullptr) return;
-        osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-        osmesa().destroy_context(context);
+class OsmesaContext final : public OffscreenContext {
+public:
+    OsmesaContext() {
+        constexpr std::array<int, 5> kAttributes{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE,
+                                                 OSMESA_COMPAT_PROFILE, 0};
+        context_ = osmesa().create_context(kAttributes.data(), nullptr);
+        if (context_ == nullptr ||
+            osmesa().make_current(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE) {
+            throw std::runtime_error("cannot render: OSMesa provides no OpenGL context");
+        }
     }
+    ~OsmesaContext() override {
+        osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+        osmesa().destroy_context(context_);
+    }
+    OsmesaContext(const OsmesaContext&) = delete;
+    OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+    const Gl& gl() const override { return osmesa().gl; }
+
+private:
+    OSMesaContext context_ = nullptr;
+    std::array<GLubyte, 4> pixel_{};  // a context needs a framebuffer of its own
 };
 
-OffscreenContext::OffscreenContext() : handle_(std::make_unique<Handle>()) {
-    constexpr std::array<int, 5> kAttributes{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE,
-                                             OSMESA_COMPAT_PROFILE, 0};
-    handle_->context = osmesa().create_context(kAttributes.data(), nullptr);
-    if (handle_->context == nullptr ||
-        osmesa().make_current(handle_->context, handle_->pixel.data(), GL_UNSIGNED_BYTE, 1, 1) !=
-            GL_TRUE) {
-        throw std::runtime_error("cannot render: OSMesa gives no OpenGL context");
-    }
-}
+}  // namespace
 
-OffscreenContext::~OffscreenContext() = default;
-
-const Gl& OffscreenContext::gl() const {
-    return osmesa().gl;
+std::unique_ptr<OffscreenContext> osmesa_context() {
+    return std::make_unique<OsmesaContext>();
 }
 
 }  // namespace ncsim::exporter

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/gl.h"
+#include "render/opengl/gl.h"
 
 namespace ncsim::exporter {
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Facet directions that bodies have in common: tools of one shape, and a tool that returns to an
+// orientation.
+#pragma once
+
+#include "ncsim/cda/cell.h"
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace ncsim::cda {
+
+/// Keeps one FacetNormals for all that have the same directions in the same order, so that cells
+/// of different bodies are compared as cells of one body.
+class NormalsPool {
+public:
+    /// Returns the first normals of this content; null for null. Cost: O(size) for an object that
+    /// the pool has not seen, O(1) otherwise.
+    std::shared_ptr<const FacetNormals> first_of(
+        const std::shared_ptr<const FacetNormals>& normals);
+
+private:
+    struct Known {
+        std::shared_ptr<const FacetNormals> seen;  // kept, because its address is the key
+        std::shared_ptr<const FacetNormals> first;
+    };
+    std::unordered_map<const FacetNormals*, Known> known_;
+    std::unordered_map<std::uint64_t, std::vector<std::shared_ptr<const FacetNormals>>> by_content_;
+};
+
+}  // namespace ncsim::cda

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/opengl/offscreen.h"
+
+#include <memory>
+
+namespace ncsim::exporter::test {
+
+/// OpenGL by EGL without a surface. Throws std::runtime_error if EGL provides no context.
+std::unique_ptr<OffscreenContext> egl_context();
+
+}  // namespace ncsim::exporter::test
