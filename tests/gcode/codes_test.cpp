@@ -252,8 +252,8 @@ const std::vector<Case>& codes() {
          "rapid X0 Y0 Z1; rapid X10 Y0 Z1; feed X10 Y0 Z-1 F100; rapid X10 Y0 Z1; rapid X0 Y-10 "
          "Z1; feed X0 Y-10 Z-1 F100; rapid X0 Y-10 Z1"},
         {"G72", By::Haas, "G99 G81 Z-1 R1 L0~G91 G72 X1. Y1. I4. J90. L2",
-         "rapid X0 Y0 Z1; rapid X1 Y1 Z1; feed X1 Y1 Z0 F100; rapid X1 Y1 Z1; rapid X1 Y5 Z1; "
-         "feed X1 Y5 Z0 F100; rapid X1 Y5 Z1"},
+         "rapid X0 Y0 Z1; rapid X1 Y1 Z1; feed X1 Y1 Z-1 F100; rapid X1 Y1 Z1; rapid X1 Y5 Z1; "
+         "feed X1 Y5 Z-1 F100; rapid X1 Y5 Z1"},
         {"G70.1", By::Default, "G70.1 Q1", " ! error lathe-cycle"},
         {"G71", By::Default, "G71~G0 X1", "rapid X1 Y0 Z0"},
         {"G71.1", By::Default, "G71.1 Q1 X1", " ! error lathe-cycle"},

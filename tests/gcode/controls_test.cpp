@@ -15,6 +15,7 @@
 #include <iterator>
 #include <optional>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -131,6 +132,30 @@ TEST(Controls, WhatInterruptsCompensationIsAnErrorWhereTheControlRefusesIt) {
     }
 }
 
+TEST(Controls, ARepeatedG41ChangesNothing) {
+    const std::string before = "G0 X-20 Y0 Z0\nG41 D1\nG1 X0\nX20\n";
+    const std::string after = "X30\nY20\nG40\nG1 X40\n";
+    for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas, Dialect::Mach3, Dialect::Auto}) {
+        EXPECT_EQ(run_body(before + "G41 D1\n" + after, dialect).path,
+                  run_body(before + after, dialect).path);
+        EXPECT_EQ(run_body(before + "G41 " + after, dialect).path,
+                  run_body(before + after, dialect).path);
+    }
+}
+
+TEST(Controls, DataOfOtherSystemsAndToolsLeaveCompensationAlone) {
+    const std::string before = "G0 X80 Y-20 Z0\nG42 D1\nG1 X70\nY30\n";
+    const std::string after = "Y50\nX10\nG40 Y70\n";
+    for (const Dialect dialect :
+         {Dialect::Fanuc, Dialect::Haas, Dialect::Mach3, Dialect::Auto, Dialect::Rs274}) {
+        const std::string path = run_body(before + after, dialect).path;
+        for (const std::string block : {"G10 L2 P2 X100", "G10 L1 P5 Z3", "#5241=3", "#100=3"}) {
+            SCOPED_TRACE(block);
+            EXPECT_EQ(run_body(before + block + "\n" + after, dialect).path, path);
+        }
+    }
+}
+
 // --- Cycles ------------------------------------------------------------------------------------
 
 TEST(Controls, CyclesBeginWithG99OnLinuxCncAlone) {
@@ -142,6 +167,39 @@ TEST(Controls, CyclesBeginWithG99OnLinuxCncAlone) {
         expect_path(body, dialect,
                     first + "G0 10 10 10\nG0 50 10 10\nG0 50 10 -6\nG1 50 10 -12\nG0 50 10 10\n");
     }
+}
+
+TEST(Controls, HolesUnderG91KeepTheirHeightsOnFanucAndHaas) {
+    const std::string body = "G0 X10 Y10 Z20\nG99 G81 X10 Y10 Z-5 R2\nG91 X10 L2\nG90\nG80\n";
+    const std::string first = "G0 10 10 20\nG0 10 10 20\nG0 10 10 2\nG1 10 10 -5\nG0 10 10 2\n";
+    const std::string rest =
+        "G0 20 10 2\nG1 20 10 -5\nG0 20 10 2\nG0 30 10 2\nG1 30 10 -5\n"
+        "G0 30 10 2\n";
+    for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas})
+        expect_path(body, dialect, first + rest);
+    EXPECT_NE(run_body(body, Dialect::Rs274).path, first + rest);
+    // Heights under G91 count from the initial plane and from R.
+    for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas, Dialect::Rs274}) {
+        expect_path("G0 X0 Y0 Z20\nG91 G99 G81 X5 Z-7 R-18\nG80\n", dialect,
+                    "G0 0 0 20\nG0 5 0 20\nG0 5 0 2\nG1 5 0 -5\nG0 5 0 2\n");
+    }
+}
+
+TEST(Controls, IJKOfHaasArePecksThatShrink) {
+    const std::string path =
+        run_body("G0 X0 Y0 Z5\nG99 G73 X0 Y0 Z-10 R0 I4 J1 K2\nG80\n", Dialect::Haas).path;
+    std::vector<double> depths;
+    std::istringstream lines(path);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("G1")) depths.push_back(std::stod(line.substr(line.rfind(' '))));
+    }
+    EXPECT_EQ(depths, (std::vector<double>{-4, -7, -9, -10}));
+    EXPECT_FALSE(run_body("G0 X0 Y0 Z5\nG83 X0 Y0 Z-10 R0 I4 J1 K2\n", Dialect::Haas)
+                     .says("cycle-word-missing"));
+    // Elsewhere K has no use in a cycle.
+    EXPECT_TRUE(run_body("G0 X0 Y0 Z5\nG81 X0 Y0 Z-1 R1 K3\n", Dialect::Mach3).says("word-unused"));
+    EXPECT_FALSE(
+        run_body("G0 X0 Y0 Z5\nG81 X0 Y0 Z-1 R1 K3\n", Dialect::Fanuc).says("word-unused"));
 }
 
 TEST(Controls, TheWayToAHigherRIsOneSlantingRapidOnLinuxCnc) {
@@ -166,6 +224,7 @@ TEST(Controls, KRepeatsACycleOnFanucAlone) {
     const std::string hole_1 = "G0 10 0 5\nG0 10 0 2\nG1 10 0 -1\nG0 10 0 2\n";
     const std::string hole_2 = "G0 20 0 2\nG1 20 0 -1\nG0 20 0 2\n";
     expect_path(body, Dialect::Fanuc, "G0 0 0 5\n" + hole_1 + hole_2);
+    EXPECT_EQ(run_body(body, Dialect::Haas).path, "G0 0 0 5\n" + hole_1);
     EXPECT_EQ(run_body(body, Dialect::Mach3).path, "G0 0 0 5\n" + hole_1);
 }
 
@@ -262,8 +321,8 @@ TEST(Controls, G10P0IsTheExternalOffsetOnFanucAndHaas) {
 
 TEST(Controls, G10InG91AddsOnFanucAlone) {
     const std::string body = "G10 L2 P1 X10\nG0 X0 Y0 Z0\nG1 X1\nG91\nG10 L2 P1 X15\nG90\nG1 X0\n";
-    InterpreterOptions strict;
     expect_path(body, Dialect::Fanuc, "G0 0 0 0\nG1 1 0 0\nG1 15 0 0\n");
+    expect_path(body, Dialect::Rs274, "G0 0 0 0\nG1 1 0 0\nG1 5 0 0\n");
 }
 
 // --- Language ----------------------------------------------------------------------------------
@@ -320,6 +379,14 @@ TEST(Controls, ADwellWithPLeavesItsBlockTheMove) {
     for (const Dialect dialect : {Dialect::Rs274, Dialect::Fanuc, Dialect::Auto})
         expect_path("G0 X0 Y0 Z5\nG4 P1 G1 X30\nG4 F2\nG1 X31\n", dialect,
                     "G0 0 0 5\nG1 30 0 5\nG1 31 0 5\n");
+}
+
+TEST(Controls, MovesOfAMacroCallItNotAgain) {
+    const std::string sub = "O10\nG90 G0 Z#18\nG1 Z#26\nG0 Z5\nM99\n";
+    const std::string body = "G0 X0 Y0 Z5\nG66 P10 R2. Z-3.\nG0 X10\nX20\nG67\nX30\n";
+    EXPECT_EQ(run(kHead + body + "M30\n" + sub, Dialect::Fanuc).path,
+              "G0 0 0 5\nG0 10 0 5\nG0 10 0 2\nG1 10 0 -3\nG0 10 0 5\nG0 20 0 5\nG0 20 0 2\n"
+              "G1 20 0 -3\nG0 20 0 5\nG0 30 0 5\n");
 }
 
 TEST(Controls, WordsBeforeAMacroCallAreExecutedAndNoArguments) {

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Tip, Turning };
+enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Mach3, Tip, Turning };
 
 // A machine that turns, and never as it should.
 class Stubborn : public JointSolver {
@@ -62,6 +62,7 @@ std::vector<std::string> said_of(const Case& c) {
     }
     options.dialect = c.by == By::Fanuc || c.by == By::Turning ? Dialect::Fanuc
                       : c.by == By::Grbl                       ? Dialect::Grbl
+                      : c.by == By::Mach3                      ? Dialect::Mach3
                                                                : Dialect::Rs274;
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
@@ -220,9 +221,15 @@ const std::vector<Case>& cases() {
         {By::Default, kStart + "G2 X10.2 I5",
          "2:1: warning: the start of this G2 is 5 from its centre, the end 5.2; moved as a spiral "
          "[arc-spiral]"},
-        {By::Default, kStart + "G2 X1 J20000",
+        {By::Mach3, kStart + "G2 X1 J20000",
          "2:1: warning: this G2 has a radius of 20000 and, as written, goes nearly all around; "
          "moved the short way to its end [arc-long-way]"},
+        {By::Mach3, kStart + "G41.1 D6~G1 X2",
+         "3:1: warning: the first move with cutter compensation is not longer than the cutter "
+         "radius; read as Fanuc and Haas begin, LinuxCNC refuses it [compensation-entry]"},
+        {By::Mach3, kStart + "G41.1 D6~G3 X20 I10",
+         "3:1: warning: cutter compensation begins with an arc; read as LinuxCNC begins, Fanuc and "
+         "Haas refuse it [compensation-entry]"},
         {By::Fanuc, kStart + "G41 D1~G53 G0 Z0",
          "3:5: warning: G53 while cutter compensation is on: some controls stop with an alarm, "
          "others move without the offset; end it with G40 first [forbidden-with-compensation]"},

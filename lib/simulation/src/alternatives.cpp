@@ -104,6 +104,10 @@ public:
             add(static_cast<std::uint64_t>(arc->turns));
         }
     }
+    // The length that is active decides whether the tip is where the motion has it.
+    void take(const gcode::ProgramFrame& frame) {
+        add(static_cast<std::uint64_t>(frame.length_register));
+    }
     std::uint64_t value() const { return value_; }
 
 private:
@@ -130,8 +134,10 @@ std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control
                                         const std::set<std::string>& accepted) {
     gcode::InterpreterOptions options = plan.job.interpreter;
     options.dialect = control;
-    options.observe_frame = nullptr;
     MotionHash hash;
+    options.observe_frame = [&](const gcode::Motion&, const gcode::ProgramFrame& frame) {
+        hash.take(frame);
+    };
     const gcode::Interpretation read = gcode::interpret(
         plan.job.program, options, [&](const gcode::Motion& motion) { hash.take(motion); });
     if (read.stopped || read.refused ||

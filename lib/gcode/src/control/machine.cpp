@@ -47,7 +47,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, ArcCentr
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.is_linuxcnc());
     state_.chosen = state_.coordinates = options.tip_control.at_start;
-    compensation_.set_straight_rapids(rules.is_linuxcnc());
+    compensation_.set_linuxcnc(rules.is_linuxcnc());
     use_system({});  // G54, with the axes at home
     parameters_.view.state = &state_;
     parameters_.view.store = &control_.store;
@@ -187,7 +187,9 @@ void Machine::let_out(const Command& command) {
     if (!compensation_.is_on()) return;
     const Code one_shot = command.group(Group::OneShot);
     const int stop = command.group(MGroup::Stop);
-    if ((one_shot != Code::None && one_shot != Code::G4) || !keeps_frame(command) ||
+    const bool changes_nothing = one_shot == Code::None || one_shot == Code::G4 ||
+                                 (one_shot == Code::G10 && !sets_active_data(command));
+    if (!changes_nothing || !keeps_frame(command) ||
         command.group(Group::TiltedPlane) != Code::None ||
         command.group(Group::Face) != Code::None || command.group(Group::Orient) != Code::None ||
         command.group(Group::Carried) != Code::None || command.group(MGroup::ToolChange) != kNone ||
@@ -331,7 +333,10 @@ std::string_view Machine::forbidden_with_compensation(const Command& command) co
     if (command.group(Group::Retract) != Code::None) return "G98 or G99";
     switch (const Code one_shot = command.group(Group::OneShot)) {
         case Code::None:
-        case Code::G4: break;
+        case Code::G4:
+        case Code::G92_1:
+        case Code::G92_2:
+        case Code::G92_3: break;
         case Code::G53:
             if (compensation_.is_on()) return "G53";
             break;
@@ -351,6 +356,15 @@ std::string_view Machine::forbidden_with_compensation(const Command& command) co
     return {};
 }
 
+/// True if G10 of `command` sets the coordinate system or the tool length that is active.
+bool Machine::sets_active_data(const Command& command) const {
+    const double l = command.get('L', 0.0);
+    const double p = command.get('P', 0.0);
+    if (l != 2.0 && l != 20.0) return p == state_.length_register || p == state_.tool;
+    const bool is_extended = l == 20.0 && rules_.macro_b;
+    return p == 0.0 || (is_extended ? kExtended + p : p) == state_.system;
+}
+
 /// The code of `command` that interrupts cutter compensation, though the mode stays on: the
 /// controls do different things then, from an alarm to a move without offset. Empty: none.
 std::string_view Machine::interrupts_compensation(const Command& command) const {
@@ -363,13 +377,14 @@ std::string_view Machine::interrupts_compensation(const Command& command) const 
     switch (const Code one_shot = command.group(Group::OneShot)) {
         case Code::None:
         case Code::G4: break;
-        case Code::G10: {
-            const double l = command.get('L', 0.0);
-            const double p = command.get('P', 0.0);
-            if ((l == 2.0 || l == 20.0) && (p == 0.0 || p == state_.system))
-                return "G10 of the active system";
+        case Code::G10:
+            if (sets_active_data(command)) return "G10 of the active system or tool";
             break;
-        }
+        case Code::G92_1:
+        case Code::G92_2:
+        case Code::G92_3:
+            if (rules_.is_linuxcnc()) break;
+            [[fallthrough]];
         default: return name_of(one_shot);
     }
     const Code motion = command.group(Group::Motion);

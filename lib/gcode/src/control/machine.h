@@ -108,6 +108,7 @@ private:
     bool check(const Command& command);
     std::string_view forbidden_with_compensation(const Command& command) const;
     std::string_view interrupts_compensation(const Command& command) const;
+    bool sets_active_data(const Command& command) const;
     bool check_compensation(const Command& command);
     bool check_corner_words(const Command& command);
     bool check_unused_words(const Command& command);
@@ -195,6 +196,7 @@ private:
     bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
     bool hole_at(Drilling& drilling, const Axes& hole, AxisMask mask);
     bool drill(const Drilling& drilling, const Axes& above);
+    std::optional<std::vector<double>> peck_depths(double r, double bottom) const;
     bool hole_pattern(const Command& command, Code code, bool words_taken);
     static std::string_view corner_name(char letter) {
         return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";

@@ -32,8 +32,10 @@ struct Rules {
     /// The user has named grbl, so codes that grbl 1.1 does not have are errors.
     bool only_grbl = false;
     CompensationStart compensation_start = CompensationStart::SquareToItself;
-    /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
+    /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc; on Haas L).
     bool k_repeats = false;
+    /// I, J and K of G83 and G73 are pecks that shrink (Haas).
+    bool pecks_shrink = false;
     /// G68.2 and its kin as the remaps of LinuxCNC have them: only where the program is one of that
     /// control by a sign of its own; else they are Fanuc's.
     bool linuxcnc_planes = false;
@@ -56,7 +58,8 @@ struct Rules {
         rules.arithmetic.compares_loosely = strict || dialect == Dialect::Rs274;
         rules.dwell_milliseconds = fanuc;
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
-        rules.k_repeats = fanuc;
+        rules.k_repeats = !strict && dialect == Dialect::Fanuc;
+        rules.pecks_shrink = !strict && dialect == Dialect::Haas;
         rules.corner_words = fanuc;
         if (fanuc) rules.compensation_start = CompensationStart::SquareToNext;
         rules.hole_patterns = fanuc;

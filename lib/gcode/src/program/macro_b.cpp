@@ -69,6 +69,7 @@ void Runner::macro_call(int g) {
     if (g == 67) return modal_call_.clear();
     if (g == 66) {
         modal_call_ = std::string(block_.text);
+        modal_level_ = frames_.size();
         return;
     }
     // The arguments of G66 stand in the block that said G66.

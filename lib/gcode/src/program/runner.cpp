@@ -179,7 +179,9 @@ void Runner::act_on_words() {
         return;
     }
     if (machine_.ended()) return end_program();
-    if (!modal_call_.empty() && path_.count() > motions) macro_call(0);
+    // The moves of the macro itself call nothing.
+    if (!modal_call_.empty() && path_.count() > motions && frames_.size() <= modal_level_)
+        macro_call(0);
 }
 
 /// Keeps the first block that controls execute in different ways (Rules).
@@ -321,6 +323,9 @@ bool Runner::assign(const Block& block) {
         }
         pending.push_back({&assignment, *value, number, std::move(unknown)});
     }
+    if (!pending.empty() && !result_.control_dependent)
+        result_.control_dependent = {static_cast<std::uint32_t>(current_),
+                                     block.assignments.front().span};
     for (const Pending& p : pending) {
         std::string_view target = p.assignment->target;
         if (target.starts_with('<')) {

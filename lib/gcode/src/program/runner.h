@@ -139,6 +139,7 @@ private:
         0;  // what `repeated_` may reach: the limit and the lines there are
     std::uint32_t else_if_line_ = 0;  // an elseif that was jumped to, not run into
     std::string modal_call_;          // G66: the block to run after each move
+    std::size_t modal_level_ = 0;     // of calls, where G66 stands
     bool in_main_title_ = false;      // after "O1" of the main program
     bool percent_opened_ = false;
     bool something_read_ = false;

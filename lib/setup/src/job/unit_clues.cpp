@@ -60,6 +60,7 @@ bool suggests_inches(const gcode::SourceFile& program,
                      std::span<const toolpath::ToolEntry> tools_of_comments) {
     constexpr double kLargestFeed = 150.0;  // inches per minute
     constexpr double kLargestPlace = 60.0;  // inches
+    constexpr double kLargestDepth = 4.0;   // inches
     bool is_any_in_inches = false;
     for (const toolpath::ToolEntry& tool : tools_of_comments) {
         std::string text = tool.text;
@@ -81,6 +82,7 @@ bool suggests_inches(const gcode::SourceFile& program,
                                        word.number == 70.0 || word.number == 71.0);
             if (is_unit || (word.letter == 'F' && size > kLargestFeed)) return false;
             if (word.letter >= 'X' && word.letter <= 'Z' && size > kLargestPlace) return false;
+            if (word.letter == 'Z' && word.number < -kLargestDepth) return false;
         }
     }
     return true;

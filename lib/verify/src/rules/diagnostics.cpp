@@ -72,6 +72,7 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"arc-turns", "reading-guess"},
         {"arc-long-way", "reading-guess"},
         {"forbidden-with-compensation", "reading-guess"},
+        {"compensation-entry", "reading-guess"},
         {"arc-spiral", "reading-guess"},
         {"cycle-word-missing", "reading-guess"},
         {"cycle-upside-down", "reading-guess"},

@@ -9,7 +9,7 @@ namespace ncsim::exporter {
 
 struct Gl;
 
-/// OpenGL context of the compatibility profile, current in this thread until its destruction,
+/// OpenGL context of the compatibility profile, current in this thread until destruction,
 /// without a framebuffer.
 class OffscreenContext {
 public:

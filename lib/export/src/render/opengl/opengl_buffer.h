@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons drawn by OpenGL with depth and stencil buffer: another way to do what VisibilityBuffer
-// does.
+// Polygons drawn by OpenGL with depth and stencil buffer; see also VisibilityBuffer.
 #pragma once
 
 #include "render/opengl/offscreen.h"

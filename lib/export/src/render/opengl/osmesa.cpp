@@ -7,8 +7,8 @@
 #include <array>
 #include <stdexcept>
 
-// OSMesa 22.3 keeps the framebuffer of each context until the process ends, some 200 bytes. The
-// leak checker of sanitized builds is told so here, for every program that renders.
+// OSMesa 22.3 keeps the framebuffer of each context until the process ends, some 200 bytes. This
+// definition says so to the leak checker of sanitized builds.
 #if defined(__SANITIZE_ADDRESS__)
 #define NCSIM_HAS_LEAK_CHECKER 1
 #elif defined(__has_feature)
@@ -68,7 +68,7 @@ public:
 
 private:
     OSMesaContext context_ = nullptr;
-    std::array<GLubyte, 4> pixel_{};  // a context needs a framebuffer of its own
+    std::array<GLubyte, 4> pixel_{};  // smallest framebuffer of a context
 };
 
 }  // namespace

@@ -8,15 +8,15 @@ namespace ncsim::exporter {
 /// Loaded library; unloaded when the process ends.
 class SharedLibrary {
 public:
-    /// `name` as the loader knows it, such as libEGL.so.1. Throws std::runtime_error with the
+    /// `name` of the loader, libEGL.so.1 for instance. Throws std::runtime_error with the
     /// message of the loader.
     explicit SharedLibrary(const char* name);
 
-    /// Points `function` to the symbol `name`. Throws std::runtime_error if the library has no such
+    /// Points `function` to the symbol `name`. Throws std::runtime_error if the library lacks the
     /// symbol.
     template <class Function>
     void find(Function*& function, const char* name) const {
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what dlsym() is made for
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): of dlsym()
         function = reinterpret_cast<Function*>(address_of(name));
     }
 

@@ -38,6 +38,8 @@ enum class CutterSide : std::uint8_t { Off, Left, Right };
 struct CycleState {
     double r = 0.0, z = 0.0, q = 0.0;  ///< z: the depth, along the axis that drills.
     double p = 0.0;                    ///< Seconds.
+    /// Pecks of Haas by I, J, K: the first, how much less each next is, the least. 0: by q.
+    double first_peck = 0.0, peck_reduction = 0.0, least_peck = 0.0;
     bool has_r = false, has_z = false, has_p = false;
     Code code{-1};         ///< Of the cycle.
     double initial = 0.0;  ///< Where the drilling axis stood before the first cycle of the series.

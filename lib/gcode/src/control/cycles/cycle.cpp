@@ -31,6 +31,11 @@ bool Machine::cycle_words(const Command& command, Code motion) {
     }
     if (command.has('R')) cycle.r = command['R'], cycle.has_r = true;
     if (command.has(depth)) cycle.z = command[depth], cycle.has_z = true;
+    if (rules_.macro_b && state_.incremental) {
+        // Data of holes are kept as heights there, whatever G90 and G91 say later.
+        if (command.has('R')) cycle.r += cycle.initial;
+        if (command.has(depth)) cycle.z += cycle.r;
+    }
     if (command.has('P')) cycle.p = seconds_of(command, 'P'), cycle.has_p = true;
     if (command.has('Q')) cycle.q = std::abs(command['Q']);
     if (command.has('Q') && command['Q'] < 0.0 && (motion == Code::G83 || motion == Code::G73) &&
@@ -59,11 +64,16 @@ bool Machine::cycle_words(const Command& command, Code motion) {
     if (!cycle.has_z) return fail(Message::CycleWordMissing, command.span, {name, {&depth, 1}});
     if (!cycle.has_r) {
         if (!tolerate(Message::CycleWordMissing, command.span, {name, "R"})) return false;
-        cycle.r = state_.incremental ? 0.0 : state_.position[axes.third];
+        cycle.r = state_.incremental && !rules_.macro_b ? 0.0 : state_.position[axes.third];
         cycle.has_r = true;
     }
     const bool pecks = motion == Code::G83 || motion == Code::G73;
-    if (pecks && cycle.q <= 0.0 &&
+    if (rules_.pecks_shrink && command.has('I')) {
+        cycle.first_peck = std::abs(command['I']);
+        cycle.peck_reduction = std::abs(command.get('J', 0.0));
+        cycle.least_peck = std::abs(command.get('K', 0.0));
+    }
+    if (pecks && cycle.q <= 0.0 && cycle.first_peck <= 0.0 &&
         !tolerate(Message::CycleWordMissing, command.span, {name, "Q"})) {
         return false;
     }
@@ -105,6 +115,9 @@ bool Machine::cycle(const Command& command, Code motion) {
     }
     if (!needs_feed(command, name) || !cycle_words(command, motion)) return false;
 
+    if (command.has('K') && !rules_.k_repeats && !rules_.pecks_shrink &&
+        !tolerate(Message::WordUnused, span_of(command, 'K'), {"K"}))
+        return false;
     double repeats = 1.0;
     if (command.has('L')) {
         repeats = command['L'];
@@ -148,7 +161,7 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
     const double height = state_.position[depth_axis];
     double r = cycle.r;
     double bottom = cycle.z;
-    if (state_.incremental) {
+    if (state_.incremental && !rules_.macro_b) {
         r += cycle.initial;
         bottom += r;
     }
@@ -186,6 +199,29 @@ bool Machine::hole_at(Drilling& drilling, const Axes& hole, AxisMask mask) {
     return drill(drilling, above);
 }
 
+/// The depths of the pecks above the bottom; nothing if there are too many.
+std::optional<std::vector<double>> Machine::peck_depths(double r, double bottom) const {
+    constexpr double kMostPecks = 100'000.0;
+    constexpr double kRounding = 1e-9;  // a last peck of rounding errors is no peck
+    const CycleState& cycle = state_.cycle;
+    std::vector<double> depths;
+    if (cycle.first_peck > 0.0) {
+        double peck = cycle.first_peck;
+        const double least = cycle.least_peck > 0.0 ? cycle.least_peck : cycle.first_peck;
+        if ((r - bottom) / least > kMostPecks) return std::nullopt;
+        for (double depth = r - peck; depth > bottom + kRounding; depth -= peck) {
+            depths.push_back(depth);
+            peck = std::max(peck - cycle.peck_reduction, std::min(least, cycle.first_peck));
+        }
+        return depths;
+    }
+    const double q = cycle.q > 0.0 ? cycle.q : r - bottom;
+    if (q > 0.0 && (r - bottom) / q > kMostPecks) return std::nullopt;
+    for (int i = 1; q > 0.0 && r - i * q > bottom + kRounding; ++i)
+        depths.push_back(r - i * q);
+    return depths;
+}
+
 /// From above the hole at R down to `bottom` and back to `clear`.
 bool Machine::drill(const Drilling& drilling, const Axes& above) {
     const Code motion = drilling.motion;
@@ -206,14 +242,9 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
     if (motion == Code::G73 || motion == Code::G83) {
         const double clearance = options_.peck_clearance.value_or(0.254 / state_.unit_mm());
         const double highest = options_.peck_clearance ? bottom + 1e12 : r;
-        constexpr double kMostPecks = 100'000.0;
-        const double q = cycle.q > 0.0 ? cycle.q : r - bottom;
-        if (q > 0.0 && (r - bottom) / q > kMostPecks) {
-            return fail(Message::CycleRepeats, SourceSpan{});
-        }
-        // Counted, not subtracted again and again: a last peck of rounding errors is no peck.
-        for (int i = 1; q > 0.0 && r - i * q > bottom + 1e-9; ++i) {
-            const double depth = r - i * q;
+        const std::optional<std::vector<double>> depths = peck_depths(r, bottom);
+        if (!depths) return fail(Message::CycleRepeats, SourceSpan{});
+        for (const double depth : *depths) {
             to(depth, MoveKind::Feed);
             if (motion == Code::G83) {
                 to(r, MoveKind::Rapid);

@@ -38,7 +38,10 @@ bool Machine::set_variable(const SystemVariable& variable, double value, bool is
                            SourceSpan span) {
     using Effect = SystemVariable::Effect;
     const std::size_t item = variable.item;
-    flush();
+    const bool is_active =
+        variable.effect == Effect::External ||
+        (variable.effect == Effect::WorkOffset && variable.index == state_.system);
+    if (is_active && rules_.macro_b) flush();
     switch (variable.effect) {
         case Effect::WorkOffset: set_work_variable(variable, value, is_relative, span); return true;
         case Effect::External: {

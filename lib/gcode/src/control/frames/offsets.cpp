@@ -220,7 +220,8 @@ bool Machine::set_work_offset(const Command& command) {
 
 bool Machine::offset_92(const Command& command, Code code) {
     const double unit = state_.unit_mm();
-    if (state_.cutter_side != CutterSide::Off && rules_.strict) {
+    const bool sets = code == Code::G92 || code == Code::G52;
+    if (state_.cutter_side != CutterSide::Off && rules_.strict && sets) {
         return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G92"});
     }
     const Axes machine = machine_position();
@@ -324,11 +325,11 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
         if (!command.has(kAxisNames[i])) continue;
         const double value = command[kAxisNames[i]];
         if (!from_position) {
-            const double before = state_.incremental && !rules_.strict
+            const double before = state_.incremental && !rules_.is_linuxcnc()
                                       ? offset.origin[i]
                                       : control_.store->external[i];
             offset.origin[i] = before + mm_of(value, i, unit);
-            if (i <= kZ && (!state_.incremental || rules_.strict)) offset.frame[i] = 0;
+            if (i <= kZ && (!state_.incremental || rules_.is_linuxcnc())) offset.frame[i] = 0;
         } else if (i == kX) {
             wanted_x = value + state_.offset_92[kX];
         } else if (i == kY) {
@@ -635,8 +636,12 @@ bool Machine::set_cutter_side(const Command& command) {
     }
     const bool is_41 = code == Code::G41 || code == Code::G41_1;
     const bool left = is_41 == (radius >= 0.0);  // a negative radius is the other side
+    const CutterSide side = left ? CutterSide::Left : CutterSide::Right;
+    if (compensation_.is_on() && side == state_.cutter_side &&
+        std::abs(radius) == state_.cutter_radius)
+        return true;
     if (compensation_.is_on()) compensation_.end(state_);
-    state_.cutter_side = left ? CutterSide::Left : CutterSide::Right;
+    state_.cutter_side = side;
     state_.cutter_radius = std::abs(radius);
     if (radius != 0.0)
         compensation_.begin(state_.cutter_side, std::abs(radius), rules_.compensation_start);

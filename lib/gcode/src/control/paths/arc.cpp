@@ -100,7 +100,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
     }
     if (outline_) return hear(out.end, &out);
     out.is_open = by_radius;
-    if (is_huge(out, radius)) {
+    if (is_huge(out, radius) && !rules_.is_linuxcnc()) {
         out.is_open = true;
         if (!by_radius) shorten(out, radius, name, command.span);
         if (is_straight(out, radius)) return feed_straight(out.end, MoveKind::Feed, mask);

@@ -166,12 +166,17 @@ bool Compensation::enter(MachineState& state, Element& element) {
             log_.add(Message::CompensationEntryArc, element.span);
             return false;
         }
-    } else if (length <= s_.radius) {
+    } else if (length <= s_.radius && (is_linuxcnc_ || element.is_arc)) {
         log_.add(Message::CompensationEntry, element.span);
         return false;
+    } else if (length <= s_.radius) {
+        log_.add(Message::CompensationEntryShort, element.span);
+        s_.start = CompensationStart::SquareToNext;
     } else if (element.is_arc && !place_centre(element, state.position)) {
         log_.add(Message::CompensationArc, element.span);
         return false;
+    } else if (element.is_arc && !is_linuxcnc_) {
+        log_.add(Message::CompensationEntryByArc, element.span);
     }
     s_.at = state.position;
     s_.entering = false;
@@ -236,7 +241,7 @@ bool Compensation::join(const Element& next) {
     arc.centre_2 = corner.y;
     arc.turns = s_.side > 0.0 ? -1 : 1;
     path_.set_origin(next.span, next.file);
-    if (straight_rapids_ && next.kind == MoveKind::Rapid) {
+    if (is_linuxcnc_ && next.kind == MoveKind::Rapid) {
         path_.straight(state, arc.end, MoveKind::Rapid, 0);
     } else {
         path_.arc(state, arc, 0);

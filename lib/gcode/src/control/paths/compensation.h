@@ -98,8 +98,10 @@ public:
     void make_held();
     /// The programmed end of the last move; nothing before the first one.
     std::optional<Axes> programmed_end() const { return s_.programmed; }
-    /// Outside corners before a rapid are cut straight, as LinuxCNC does it.
-    void set_straight_rapids(bool on) { straight_rapids_ = on; }
+    /// Does what LinuxCNC does: outside corners before a rapid are cut straight, and a first move
+    /// that is not longer than the radius is an error. Other controls begin square to the next
+    /// move then.
+    void set_linuxcnc(bool on) { is_linuxcnc_ = on; }
     /// Converts all lengths by `factor`, and states by `convert`.
     void convert_units(double factor, const std::function<void(MachineState&)>& convert);
 
@@ -127,7 +129,7 @@ private:
     CompensationState& s_;
     Path& path_;
     DiagnosticLog& log_;
-    bool straight_rapids_ = false;
+    bool is_linuxcnc_ = false;
 };
 
 }  // namespace ncsim::gcode

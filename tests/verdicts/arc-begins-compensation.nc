@@ -1,0 +1,16 @@
+%
+(cutter compensation begins with an arc)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T1 M6
+S800 M3
+G0 X0. Y-45.
+Z20.
+G0 Z-2.
+G42 D1 G3 X10. Y-35. R10. F200.
+G1 Y35.
+G40 X30.
+G0 Z50.
+M5
+M30
+%

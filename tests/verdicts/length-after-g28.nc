@@ -1,0 +1,21 @@
+%
+(G28 between two cuts, and no G43 behind it)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T1 M6
+S800 M3
+G0 X0. Y-45.
+G43 H1 Z20.
+G0 Z-2.
+G1 Y45. F200.
+G0 Z20.
+G28 G91 Z0.
+G90
+G0 X20. Y-45.
+Z20.
+G0 Z-2.
+G1 Y45.
+G0 Z50.
+M5
+M30
+%
