@@ -65,7 +65,8 @@ std::string github_annotations(const Checked& checked, bool notes) {
         for (const std::string& assumption : f.assumptions)
             message += "\nassumed " + assumption;
         if (f.last_motion > 0) message += "\nhint: " + f.hint;
-        append(text, ",title={}::{}\n", escaped_command(f.rule, true), escaped_command(message, false));
+        append(text, ",title={}::{}\n", escaped_command(f.rule, true),
+               escaped_command(message, false));
     }
     for (const verify::Doubt& d : checked.verdict.doubts) {
         if (d.accepted) continue;
@@ -74,7 +75,8 @@ std::string github_annotations(const Checked& checked, bool notes) {
             append(text, ",line={},col={}", d.place.span.line, d.place.span.column);
         const std::string message = fmt::format("not proven: {}\nto tell: {}", d.message,
                                                 verify::find_reason(d.reason)->tell);
-        append(text, ",title={}::{}\n", escaped_command(d.reason, true), escaped_command(message, false));
+        append(text, ",title={}::{}\n", escaped_command(d.reason, true),
+               escaped_command(message, false));
     }
     return text;
 }
