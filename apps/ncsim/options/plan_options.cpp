@@ -8,7 +8,7 @@ simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions
     simulation::Plan plan;
     // Reading counts, too.
     plan.budget = setup::Budget(simulation.max_memory_gb, simulation.max_seconds);
-    plan.job = setup::read_job(program, inputs);
+    plan.job = setup::read_job(static_cast<const setup::JobOptions&>(program), inputs);
     plan.model = simulation.model;
     plan.tolerance = simulation.tolerance;
     plan.tool_tolerance = simulation.tool_tolerance;

@@ -674,7 +674,7 @@ std::optional<SectionPlane> parse_section_plane(std::string_view text) {
 
 std::string name_of(const SectionPlane& plane) {
     std::array<char, 32> digits{};
-    const auto end =
+    auto* const end =
         std::to_chars(digits.data(), digits.data() + digits.size(), plane.at + 0.0).ptr;
     return std::string(1, "xyz"[plane.axis]) + '=' + std::string(digits.data(), end);
 }

@@ -55,6 +55,7 @@ std::vector<std::uint32_t> tile_order(const std::vector<std::size_t>& axes, std:
     }
     std::sort(keys.begin(), keys.end());
     std::vector<std::uint32_t> order;
+    order.reserve(keys.size());
     for (const auto& [key, block] : keys)
         order.push_back(block);
     return order;

@@ -33,7 +33,7 @@ float to_linear(std::uint8_t channel) {
 
 std::uint8_t to_srgb(float channel) {
     const float c = std::sqrt(std::clamp(channel, 0.0F, 1.0F));
-    return static_cast<std::uint8_t>(255.0F * c + 0.5F);
+    return static_cast<std::uint8_t>(std::lround(255.0F * c));
 }
 
 }  // namespace

@@ -113,9 +113,9 @@ Vec3 Resolver::normal_at(const Surface& surface, double x, double y, double dept
 double Resolver::depth_at(const Surface& surface, double x, double y) const {
     const Vec3 n = surface.n_C;
     if (map_.camera().is_orthographic()) return (surface.offset - n.x * x - n.y * y) / n.z;
-    const double D = map_.camera().distance;
-    const double s = (n.z * D - surface.offset) / (n.z * D - n.x * x - n.y * y);
-    return D * (1.0 - s);
+    const double d = map_.camera().distance;
+    const double s = (n.z * d - surface.offset) / (n.z * d - n.x * x - n.y * y);
+    return d * (1.0 - s);
 }
 
 bool Resolver::is_same_plane(SurfaceId a, SurfaceId b) const {
@@ -326,7 +326,8 @@ void Resolver::resolve_pixels(const PixelRect& tile, Image& image) const {
     for (std::uint32_t y = 0; y < tile.height; ++y) {
         for (std::uint32_t x = 0; x < tile.width; ++x) {
             const std::size_t first =
-                std::size_t{kTileMargin + y * samples} * rect_.width + kTileMargin + x * samples;
+                std::size_t{kTileMargin + y * samples} * rect_.width + kTileMargin +
+                std::size_t{x} * samples;
             image.at(tile.x + x, tile.y + y) =
                 is_uniform(first) ? uniform_pixel(ids_[first], tile.x + x, tile.y + y)
                                   : mixed_pixel(tile.x + x, tile.y + y, first);

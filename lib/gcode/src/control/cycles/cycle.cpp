@@ -209,9 +209,11 @@ std::optional<std::vector<double>> Machine::peck_depths(double r, double bottom)
         double peck = cycle.first_peck;
         const double least = cycle.least_peck > 0.0 ? cycle.least_peck : cycle.first_peck;
         if ((r - bottom) / least > kMostPecks) return std::nullopt;
-        for (double depth = r - peck; depth > bottom + kRounding; depth -= peck) {
+        double depth = r - peck;
+        while (depth > bottom + kRounding) {
             depths.push_back(depth);
             peck = std::max(peck - cycle.peck_reduction, std::min(least, cycle.first_peck));
+            depth -= peck;
         }
         return depths;
     }
