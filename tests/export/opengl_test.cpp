@@ -2,7 +2,7 @@
 //
 // The rasteriser against OpenGL: OSMesa, and EGL (Mesa's, if no other is installed).
 #include "opengl/offscreen_egl.h"
-#include "render/opengl/opengl_buffer.h"
+#include "render/opengl_buffer.h"
 #include "render/visibility.h"
 
 #include <gtest/gtest.h>

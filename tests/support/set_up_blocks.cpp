@@ -67,10 +67,11 @@ void Writer::cuts(std::size_t where, Length depth, Length sideways) {
                   d.insert_before(where, stop);
                   return where + 1;
               });
-        fault("M0 before the cut", "not-proven", "spindle-after-stop", {}, [=](Draft& d) {
-            d.insert_before(where, "M0");
-            return where + 1;
-        });
+        fault("M0 before the cut", "not-proven", "spindle-after-stop", {"control-guess"},
+              [=](Draft& d) {
+                  d.insert_before(where, "M0");
+                  return where + 1;
+              });
     }
     t.deepest = std::max(t.deepest, depth);
     if (sideways > 0) t.heights.emplace_back(where, sideways);

@@ -79,7 +79,8 @@ struct Fault {
 };
 
 // What a tool that is where it should not be meets besides.
-inline const std::set<std::string> kCollisions{"rapid-in-material", "fixture-contact",
-                                               "non-cutting-contact", "below-stock", "over-travel"};
+inline const std::set<std::string> kCollisions{"rapid-in-material",   "fixture-contact",
+                                               "non-cutting-contact", "below-stock",
+                                               "over-travel",         "drill-depth"};
 
 }  // namespace ncsim::test::set_ups

@@ -3,7 +3,7 @@
 // EGL_MESA_platform_surfaceless: OpenGL context without a surface.
 #include "opengl/offscreen_egl.h"
 
-#include "render/opengl/gl.h"
+#include "render/gl.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -7,8 +7,8 @@
 #include "ncsim/cda/mesh.h"
 
 #include "render/edge_tiles.h"
-#include "render/opengl/offscreen.h"
-#include "render/opengl/opengl_buffer.h"
+#include "render/offscreen.h"
+#include "render/opengl_buffer.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "render/resolve.h"

@@ -325,9 +325,8 @@ void Resolver::resolve_pixels(const PixelRect& tile, Image& image) const {
     const std::uint32_t samples = options_.samples;
     for (std::uint32_t y = 0; y < tile.height; ++y) {
         for (std::uint32_t x = 0; x < tile.width; ++x) {
-            const std::size_t first =
-                std::size_t{kTileMargin + y * samples} * rect_.width + kTileMargin +
-                std::size_t{x} * samples;
+            const std::size_t first = std::size_t{kTileMargin + y * samples} * rect_.width +
+                                      kTileMargin + std::size_t{x} * samples;
             image.at(tile.x + x, tile.y + y) =
                 is_uniform(first) ? uniform_pixel(ids_[first], tile.x + x, tile.y + y)
                                   : mixed_pixel(tile.x + x, tile.y + y, first);

@@ -165,9 +165,10 @@ public:
         std::string_view rest = paths ? std::string_view(paths->value) : ".";
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find(':'), rest.size());
-            const std::string folder(trimmed(rest.substr(0, end)));
+            std::string file(trimmed(rest.substr(0, end)));
             rest.remove_prefix(std::min(end + 1, rest.size()));
-            const std::string path = seen_in(folder_, folder + "/" + name + ".ngc");
+            file.append("/").append(name).append(".ngc");
+            const std::string path = seen_in(folder_, file);
             if (inputs_.is_there(path)) return inputs_.read(path, kMostSetUpBytes);
         }
         return {};

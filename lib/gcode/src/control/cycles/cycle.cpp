@@ -202,7 +202,7 @@ bool Machine::hole_at(Drilling& drilling, const Axes& hole, AxisMask mask) {
 /// The depths of the pecks above the bottom; nothing if there are too many.
 std::optional<std::vector<double>> Machine::peck_depths(double r, double bottom) const {
     constexpr double kMostPecks = 100'000.0;
-    constexpr double kRounding = 1e-9;  // a last peck of rounding errors is no peck
+    constexpr double kPeckRounding = 1e-9;  // a last peck of rounding errors is no peck
     const CycleState& cycle = state_.cycle;
     std::vector<double> depths;
     if (cycle.first_peck > 0.0) {
@@ -210,7 +210,7 @@ std::optional<std::vector<double>> Machine::peck_depths(double r, double bottom)
         const double least = cycle.least_peck > 0.0 ? cycle.least_peck : cycle.first_peck;
         if ((r - bottom) / least > kMostPecks) return std::nullopt;
         double depth = r - peck;
-        while (depth > bottom + kRounding) {
+        while (depth > bottom + kPeckRounding) {
             depths.push_back(depth);
             peck = std::max(peck - cycle.peck_reduction, std::min(least, cycle.first_peck));
             depth -= peck;
@@ -219,7 +219,7 @@ std::optional<std::vector<double>> Machine::peck_depths(double r, double bottom)
     }
     const double q = cycle.q > 0.0 ? cycle.q : r - bottom;
     if (q > 0.0 && (r - bottom) / q > kMostPecks) return std::nullopt;
-    for (int i = 1; q > 0.0 && r - i * q > bottom + kRounding; ++i)
+    for (int i = 1; q > 0.0 && r - i * q > bottom + kPeckRounding; ++i)
         depths.push_back(r - i * q);
     return depths;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/opengl/gl.h"
+#include "render/gl.h"
 
 namespace ncsim::exporter {
 

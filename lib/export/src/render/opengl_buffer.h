@@ -3,7 +3,7 @@
 // Polygons drawn by OpenGL with depth and stencil buffer; see also VisibilityBuffer.
 #pragma once
 
-#include "render/opengl/offscreen.h"
+#include "render/offscreen.h"
 #include "render/visibility.h"
 
 #include <array>

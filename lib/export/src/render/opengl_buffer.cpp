@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/opengl/opengl_buffer.h"
+#include "render/opengl_buffer.h"
 
-#include "render/opengl/gl.h"
+#include "render/gl.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/opengl/shared_library.h"
+#include "render/shared_library.h"
 
 #include <dlfcn.h>
 

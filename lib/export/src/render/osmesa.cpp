@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/opengl/gl.h"
-#include "render/opengl/offscreen.h"
+#include "render/gl.h"
+#include "render/offscreen.h"
 
 #include <GL/osmesa.h>
 

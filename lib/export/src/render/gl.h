@@ -3,7 +3,7 @@
 // Functions of OpenGL for the tests, from a library that is loaded with the first context.
 #pragma once
 
-#include "render/opengl/shared_library.h"
+#include "render/shared_library.h"
 
 #define GL_GLEXT_PROTOTYPES  // NOLINT(readability-identifier-naming): of OpenGL
 #include <GL/gl.h>
