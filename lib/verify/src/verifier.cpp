@@ -102,8 +102,9 @@ public:
         needs_part_ = needs_part(setup_);
         if (setup_.not_simulated) return;
         for (const auto& [number, facts] : setup_.tools) {
+            const ToolFacts& wanted = facts;
             const auto same = std::ranges::find_if(watched_, [&](const auto& known) {
-                return is_same_shape(setup_.tools.at(known.first), facts);
+                return is_same_shape(setup_.tools.at(known.first), wanted);
             });
             watched_.emplace(number, same != watched_.end() ? same->second
                                                             : watch(facts, setup_.selection,
