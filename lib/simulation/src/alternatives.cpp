@@ -104,10 +104,6 @@ public:
             add(static_cast<std::uint64_t>(arc->turns));
         }
     }
-    // The length that is active decides whether the tip is where the motion has it.
-    void take(const gcode::ProgramFrame& frame) {
-        add(static_cast<std::uint64_t>(frame.length_register));
-    }
     std::uint64_t value() const { return value_; }
 
 private:
@@ -135,9 +131,7 @@ std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control
     gcode::InterpreterOptions options = plan.job.interpreter;
     options.dialect = control;
     MotionHash hash;
-    options.observe_frame = [&](const gcode::Motion&, const gcode::ProgramFrame& frame) {
-        hash.take(frame);
-    };
+    options.observe_frame = nullptr;
     const gcode::Interpretation read = gcode::interpret(
         plan.job.program, options, [&](const gcode::Motion& motion) { hash.take(motion); });
     if (read.stopped || read.refused ||

@@ -20,7 +20,6 @@ Sighting seen(const Setup& setup, const Move& move, std::string message) {
     Sighting s{std::move(message)};
     s.lasts = true;
     s.rests_on = guesses_of(setup, move);
-    s.point = move.contact_point;
     s.box = move.contact;
     s.assumptions = assumptions_of(setup, move);
     return s;
