@@ -196,6 +196,12 @@ TEST(Controls, IJKOfHaasArePecksThatShrink) {
     EXPECT_EQ(depths, (std::vector<double>{-4, -7, -9, -10}));
     EXPECT_FALSE(run_body("G0 X0 Y0 Z5\nG83 X0 Y0 Z-10 R0 I4 J1 K2\n", Dialect::Haas)
                      .says("cycle-word-missing"));
+    // Q ends them, and other cycles of Haas have no use for K.
+    const std::string by_q =
+        run_body("G0 X0 Y0 Z5\nG99 G73 X0 Y0 Z-10 R0 I4 J1 K2\nG73 X5 Q5\nG80\n", Dialect::Haas)
+            .path;
+    EXPECT_NE(by_q.find("G1 5 0 -5\n"), std::string::npos) << by_q;
+    EXPECT_TRUE(run_body("G0 X0 Y0 Z5\nG81 X0 Y0 Z-1 R1 K3\n", Dialect::Haas).says("word-unused"));
     // Elsewhere K has no use in a cycle.
     EXPECT_TRUE(run_body("G0 X0 Y0 Z5\nG81 X0 Y0 Z-1 R1 K3\n", Dialect::Mach3).says("word-unused"));
     EXPECT_FALSE(
@@ -260,7 +266,7 @@ TEST(Controls, RegistersOfCompensationComeBeforeTheDiameterOfTheTool) {
     EXPECT_EQ(radius(0.0, body), 0.0);
     EXPECT_EQ(radius(0.25, body), 0.25);
     EXPECT_EQ(radius(-0.25, body), -0.25);
-    // What the program writes comes last: L12 the radius, L13 its wear.
+    // G10 in the program counts last: L12 sets the radius, L13 the wear.
     EXPECT_EQ(radius(0.25, "G90 G10 L12 P1 R1.5\n" + body), 1.5);
     EXPECT_EQ(radius(0.25, "G90 G10 L13 P1 R0.5\n" + body), 0.75);
 }

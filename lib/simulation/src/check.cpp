@@ -43,7 +43,7 @@ void extend_shank(toolpath::Tool& tool, const toolpath::ToolSpec& spec) {
     tool.pieces.back().assumed = true;
 }
 
-// What does not cut about the axis, as a share of the diameter.
+// Part about the axis that does not cut, as a share of the diameter.
 struct BlindCore {
     double share = 0.0;
     const char* why = "";

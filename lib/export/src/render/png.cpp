@@ -18,7 +18,7 @@ namespace ncsim::exporter {
 
 namespace {
 
-// Of zlib, 1 to 9: beyond 5, the time grows faster than the files shrink.
+// Effort of zlib, 1 to 9. Above 5, time grows faster than files shrink.
 constexpr int kEffort = 5;
 
 struct Sink {

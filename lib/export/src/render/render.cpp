@@ -49,7 +49,7 @@ void check(const RenderOptions& options) {
     }
 }
 
-// What a picture shows.
+// Contents of a picture.
 class Scene {
 public:
     virtual ~Scene() = default;

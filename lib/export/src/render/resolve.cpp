@@ -252,7 +252,8 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
         if (!round) {
             light = colour_at(id, h * (left + column), -h * (top + row));
         } else if (id != lit) {
-            // What is round is lit once, in the middle: it hardly changes in a pixel.
+            // Round surfaces are lit once, in the middle of the pixel; the light hardly changes
+            // there.
             light = colour_of_pixel(id, x, y);
         }
         lit = round ? id : kBackground;

@@ -145,7 +145,8 @@ bool VisibilityBuffer::place(std::span<const ScreenPoint> polygon) {
            top < kUnit * std::int64_t{rect_.height};
 }
 
-// From the triangle of corners, the first among them, that has the largest area.
+// Computed from the triangle with the largest area, of those that the first corner makes with two
+// others.
 VisibilityBuffer::Depth VisibilityBuffer::depth() const {
     const Corner& a = corners_.front();
     const auto area = [&](const Corner& b, const Corner& c) {

@@ -57,7 +57,7 @@ std::size_t count_heads(std::string_view text, std::size_t enough) {
 bool may_hold_more(std::string_view text) {
     text = after_byte_order_mark(text);
     if (count_heads(text, 2) > 1) return true;
-    // The end: M2, M30, or the second line that begins with '%'.
+    // The end: M2, M30, or the second '%'.
     std::size_t end = find_end(text, 0);
     std::size_t closings = 0;
     for (std::size_t at = text.find('%'); at < end && at != std::string_view::npos;

@@ -68,7 +68,8 @@ bool Machine::cycle_words(const Command& command, Code motion) {
         cycle.has_r = true;
     }
     const bool pecks = motion == Code::G83 || motion == Code::G73;
-    if (rules_.pecks_shrink && command.has('I')) {
+    if (pecks && command.has('Q')) cycle.first_peck = 0.0;
+    if (pecks && rules_.pecks_shrink && command.has('I')) {
         cycle.first_peck = std::abs(command['I']);
         cycle.peck_reduction = std::abs(command.get('J', 0.0));
         cycle.least_peck = std::abs(command.get('K', 0.0));
@@ -115,7 +116,8 @@ bool Machine::cycle(const Command& command, Code motion) {
     }
     if (!needs_feed(command, name) || !cycle_words(command, motion)) return false;
 
-    if (command.has('K') && !rules_.k_repeats && !rules_.pecks_shrink &&
+    const bool pecks = motion == Code::G83 || motion == Code::G73;
+    if (command.has('K') && !rules_.k_repeats && !(rules_.pecks_shrink && pecks) &&
         !tolerate(Message::WordUnused, span_of(command, 'K'), {"K"}))
         return false;
     double repeats = 1.0;
