@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Codes that controls refuse, or execute in different ways, while cutter compensation is on.
+#include "control/machine.h"
+
+#include <optional>
+#include <string_view>
+
+namespace ncsim::gcode {
+
+/// The word of `command` that LinuxCNC refuses while G41 or G42 is on, even if the word changes
+/// nothing; empty: none. M codes and planes come before G40 in a block, the others behind.
+std::string_view Machine::forbidden_with_compensation(const Command& command) const {
+    const Code side = command.group(Group::CutterSide);
+    const bool is_on = state_.cutter_side != CutterSide::Off;
+    if (is_on) {
+        if (command.group(MGroup::ToolChange) == 6) return "M6";
+        if (command.group(MGroup::Override) != kNone) return "M48 … M53";
+        if (command.group(MGroup::Io) != kNone) return "M62 … M68";
+        const std::optional<Plane> plane = plane_of(command);
+        if (plane && *plane != state_.plane) return "another plane";
+    }
+    if (side == Code::G40 || (!is_on && side == Code::None)) return {};
+    const Code length = command.group(Group::ToolLength);
+    if (length != Code::None) return name_of(length);
+    if (command.group(Group::WorkOffset) != Code::None) return "G54 … G59.3";
+    if (command.group(Group::PathMode) != Code::None) return "G61, G61.1 or G64";
+    if (command.group(Group::Retract) != Code::None) return "G98 or G99";
+    switch (const Code one_shot = command.group(Group::OneShot)) {
+        case Code::None:
+        case Code::G4:
+        case Code::G92_1:
+        case Code::G92_2:
+        case Code::G92_3: break;
+        case Code::G53:
+            if (compensation_.is_on()) return "G53";
+            break;
+        case Code::G10: {
+            const double p = command.get('P', 0.0);
+            const bool sets_system = command.get('L', 0.0) == 2.0 || command.get('L', 0.0) == 20.0;
+            if (sets_system && (p == 0.0 || p == state_.system)) return "G10 of the active system";
+            break;
+        }
+        default: return name_of(one_shot);
+    }
+    const Code motion = command.group(Group::Motion);
+    const bool threads = motion == Code::G33 || motion == Code::G33_1;
+    const bool curves = motion == Code::G5 || motion == Code::G5_1;
+    const bool probes = motion >= Code::G38_2 && motion <= Code::G38_5;
+    if (curves || probes || (threads && compensation_.is_on())) return name_of(motion);
+    return {};
+}
+
+/// True if G10 of `command` sets the coordinate system or the tool length that is active.
+bool Machine::sets_active_data(const Command& command) const {
+    const double l = command.get('L', 0.0);
+    const double p = command.get('P', 0.0);
+    if (l != 2.0 && l != 20.0) return p == state_.length_register || p == state_.tool;
+    const bool is_extended = l == 20.0 && rules_.macro_b;
+    return p == 0.0 || (is_extended ? kExtended + p : p) == state_.system;
+}
+
+/// The code of `command` that interrupts cutter compensation, though the mode stays on: the
+/// controls do different things then, from an alarm to a move without offset. Empty: none.
+std::string_view Machine::interrupts_compensation(const Command& command) const {
+    if (state_.cutter_side == CutterSide::Off) return {};
+    if (command.group(MGroup::ToolChange) != kNone) return "a tool change";
+    if (const std::optional<Plane> plane = plane_of(command); plane && *plane != state_.plane)
+        return "another plane";
+    if (command.group(Group::CutterSide) == Code::G40) return {};
+    if (!keeps_frame(command)) return "another coordinate system or tool length";
+    switch (const Code one_shot = command.group(Group::OneShot)) {
+        case Code::None:
+        case Code::G4: break;
+        case Code::G10:
+            if (sets_active_data(command)) return "G10 of the active system or tool";
+            break;
+        case Code::G92_1:
+        case Code::G92_2:
+        case Code::G92_3:
+            if (rules_.is_linuxcnc()) break;
+            [[fallthrough]];
+        default: return name_of(one_shot);
+    }
+    const Code motion = command.group(Group::Motion);
+    const bool probes = motion == Code::G31 || (motion >= Code::G38_2 && motion <= Code::G38_5);
+    if (probes || is_cycle(motion)) return name_of(motion);
+    return {};
+}
+
+/// LinuxCNC refuses what interrupts cutter compensation, Fanuc and Haas another plane. Other
+/// combinations of control and code are a warning.
+bool Machine::check_compensation(const Command& command) {
+    const std::string_view code = interrupts_compensation(command);
+    if (code.empty()) return true;
+    const bool is_plane = code == "another plane";
+    if (rules_.is_linuxcnc() || (rules_.macro_b && is_plane))
+        return fail(Message::ForbiddenWithCompensation, command.span, {code});
+    log_.add(Message::CompensationInterrupted, command.span, {code});
+    return true;
+}
+
+}  // namespace ncsim::gcode
