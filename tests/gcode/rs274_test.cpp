@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random programs with the motions that LinuxCNC's stand-alone interpreter made of them:
-// rs274_programs.txt, written by tests/nightly/rs274/compare.py.
+// Random programs with the motions that LinuxCNC's stand-alone interpreter made of them
+// (rs274_programs.txt, written by tests/nightly/rs274/compare.py), and programs that it refuses or
+// accepts (rs274_refusals.txt, by refusals.py).
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/trig/angles.h"
 
@@ -27,8 +28,8 @@ struct Recorded {
     bool is_refused = false;
 };
 
-std::vector<Recorded> recorded_programs() {
-    std::ifstream in(std::string(NCSIM_SOURCE_DIR) + "/tests/gcode/rs274_programs.txt");
+std::vector<Recorded> recorded_programs(const std::string& file) {
+    std::ifstream in(std::string(NCSIM_SOURCE_DIR) + "/tests/gcode/" + file);
     std::vector<Recorded> all;
     bool in_text = false;
     for (std::string line; std::getline(in, line);) {
@@ -149,7 +150,7 @@ bool is_same(const Event& ours, const Event& theirs) {
 }
 
 TEST(Rs274, MakesTheSameMotionsOfRandomPrograms) {
-    const std::vector<Recorded> programs = recorded_programs();
+    const std::vector<Recorded> programs = recorded_programs("rs274_programs.txt");
     ASSERT_GE(programs.size(), 300U);
     for (const Recorded& program : programs) {
         bool has_errors = false;
@@ -167,6 +168,16 @@ TEST(Rs274, MakesTheSameMotionsOfRandomPrograms) {
                           << program.text;
             break;
         }
+    }
+}
+
+TEST(Rs274, RefusesTheSamePrograms) {
+    const std::vector<Recorded> programs = recorded_programs("rs274_refusals.txt");
+    ASSERT_GE(programs.size(), 390U);
+    for (const Recorded& program : programs) {
+        bool has_errors = false;
+        events_of(program, has_errors);
+        EXPECT_EQ(has_errors, program.is_refused) << program.name << '\n' << program.text;
     }
 }
 

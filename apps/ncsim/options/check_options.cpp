@@ -74,8 +74,9 @@ std::string known_reason(const char* option, const std::string& name) {
 std::string known_requirement(const char* option, const std::string& name) {
     if (std::ranges::find(verify::kRequirements, name) != std::end(verify::kRequirements))
         return name;
-    throw Refusal{fmt::format(
-        "{} '{}': expected holder, fixtures, travels, offsets, links or lengths", option, name)};
+    throw Refusal{
+        fmt::format("{} '{}': expected holder, fixtures, travels, offsets, links, lengths or modes",
+                    option, name)};
 }
 
 // Lists may be given with commas and more than once.
@@ -187,7 +188,7 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
                      o.accept.push_back(known_reason("--accept", name));
              });
     add_list(*check, "--require", "THINGS",
-             "What has to be specified: holder,fixtures,travels,offsets,links,lengths",
+             "What has to be specified: holder,fixtures,travels,offsets,links,lengths,modes",
              [&o](const auto& names) {
                  for (const std::string& name : names)
                      o.require.push_back(known_requirement("--require", name));

@@ -16,10 +16,11 @@ namespace ncsim::report {
 
 namespace {
 
-// Lines on their way out, a chunk at a time: memory does not grow with the program.
-class Lines {
+// Buffers text on its way to a sink and passes it on in chunks: memory does not grow with the
+// program.
+class BufferedText {
 public:
-    explicit Lines(const TextSink& sink) : sink_(sink) {}
+    explicit BufferedText(const TextSink& sink) : sink_(sink) {}
     void add(std::string_view line) {
         text_.append(line);
         if (text_.size() > (1U << 16)) flush();
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    Lines out_;
+    BufferedText out_;
     bool first_ = true;
 };
 
@@ -215,7 +216,7 @@ gcode::Diagnostics list_blocks(const gcode::SourceFile& program,
         out.finish(log.diagnostics());
         return log.take();
     }
-    Lines out(sink);
+    BufferedText out(sink);
     std::string text;
     while (reader.next(block, log)) {
         text.assign("L").append(std::to_string(block.line)).append(1, ' ');
@@ -238,7 +239,7 @@ gcode::Diagnostics list_motions(const gcode::SourceFile& program,
         out.finish(result.diagnostics);
         return std::move(result.diagnostics);
     }
-    Lines out(sink);
+    BufferedText out(sink);
     std::string text;
     auto result = gcode::interpret(program, options, [&](const gcode::Motion& motion) {
         text.clear();

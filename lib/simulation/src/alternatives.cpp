@@ -25,9 +25,9 @@ verify::Place place_of(const gcode::ProgramPlace& place) {
 }
 
 // Key of a finding: rule, file, line.
-using Row = std::tuple<std::string, std::uint32_t, std::uint32_t>;
+using FindingKey = std::tuple<std::string, std::uint32_t, std::uint32_t>;
 
-Row row_of(const verify::Finding& finding) {
+FindingKey row_of(const verify::Finding& finding) {
     return {finding.rule, finding.place.file, finding.place.span.line};
 }
 
@@ -37,7 +37,7 @@ bool is_serious(const verify::Finding& finding) {
 
 // Returns: the most severe finding of `of` missing in `other`, or null.
 const verify::Finding* missing_finding(const verify::Verdict& of, const verify::Verdict& other) {
-    std::set<Row> known;
+    std::set<FindingKey> known;
     for (const verify::Finding& f : other.findings) {
         if (is_serious(f)) known.insert(row_of(f));
     }

@@ -169,6 +169,7 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, axes, false);
     setup.setting_askew = survey.interpretation.setting_askew;
     setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
+    setup.inherited_modes = survey.interpretation.inherited_modes;
     setup.cutting_tools = survey.cutting_tools;
     setup.accepted = accepted_reasons(plan.job.options.accept);
     setup.required.insert(plan.job.options.require.begin(), plan.job.options.require.end());

@@ -14,15 +14,12 @@ namespace ncsim::simulation {
 
 namespace {
 
-using verify::Solid;
-using verify::Solids;
-
 // Pieces for which a block is searched; more are only told.
 constexpr std::size_t kMostPieces = 16;
 
 // The part as it was after some of its cuts.
 struct Moment {
-    Solids solids;
+    verify::Solids solids;
     verify::Place place;
     std::uint64_t motion = 0;
 };
@@ -42,7 +39,7 @@ public:
             limited.most_cuts = cuts;
             const Simulation s = simulate(plan_, *survey_, limited, {});
             moment = std::make_unique<Moment>(
-                Moment{Solids(s.part->boundary()), s.last_cut, s.last_motion});
+                Moment{verify::Solids(s.part->boundary()), s.last_cut, s.last_motion});
         }
         return *moment;
     }
@@ -59,7 +56,7 @@ private:
 std::uint32_t separation(History& history, const std::vector<cda::Origin>& origins, cda::Vec3 a,
                          cda::Vec3 b) {
     const auto apart = [&](std::uint32_t cuts) {
-        const Solids& solids = history.after(cuts).solids;
+        const verify::Solids& solids = history.after(cuts).solids;
         return solids.at(a) != solids.at(b);
     };
     std::size_t low = 0, high = origins.size() - 1;
@@ -106,10 +103,10 @@ std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
     std::vector<verify::Finding> findings;
     const cda::Boundary boundary = surface_of(simulation);
     if (boundary.shells < 2) return findings;
-    const Solids solids(boundary);
+    const verify::Solids solids(boundary);
     if (solids.all().size() < 2) return findings;
     History history(plan, survey, verification);
-    const Solid& main = solids.all().front();
+    const verify::Solid& main = solids.all().front();
     const double least = 2 * accuracy(simulation);
     verify::Finding rest;
     rest.rule = "part-cut-free";
@@ -118,7 +115,7 @@ std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
     rest.count = 0;
     double rest_volume = 0.0;
     for (std::size_t i = 1; i < solids.all().size(); ++i) {
-        const Solid& piece = solids.all()[i];
+        const verify::Solid& piece = solids.all()[i];
         if (thickness(piece.box) <= least || findings.size() >= kMostPieces || !piece.inner_point ||
             !main.inner_point || piece.origins.empty()) {
             ++rest.count;

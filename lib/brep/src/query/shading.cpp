@@ -26,7 +26,7 @@ using cda::dot;
 using cda::norm;
 
 // The same 60° as a chord.
-constexpr double kMostTurn = 1.0;
+constexpr double kMaxNormalTurn = 1.0;
 // Where coarse hulls meet, corners lie farther out than those of solids may. Which surface it is
 // tells the turn.
 constexpr double kErrors = 2.0;
@@ -105,7 +105,7 @@ void ShadingMaker::take(cda::Origin origin, const Source& source) {
         area_of(face.loops, points, face.normal, flat.centroid);
         double best = std::numeric_limits<double>::infinity();
         const Candidate* candidate =
-            best_of(flat, source.candidates, kErrors * source.error_mm, kMostTurn, best);
+            best_of(flat, source.candidates, kErrors * source.error_mm, kMaxNormalTurn, best);
         if (!candidate) continue;
         std::uint32_t& number =
             numbers[static_cast<std::size_t>(candidate - source.candidates.data())];

@@ -14,7 +14,7 @@ namespace {
 using cda::norm;
 
 // A facet and the surface it approximates turn away from each other by less, as a chord (0.45 rad).
-constexpr double kMostTurn = 0.45;
+constexpr double kMaxFacetTurn = 0.45;
 
 }  // namespace
 
@@ -111,7 +111,7 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
         if (source->second.leaves_unknown) facet.is_unknown = true;
         facet.error_mm = std::max(facet.error_mm, source->second.error_mm);
         const Candidate* better = best_of(shape_of(facet), source->second.candidates,
-                                          source->second.error_mm, kMostTurn, best);
+                                          source->second.error_mm, kMaxFacetTurn, best);
         if (better) chosen = better;
     }
     if (chosen) facet.label = surfaces_.add(chosen->surface);
@@ -131,7 +131,7 @@ std::uint32_t FacetMesh::plain_label(std::uint32_t f, const Facet& facet,
         const auto source = sources.find(origin);
         if (source == sources.end()) continue;
         const Candidate* better = best_of(shape_of(facet), source->second.candidates,
-                                          source->second.error_mm, kMostTurn, best, false);
+                                          source->second.error_mm, kMaxFacetTurn, best, false);
         if (better) label = surfaces_.add(better->surface);
     }
     return label;

@@ -27,8 +27,8 @@ constexpr std::size_t kPieceBytes = 5 * 4;
 // Planes that come near stock: components and distance have the bits of the kernel.
 bool is_known_to_the_kernel(const Plane& plane) {
     constexpr std::int64_t kMost = std::int64_t{1} << kNormalBits;
-    constexpr std::int64_t kFarthest = 3 * (kMost << kCoordinateBits);
-    bool fits = plane.d >= -kFarthest && plane.d <= kFarthest;
+    constexpr std::int64_t kMaxPlaneOffset = 3 * (kMost << kCoordinateBits);
+    bool fits = plane.d >= -kMaxPlaneOffset && plane.d <= kMaxPlaneOffset;
     for (const std::int64_t n :
          {std::int64_t{plane.nx}, std::int64_t{plane.ny}, std::int64_t{plane.nz}})
         fits = fits && n >= -kMost && n <= kMost;

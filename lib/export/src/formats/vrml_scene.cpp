@@ -19,7 +19,7 @@ namespace {
 using cda::Vec3;
 
 // Farther turns between two keys would be made the other way round.
-constexpr double kMostTurn = 90.0;
+constexpr double kMaxKeyTurn = 90.0;
 
 // Scales have to be above 0.
 constexpr double kAway = 1e-6;
@@ -137,7 +137,7 @@ void VrmlScene::append_interpolators(std::string& text) const {
             const std::string name = "JOINT_" + std::string(1, joint.letter);
             made += "DEF " + name + (joint.turns ? " Orientation" : " Position");
             made += "Interpolator { ";
-            append_keys(made, divided_keys(joint, kMostTurn), scene_.seconds, [&](double value) {
+            append_keys(made, divided_keys(joint, kMaxKeyTurn), scene_.seconds, [&](double value) {
                 if (joint.turns) {
                     append_turn(made, joint, value);
                 } else {

@@ -35,7 +35,7 @@ using cda::Vec3;
 using Vertex = std::uint32_t;
 using Loop = std::vector<Vertex>;
 
-constexpr double kMostTurn = 0.9659;  // cosine of 15°
+constexpr double kMinNormalCosine = 0.9659;  // cosine of 15°
 
 double distance(Vec3 a, Vec3 b) {
     return cda::norm(b - a);
@@ -179,7 +179,7 @@ private:
         Flat& large = flats_[a];
         Flat& small = flats_[b];
         if (!small.is_thin && large.line != small.line) return;
-        if (!small.is_thin && cda::dot(large.normal, small.normal) < kMostTurn) return;
+        if (!small.is_thin && cda::dot(large.normal, small.normal) < kMinNormalCosine) return;
         double farthest = 0.0;
         for (const Vertex v : small.vertices) {
             const double off = cda::dot(large.normal, boundary_.vertices[v]) - large.offset;

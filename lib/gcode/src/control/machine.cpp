@@ -303,10 +303,7 @@ bool Machine::check(const Command& command) {
         const std::string_view forbidden = forbidden_with_compensation(command);
         if (!forbidden.empty())
             return fail(Message::ForbiddenWithCompensation, command.span, {forbidden});
-        if (command.has('S') && command['S'] < 0.0)
-            return fail(Message::NegativeValue, span_of(command, 'S'), {"S"});
-        if (command.has('T') && command['T'] < 0.0)
-            return fail(Message::NegativeValue, span_of(command, 'T'), {"T"});
+        if (!check_strict(command)) return false;
     } else if (!check_compensation(command)) {
         return false;
     }
@@ -335,7 +332,9 @@ bool Machine::check_unused_words(const Command& command) {
     // their own, and cycles more of them.
     const bool lax = !rules_.strict;
     const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E and the user's own
-    std::uint32_t used = user_m ? letters('E', 'L', 'P', 'Q', 'R') : 0;
+    std::uint32_t used = !user_m ? 0U
+                         : lax   ? letters('E', 'L', 'P', 'Q', 'R')
+                                 : letters_of_m(command);
     bool others = user_m || command.has_others || control_.curve.by_knots ||
                   command.group(MGroup::ToolChange) != kNone ||
                   command.group(Group::HolePattern) != Code::None;

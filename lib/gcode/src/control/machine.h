@@ -110,6 +110,10 @@ private:
     std::string_view interrupts_compensation(const Command& command) const;
     bool sets_active_data(const Command& command) const;
     bool check_compensation(const Command& command);
+    static std::uint32_t letters_of_m(const Command& command);
+    bool check_strict(const Command& command);
+    bool check_words_of_m(const Command& command);
+    bool check_words_of_g(const Command& command);
     bool check_corner_words(const Command& command);
     bool check_unused_words(const Command& command);
 

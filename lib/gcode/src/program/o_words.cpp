@@ -34,32 +34,14 @@ void Runner::o_word() {
     const std::size_t i = *here;
     const ProgramIndex& marks = index();
     const std::string& label = marks[i].label;
+    if (rules_.strict && !check_label(i)) {
+        ended_ = true;
+        return;
+    }
     switch (control.word) {
         case ControlWord::Sub: {
-            if (rules_.strict && (in_main_title_ || !frames_.empty())) {
-                fault(Message::SubNested, control.span, {tagged("O", label)});
-                ended_ = true;
-                return;
-            }
             // A subroutine is passed by; it runs when it is called.
             const auto end = marks.next(i, label, ControlWord::EndSub);
-            if (rules_.strict) {
-                const auto [defined, is_new] = subs_.try_emplace(label, current_, block_.line);
-                if (!is_new && defined->second != std::pair{current_, block_.line}) {
-                    fault(Message::SubTwice, control.span, {tagged("O", label)});
-                    ended_ = true;
-                    return;
-                }
-                std::size_t inner = i;
-                while (++inner < (end ? *end : marks.markers().size())) {
-                    if (marks[inner].word == ControlWord::Sub) {
-                        fault(Message::SubNested, {marks[inner].line, 1, 1},
-                              {tagged("O", marks[inner].label)});
-                        ended_ = true;
-                        return;
-                    }
-                }
-            }
             if (!end) {
                 // The rest of the file belongs to it.
                 log_.add(rules_.strict ? Severity::Error : Severity::Warning,
@@ -105,6 +87,68 @@ void Runner::o_word() {
         case ControlWord::OBreak:
         case ControlWord::OContinue: return o_leave(i);
         default: return;
+    }
+}
+
+/// Reports the subroutine at marker `i` if LinuxCNC would refuse it: a second one of its name, in
+/// another one, around another one, or after a call of it.
+bool Runner::check_sub(std::size_t i) {
+    const ProgramIndex& marks = index();
+    const std::string& label = marks[i].label;
+    const auto refuse = [&](const MessageText& message) {
+        fault(message, block_.control.span, {tagged("O", label)});
+        return false;
+    };
+    if (in_main_title_ || !frames_.empty()) return refuse(Message::SubNested);
+    const auto [defined, is_new] = subs_.try_emplace(label, current_, block_.line);
+    if (!is_new && defined->second != std::pair{current_, block_.line})
+        return refuse(Message::SubTwice);
+    if (is_new && called_.contains(label)) return refuse(Message::SubNested);
+    const auto end = marks.next(i, label, ControlWord::EndSub);
+    for (std::size_t inner = i + 1; inner < (end ? *end : marks.markers().size()); ++inner) {
+        if (marks[inner].word != ControlWord::Sub) continue;
+        fault(Message::SubNested, {marks[inner].line, 1, 1}, {tagged("O", marks[inner].label)});
+        return false;
+    }
+    return true;
+}
+
+/// Reports the label of marker `i` if LinuxCNC would refuse it: no whole number, or in one
+/// subroutine a label of two structures, or of none.
+bool Runner::check_label(std::size_t i) {
+    const ProgramIndex& marks = index();
+    const Marker& here = marks[i];
+    const auto refuse = [&](const MessageText& message) {
+        fault(message, block_.control.span, {tagged("O", here.label)});
+        return false;
+    };
+    const bool is_name = block_.control.label.starts_with('<');
+    if (!is_name && block_.control.label.find('.') != std::string_view::npos)
+        return refuse(Message::NotWhole);
+    const std::pair key{frames_.empty() ? std::string() : frames_.back().label, here.label};
+    const std::pair place{current_, here.line};
+    const auto opens = [&] {
+        const auto [known, is_new] = labels_.try_emplace(key, place);
+        return is_new || known->second == place || refuse(Message::LabelTwice);
+    };
+    switch (here.word) {
+        case ControlWord::Sub: return check_sub(i);
+        case ControlWord::OIf:
+        case ControlWord::ORepeat: return opens();
+        case ControlWord::OWhile: {
+            const auto opening = marks.previous(i, here.label, ControlWord::ODo,
+                                                ControlWord::OWhile, ControlWord::OEndWhile);
+            const bool closes = opening && marks[*opening].word == ControlWord::ODo;
+            return closes || opens();
+        }
+        case ControlWord::ODo: labels_[key] = place; return true;
+        case ControlWord::OElseIf:
+        case ControlWord::OElse:
+        case ControlWord::OEndIf:
+        case ControlWord::OEndWhile:
+        case ControlWord::OEndRepeat:
+            return labels_.contains(key) || refuse(Message::LabelUnopened);
+        default: return true;
     }
 }
 
@@ -255,6 +299,7 @@ void Runner::o_call() {
         if (rules_.strict) ended_ = true;
         return;
     }
+    called_.insert(*label);
     Frame frame;
     frame.kind = CallKind::OWord;
     frame.label = *label;

@@ -52,6 +52,7 @@ void Runner::run() {
     result_.asked_for_places = machine_.asked_for_places();
     result_.setting_askew = machine_.setting_askew();
     result_.distance_guess = machine_.distance_guess();
+    result_.inherited_modes = head_modes_.unset(rules_.dialect);
     result_.stopped = ended_ && !result_.ended;
     if (!result_.ended && !ended_) {
         log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
@@ -149,6 +150,7 @@ void Runner::act_on_words() {
     }
     if (!resolver_.resolve(block_, command_)) return;
     note_control_dependent();
+    head_modes_.note(command_);
     if (options_.least_increments) {
         scale_increments();
     } else if (rules_.macro_b) {
@@ -161,7 +163,9 @@ void Runner::act_on_words() {
     if (call != kNone) {
         // P, L, Q belong to the call; what else the block says is done first.
         Command rest = command_;
-        rest.present &= ~letters('P', 'L', 'Q');
+        rest.present &= ~(!rules_.strict ? letters('P', 'L', 'Q')
+                          : call == 98   ? letters('P', 'L')
+                                         : 0U);
         rest.m[static_cast<std::size_t>(MGroup::Call)] = kNone;
         rest.axis_words = rest.has_any(kAxisLetters);
         if (block_.words.size() > 1) machine_.execute(rest);

@@ -11,6 +11,7 @@
 
 #include "control/machine.h"
 #include "control/system_variable.h"
+#include "program/head_modes.h"
 #include "program/program_index.h"
 #include "program/resolve.h"
 
@@ -18,6 +19,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -84,6 +86,8 @@ private:
 
     // Control words. Each may seek, call or return.
     void o_word();
+    bool check_sub(std::size_t i);
+    bool check_label(std::size_t i);
     void o_branch(std::size_t i);
     void o_loop(std::size_t i);
     void o_leave(std::size_t i);
@@ -125,12 +129,16 @@ private:
     Path path_;
     Machine machine_;
     Resolver resolver_;
+    HeadModes head_modes_;
     std::deque<OpenFile> files_;
     std::size_t current_ = 0;
     std::vector<Frame> frames_;
     std::vector<Repeat> repeats_;
     /// File and line of each subroutine that was met.
     std::map<std::string, std::pair<std::size_t, std::uint32_t>> subs_;
+    std::set<std::string> called_;  ///< Labels of the subroutines that were called.
+    /// Places of the control structures that were met: subroutine and label, file and line.
+    std::map<std::pair<std::string, std::string>, std::pair<std::size_t, std::uint32_t>> labels_;
     std::shared_ptr<const Machine::SavedModes> main_modes_;  // of M70 outside of calls
     Block block_;
     Command command_;

@@ -68,7 +68,7 @@ struct Sign {
 
 struct DialectSigns {
     Dialect dialect;
-    std::array<Sign, 8> signs{};
+    std::array<Sign, 10> signs{};
 };
 constexpr std::array<DialectSigns, 5> kDialects = {{
     {Dialect::Rs274,
@@ -88,7 +88,9 @@ constexpr std::array<DialectSigns, 5> kDialects = {{
        {"G65", 2, false, "G65 macro calls"},
        {"G91G28", 1, false, "G91 G28"},
        {"G91 G28", 1, false, "G91 G28"},
-       {"G05.1", 2, false, "G05.1"}}}},
+       {"G05.1", 2, false, "G05.1"},
+       {",C", 2, false, "a chamfer by ,C"},
+       {",R", 2, false, "a rounded corner by ,R"}}}},
     {Dialect::Haas,
      {{{"HAAS", 5, true, "a comment names Haas"},
        {"G187", 4, false, "G187"},
@@ -97,7 +99,9 @@ constexpr std::array<DialectSigns, 5> kDialects = {{
        {"G103", 4, false, "G103"},
        {"G47", 3, false, "G47 engraving"},
        {"G150", 3, false, "G150 pockets"},
-       {"M130", 2, false, "M130"}}}},
+       {"M130", 2, false, "M130"},
+       {",C", 2, false, "a chamfer by ,C"},
+       {",R", 2, false, "a rounded corner by ,R"}}}},
     {Dialect::Grbl,
      {{{"GRBL", 4, true, "a comment names grbl"},
        {"$H", 4, false, "the console command $H"},

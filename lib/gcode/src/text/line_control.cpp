@@ -38,6 +38,21 @@ ControlWord o_command(std::string_view name) {
     return found == kCommands.end() ? ControlWord::None : found->word;
 }
 
+/// Control words behind which LinuxCNC reads nothing: text there is not refused.
+bool is_closing(ControlWord word) {
+    switch (word) {
+        case ControlWord::OElseIf:
+        case ControlWord::OElse:
+        case ControlWord::OEndIf:
+        case ControlWord::OEndWhile:
+        case ControlWord::ODo:
+        case ControlWord::OEndRepeat:
+        case ControlWord::OBreak:
+        case ControlWord::OContinue: return true;
+        default: return false;
+    }
+}
+
 std::string_view upper_letter(char c) {
     static constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
     return kLetters.substr(static_cast<std::size_t>(upper(c) - 'A'), 1);
@@ -84,7 +99,8 @@ bool LineParser::read_o_word() {
                 ++at_;
             if (command.size() > 2) at_ = end;
         }
-        if (command.size() > 2 && (end == text_.size() || text_[end] == '[')) {
+        const bool is_word = command.size() > 2 && (end == text_.size() || text_[end] == '[');
+        if (is_word || (options_.strict && !command.empty())) {
             report(Message::ControlWordUnknown, span(at_, end), {command});
             return false;
         }
@@ -99,16 +115,27 @@ bool LineParser::read_o_word() {
     }
     block_.control.expression = text_.substr(arguments, at_ - arguments);
     if (block_.control.expression.empty() && at_ < text_.size() && starts_value(text_[at_])) {
-        // RS274/NGC allows "o100 repeat #1" and the like: one value without brackets.
+        // "o100 repeat #1" and the like: one value without brackets.
         if (!skip_value()) return false;
         block_.control.expression = text_.substr(arguments, at_ - arguments);
+        const ControlWord word = block_.control.word;
+        const bool is_condition = word == ControlWord::OIf || word == ControlWord::OElseIf ||
+                                  word == ControlWord::OWhile;  // the runner asks for brackets
+        if (options_.strict && !is_condition && !is_closing(word)) {
+            report(Message::ConditionBracket, span(arguments, at_), {block_.control.expression});
+            return false;
+        }
     }
     // "o1 if [#1] AND [#2]": nothing reads the second half, so that the condition is another one.
     const std::string_view rest = text_.substr(at_);
     const bool goes_on =
         std::ranges::any_of(std::array{"and[", "or[", "xor["},
                             [&](std::string_view op) { return rest.starts_with(op); });
-    if (goes_on) {
+    const bool has_values =
+        block_.control.word == ControlWord::Sub && !block_.control.expression.empty();
+    const bool is_strange =
+        options_.strict && !is_closing(block_.control.word) && (!rest.empty() || has_values);
+    if (goes_on || is_strange) {
         report(Message::UnreadableText, span(at_, text_.size()), {rest.substr(0, 20)});
         return false;
     }

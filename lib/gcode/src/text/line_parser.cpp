@@ -69,7 +69,7 @@ bool LineParser::read_plain() {
         if (next != end && (is_digit(*next) || *next == '.')) return false;
         if (number.end != end && upper(*number.end) == 'E') return false;  // perhaps an exponent
         if (letter == 'N') {
-            if (!first) return false;
+            if (!first || number.value < 0.0) return false;
             set_number(number.value);
         } else {
             block_.words.push_back(

@@ -139,7 +139,7 @@ public:
              {"accept",
               words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
              {"require", words(job.require, is_requirement,
-                               "holder, fixtures, travels, offsets, links, lengths")},
+                               "holder, fixtures, travels, offsets, links, lengths, modes")},
              {"start", [&](const auto& n, const auto& k) { job.start = r_.vector(n, k); }},
              {"offsets",
               [&](const auto& n, const auto& k) { job.offsets = read_offsets(r_, n, k); }},

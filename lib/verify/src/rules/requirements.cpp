@@ -30,6 +30,11 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
         return "lengths: not specified for " + without +
                " (Z in a tool table, offset in a job file)";
     }
+    if (requirement == "modes") {
+        if (setup.inherited_modes.empty()) return std::nullopt;
+        return fmt::format("modes: not set before the first move: {}",
+                           fmt::join(setup.inherited_modes, ", "));
+    }
     if (requirement == "fixtures") {
         const bool told = setup.machine.fixtures_told || !setup.machine.fixtures.empty();
         if (told) return std::nullopt;

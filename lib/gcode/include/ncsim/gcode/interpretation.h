@@ -191,6 +191,9 @@ struct Interpretation {
     /// The first move before G90 and G91, unless the control starts with G90 or the values of the
     /// program make sense only with one of them.
     std::optional<ProgramPlace> distance_guess;
+    /// Modes that the program does not set before its first move, with the codes that set them:
+    /// "units (G20, G21)". In them the program goes on from the one before.
+    std::vector<std::string> inherited_modes;
     /// The largest P of G64, by which LinuxCNC may miss corners, mm, and where it is; 0: none.
     double blend_mm = 0.0;
     ProgramPlace blend;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kMostCircles = 100'000.0;
 
 /// Below this radius there is no circle, mm.
-constexpr double kTiny = 0.00127;
+constexpr double kMinCircleRadius = 0.00127;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     if (!needs_feed(command, name)) return false;
 
     const double cutter = std::abs(radius_of_register(command, span));
-    const double tiny = kTiny / state_.unit_mm();
+    const double tiny = kMinCircleRadius / state_.unit_mm();
     if (first - cutter < tiny) return fail(Message::CompensationArc, span);
     std::vector<double> radii;
     // Counted, not added again and again: a last step of rounding errors is no circle.

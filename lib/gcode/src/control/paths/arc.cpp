@@ -30,7 +30,7 @@ constexpr RadiusTolerance kInch{0.00283};
 
 /// Below this radius there is no circle; half a chord may be longer than R by as much. 0.00127 mm
 /// is half of a tenth of a thousandth of an inch.
-constexpr double kTiny = 0.00127;
+constexpr double kMinArcRadius = 0.00127;
 
 constexpr char centre_letter(std::size_t axis) {
     constexpr char kLetters[] = {'I', 'J', 'K'};
@@ -94,7 +94,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
     out.turns = turns_clockwise ? -turns : turns;
     const double radius = trig::length_of(state_.position[axes.first] - out.centre_1,
                                           state_.position[axes.second] - out.centre_2);
-    if (radius * state_.unit_mm() < kTiny) {
+    if (radius * state_.unit_mm() < kMinArcRadius) {
         if (!tolerate(Message::ArcTooSmall, command.span, {name})) return false;
         return feed_straight(out.end, MoveKind::Feed, mask);
     }
@@ -164,7 +164,7 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
         return fail(Message::ArcRadiusNoChord, span_of(command, 'R'));
     }
     const double half = chord / 2.0;
-    const double limit = kTiny / state_.unit_mm();
+    const double limit = kMinArcRadius / state_.unit_mm();
     double height = 0.0;  // of the centre over the chord
     if (half > std::abs(r) + limit) {
         // CAM programs round R; a control that is not strict widens it to a semicircle.

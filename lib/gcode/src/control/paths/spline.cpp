@@ -47,8 +47,9 @@ std::optional<std::string_view> other_axis(const Command& command, std::string_v
 bool Machine::spline(const Command& command, Code motion) {
     const std::string_view name = motion == Code::G5 ? "G5" : "G5.1";
     if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {name});
-    if (const auto axis = other_axis(command, "XYZUVW@^")) {
-        return fail(Message::SplineAxes, command.span, {name, "linear axes", *axis});
+    if (const auto axis = other_axis(command, rules_.strict ? "XYUVW@^" : "XYZUVW@^")) {
+        return fail(Message::SplineAxes, command.span,
+                    {name, rules_.strict ? "X and Y" : "linear axes", *axis});
     }
     if (!needs_feed(command, name)) return false;
     Axes end{};

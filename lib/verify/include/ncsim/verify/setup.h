@@ -97,7 +97,9 @@ struct Setup {
     /// The program uses G43: then every tool has to.
     bool uses_length_offsets = false;
     std::set<int> cutting_tools;  ///< All that cut somewhere in the program.
-    SecondLook second_look;       ///< Empty: what is open stays open.
+    /// Modes that the program does not set before its first move: "units (G20, G21)".
+    std::vector<std::string> inherited_modes;
+    SecondLook second_look;  ///< Empty: what is open stays open.
     /// Reasons for doubt that do not count, by id: somebody decided so.
     std::set<std::string, std::less<>> accepted;
     /// What must be told: those of kRequirements.
@@ -105,8 +107,8 @@ struct Setup {
 };
 
 /// The words that `required` knows.
-inline constexpr std::string_view kRequirements[] = {"holder",  "fixtures", "travels",
-                                                     "offsets", "links",    "lengths"};
+inline constexpr std::string_view kRequirements[] = {"holder", "fixtures", "travels", "offsets",
+                                                     "links",  "lengths",  "modes"};
 
 /// Does any selected rule look at the part?
 bool needs_part(const Setup& setup);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Modes that the head of a program sets. A mode that the head does not set is the one that the
+// program before it left in the control.
+#pragma once
+
+#include "control/command.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ncsim::gcode {
+
+class HeadModes {
+public:
+    /// Records the modes that `command` sets. The head ends with the first command that moves to a
+    /// programmed place; moves to places of the machine (G28, G30, G53) belong to it.
+    void note(const Command& command);
+
+    /// Returns the modes that a control of `dialect` has and the head does not set, with the codes
+    /// that set them: "units (G20, G21)".
+    std::vector<std::string> unset(Dialect dialect) const;
+
+private:
+    std::uint32_t groups_ = 0;  ///< A bit for each Group.
+    bool sets_shift_ = false;   ///< G92 or G52 or one of their kin.
+    bool has_ended_ = false;
+};
+
+}  // namespace ncsim::gcode
