@@ -113,34 +113,43 @@ Command parse_options(const std::vector<std::string>& arguments) {
         "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
     app.footer(fmt::format("{}Example: {}", kExitCodes, run_example));
 
-    Options run_options;
-    cli::App* run = add_run(app, run_options);
-    run->footer(footer(run_example));
-    ParseOptions parse_options;
-    cli::App* parse = add_parse(app, parse_options);
-    parse->footer(footer("ncsim parse samples/simple.nc --canonical"));
-    ToolsOptions tools_options;
-    cli::App* tools = add_tools(app, tools_options);
-    tools->footer(footer("ncsim tools samples/complex.nc --save-job complex.toml"));
-    CheckOptions check_options;
-    cli::App* check = add_check(app, check_options);
-    check->footer(footer("ncsim check samples/simple.nc samples/complex.nc"));
-    MergeOptions merge_options;
-    cli::App* merge = add_merge(app, merge_options);
-    merge->footer(footer("ncsim merge results/ --sarif all.sarif"));
-    DiffOptions diff_options;
-    cli::App* diff = add_diff(app, diff_options);
-    diff->footer(footer("ncsim diff old.nc new.nc --tol 0.01"));
-    MachineOptions machine_options;
-    cli::App* machine = add_machine(app, machine_options);
-    machine->footer(footer("ncsim machine samples/machines/trt.toml --pose A-30,C45"));
-    MeasureOptions measure_options;
-    cli::App* measure = add_measure(app, measure_options);
-    measure->footer(footer("ncsim measure samples/simple.nc --json simple.json"));
-    RulesOptions rules_options;
-    cli::App* rules = add_rules(app, rules_options);
-
     const std::vector<std::string> words = as_options(arguments);
+    // Options of other commands than the named one cost more than a small program does.
+    constexpr std::string_view kCommands[] = {"run",  "parse",   "tools",   "check", "merge",
+                                              "diff", "machine", "measure", "rules"};
+    const bool is_named =
+        !words.empty() && std::ranges::find(kCommands, words[0]) != std::ranges::end(kCommands);
+    const auto add = [&](std::string_view name, auto add_command, auto& options,
+                         const char* example) -> cli::App* {
+        if (is_named && words[0] != name) return nullptr;
+        cli::App* command = add_command(app, options);
+        if (example) command->footer(footer(example));
+        return command;
+    };
+    Options run_options;
+    ParseOptions parse_options;
+    ToolsOptions tools_options;
+    CheckOptions check_options;
+    MergeOptions merge_options;
+    DiffOptions diff_options;
+    MachineOptions machine_options;
+    MeasureOptions measure_options;
+    RulesOptions rules_options;
+    cli::App* run = add("run", add_run, run_options, run_example);
+    add("parse", add_parse, parse_options, "ncsim parse samples/simple.nc --canonical");
+    cli::App* tools = add("tools", add_tools, tools_options,
+                          "ncsim tools samples/complex.nc --save-job complex.toml");
+    cli::App* check =
+        add("check", add_check, check_options, "ncsim check samples/simple.nc samples/complex.nc");
+    cli::App* merge =
+        add("merge", add_merge, merge_options, "ncsim merge results/ --sarif all.sarif");
+    cli::App* diff = add("diff", add_diff, diff_options, "ncsim diff old.nc new.nc --tol 0.01");
+    cli::App* machine = add("machine", add_machine, machine_options,
+                            "ncsim machine samples/machines/trt.toml --pose A-30,C45");
+    cli::App* measure = add("measure", add_measure, measure_options,
+                            "ncsim measure samples/simple.nc --json simple.json");
+    cli::App* rules = add("rules", add_rules, rules_options, nullptr);
+
     try {
         const cli::App::Outcome outcome = app.parse(words);
         const cli::App* const chosen = app.chosen();
