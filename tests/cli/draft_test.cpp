@@ -56,6 +56,8 @@ TEST(Guess, OfAToolFollowsFromItsMoves) {
     EXPECT_EQ(guess_for(surface), "ball:D5") << "a quarter of 22.8 mm";
     EXPECT_EQ(guess_for(letters), "v:D6:A60");
     EXPECT_EQ(guess_for(kHead + "G81 X10 Y10 Z-5 R1\nX20\nX30\nG80\n"), "drill:D5");
+    EXPECT_EQ(guess_for(kHead + "G81 X10 Y10 Z-5 R1\nX20\nX30\nX31.5\nG80\n"), "drill:D1")
+        << "holes 1.5 mm apart";
     EXPECT_EQ(guess_for("G20 G90 S1000 M3 F20\nT3 M6\nG0 X0 Y0 Z0.2\nG1 Z-0.1\nX4\nY4\nX0\n"),
               "flat:D1/4in");
 }

@@ -39,13 +39,40 @@ TEST(ToolFile, OfLinuxCncHasDiametersInMachineUnitsAndKindsInRemarks) {
     EXPECT_EQ(tools_of(table),
               "LinuxCNC tool table\n"
               "T1 flat end mill D6 L50 Z51.100000\n"
-              "T2 flat end mill D4 L50\n"
+              "T2 ball end mill D4 L50\n"
               "T4 flat end mill D16 L50 Z10.000000\n"
               "T5 v-cutter D10 L50\n"
               "7:1 tool-unknown\n"
               "8:1 tool-conflict\n");
     EXPECT_EQ(tools_of("T1 P1 D0.25 ;1/4 end mill\n", true),
               "LinuxCNC tool table\nT1 flat end mill D6.35 L50\n");
+}
+
+TEST(ToolFile, OfLinuxCncHasShapesInRemarksAndSizesInTheColumn) {
+    const auto described = [](const std::string& column, const std::string& remark) {
+        std::string text = tools_of("T1 P1 D" + column + " ;" + remark + "\n");
+        text.erase(0, text.find('\n') + 4);
+        return text.substr(0, text.find('\n'));
+    };
+    EXPECT_EQ(described("8", "8mm drill"), "drill D8 L50");
+    EXPECT_EQ(described("8", "drill"), "drill D8 L50");
+    EXPECT_EQ(described("6.35", "V-bit 60 deg"), "v-cutter D6.35 L50");
+    EXPECT_EQ(described("6", "ball"), "ball end mill D6 L50");
+    EXPECT_EQ(described("6", "Kugelfraeser"), "ball end mill D6 L50");
+    EXPECT_EQ(described("10", "NC-Anbohrer 90 Grad"), "v-cutter D10 L50");
+    EXPECT_EQ(described("12", "chamfer 45"), "v-cutter D12 L50");
+    EXPECT_EQ(described("8", "bull nose R1"), "bull nose end mill D8 R1 L50");
+    EXPECT_EQ(described("8", "8mm R1 torus"), "bull nose end mill D8 R1 L50");
+    EXPECT_EQ(described("6.8", "HSS-Bohrer"), "drill D6.8 L50");
+    EXPECT_EQ(described("50", "Messerkopf"), "face mill D50 L50");
+    EXPECT_EQ(described("5", "Tap M6"), "tap D5 L50");
+    EXPECT_EQ(described("6", "bought in May"), "flat end mill D6 L50");
+    // The column has the diameter of the tip.
+    const ToolFile file = read_tool_file({"t.tbl", "T1 P1 D0.1 ;60 deg V bit tip 0.1\n"}, false);
+    ASSERT_EQ(file.tools.size(), 1U);
+    EXPECT_EQ(file.tools[0].spec.tip_diameter, 0.1);
+    EXPECT_EQ(file.tools[0].spec.angle, 60.0);
+    EXPECT_FALSE(file.tools[0].spec.diameter);
 }
 
 TEST(ToolFile, OfCamoticsIsAProjectWithItsWorkpiece) {

@@ -287,6 +287,25 @@ TEST(StockComments, OfPeopleAreThreeLengthsBehindAName) {
                      .stock->place_assumed);
 }
 
+TEST(StockComments, OfSetUpSheetsHaveLengthsByAxisAndANamedZero) {
+    const auto box = [](const std::string& text) {
+        const auto stock = notes(text + "\nG21\n").stock;
+        return stock ? stock->box : cda::Box{};
+    };
+    const std::string block = "(STOCK 6061 DX 90MM DY 60MM DZ 20MM, AFTER SQUARING)\n";
+    EXPECT_EQ(box(block + "(WCS G54 FRONT-LEFT-TOP)"), (cda::Box{{0, 0, -20}, {90, 60, 0}}));
+    EXPECT_EQ(box(block + "(WCS G55 BACK RIGHT BOTTOM)"), (cda::Box{{-90, -60, 0}, {0, 0, 20}}));
+    EXPECT_EQ(box(block + "(ZERO: CENTER, TOP OF STOCK)"),
+              (cda::Box{{-45, -30, -20}, {45, 30, 0}}));
+    EXPECT_FALSE(notes(block + "(ORIGIN LEFT FRONT TOP)\nG21\n").stock->place_assumed);
+    // Other words say something else.
+    EXPECT_TRUE(notes(block + "(WORK ON THE LEFT TOP CLAMP)\nG21\n").stock->place_assumed);
+    EXPECT_TRUE(notes(block + "(ZERO LEFT)\nG21\n").stock->place_assumed);
+    EXPECT_EQ(box("(STOCK DX 4IN DY 2IN DZ 1/2IN)").size(), (cda::Vec3{101.6, 50.8, 12.7}));
+    EXPECT_EQ(box("(STOCK DX 3.5IN DY 50MM DZ 10)"), cda::Box{});
+    EXPECT_EQ(box("(STOCK DX 90 DY 60)"), cda::Box{});
+}
+
 TEST(StockComments, OfKiriAreASize) {
     EXPECT_EQ(notes("; Stock X:100 Y:50 Z:10\nG21\n").stock->box.max, (cda::Vec3{100, 50, 0}));
     EXPECT_FALSE(notes("; Stock X:100 Y:0 Z:10\nG21\n").stock);
@@ -366,6 +385,12 @@ TEST(ToolOption, TellsTheWholeAssembly) {
     EXPECT_EQ(described("T1=slot:D20:L4:N8:S10:E50"), "slot mill D20 L4, D8 to 12, D10 to 50");
     EXPECT_EQ(described("T1=dovetail:D20:A30:L6:N8x10:S10:E50"),
               "dovetail mill D20 L6, D8 to 16, D10 to 50");
+    // Catalogues list cutters for metal by the angle between floor and flank.
+    EXPECT_DOUBLE_EQ(dovetail_taper(60), 30);
+    EXPECT_DOUBLE_EQ(dovetail_taper(45), 45);
+    EXPECT_DOUBLE_EQ(dovetail_taper(14), 14);
+    std::string said;
+    EXPECT_EQ(parse_tool_option("T1=dovetail:D20:A60", said)->taper, 30.0);
     EXPECT_EQ(described("T1=lollipop:D6:N3x20"), "lollipop mill D6 L6, D3 to 26");
 }
 

@@ -36,7 +36,11 @@ void ToolClues::take(const gcode::Motion& motion, const toolpath::Poses& poses) 
     const cda::Vec3 way = b - a;
     const double aside = trig::length_of(way.x, way.y);
     ++moves_;
-    if (aside == 0.0) ++falling_;
+    if (aside == 0.0) {
+        ++falling_;
+        if (holes_.size() < kMostLines)
+            holes_.emplace(std::llround(1e3 * b.x), std::llround(1e3 * b.y));
+    }
     tips_.add(b);
     if (aside > 0.0) tips_.add(a);
     length_mm_ += norm(way);
@@ -80,6 +84,21 @@ double ToolClues::step_mm() const {
     return step;
 }
 
+// The shortest way between two of the first kMostLines holes, mm; infinite for one hole.
+// Cost: O(n^2) for a column of holes, less where they spread along X.
+double ToolClues::hole_spacing_mm() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (auto a = holes_.begin(); a != holes_.end(); ++a) {
+        for (auto b = std::next(a); b != holes_.end(); ++b) {
+            const double x = 1e-3 * static_cast<double>(b->first - a->first);
+            if (x >= least) break;
+            const double y = 1e-3 * static_cast<double>(b->second - a->second);
+            least = std::min(least, trig::length_of(x, y));
+        }
+    }
+    return least;
+}
+
 std::string ToolClues::guess(bool inches) const {
     constexpr double kSlanting = 0.3;   // of the moves: a surface
     constexpr double kShallow = 2.0;    // mm
@@ -98,6 +117,7 @@ std::string ToolClues::guess(bool inches) const {
     double diameter = std::numeric_limits<double>::infinity();
     if (!engraves) {
         diameter = std::min(2.0 * smallest_arc_mm_, step_mm() * (is_surface ? 10.0 : 2.5));
+        if (is_drill) diameter = std::min(diameter, hole_spacing_mm());
         if (width_mm() > 0.0) diameter = std::min(diameter, width_mm() / 4.0);
     }
     const std::span<const Size> sizes =

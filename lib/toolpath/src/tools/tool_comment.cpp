@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace ncsim::toolpath {
 
@@ -205,6 +206,23 @@ std::optional<ToolRemark> read_kiri(std::string_view s) {
     return remark;
 }
 
+// ( T01 | 0.610mm 0.0240in | 0.0000in | 0.0000in | 0 ), a row of pcb-gcode's table of drills.
+std::optional<ToolRemark> read_drill_table(std::string_view s) {
+    if (s[0] != 'T' || s.size() < 2 || !text::is_digit(s[1])) return std::nullopt;
+    const auto cells = text::split(s, '|');
+    if (cells.size() < 3) return std::nullopt;
+    ToolRemark remark;
+    remark.certain = true;
+    remark.spec.number = tool_number_at(text::trimmed(cells[0]), 1);
+    const auto size = text::quantity_at(text::trimmed(cells[1]), 0);
+    if (remark.spec.number == 0 || !size || size->value <= 0.0) return std::nullopt;
+    if (size->unit != Unit::Millimetre && size->unit != Unit::Inch) return std::nullopt;
+    remark.spec.kind = ToolKind::Drill;
+    remark.spec.diameter = size->value;
+    remark.unit = size->unit;
+    return remark;
+}
+
 // X, Y and Z with numbers behind them: "X= 76.000, Y= 5.500, Z= 1.000", "X:100 Y:50 Z:10".
 std::optional<Triple> named_triple(std::string_view s) {
     Triple t;
@@ -284,6 +302,68 @@ std::optional<Triple> product_at(std::string_view s, std::size_t at) {
     return t;
 }
 
+// "DX 3.50IN DY 2.50IN DZ 0.75IN" somewhere in `s`.
+std::optional<Triple> named_lengths(std::string_view s) {
+    Triple t;
+    for (int axis = 0; axis < 3; ++axis) {
+        const char name[] = {'D', static_cast<char>('X' + axis), '\0'};
+        const std::size_t at = text::find_word(s, name);
+        if (at == kNone) return std::nullopt;
+        const auto q = text::quantity_at(s, skip(s, at + 2, " =:"));
+        if (!q || q->value <= 0.0 || q->value > 1e6 || q->unit == Unit::Degree) return std::nullopt;
+        const Unit unit = q->is_fraction && q->unit == Unit::None ? Unit::Inch : q->unit;
+        if (axis > 0 && unit != t.unit) return std::nullopt;
+        t.value[axis] = q->value;
+        t.unit = unit;
+    }
+    return t;
+}
+
+// "WCS G54 FRONT-LEFT-TOP", "ZERO: CENTER, TOP OF STOCK": where the zero is on the stock, -1 for
+// left, front and below, 0 for the middle, 1 for right, back and on top. Nothing if another word
+// is in it, or if it does not name the height and a place in the plane.
+std::optional<Triple> zero_named(std::string_view s) {
+    static constexpr std::string_view kHeads[] = {"WCS", "ZERO", "ORIGIN", "DATUM", "XYZ", "WORK"};
+    static constexpr std::string_view kFillers[] = {
+        "ZERO",  "ORIGIN", "DATUM", "WORK",  "OFFSET", "CORNER", "OF",    "THE",   "AT", "IS",
+        "STOCK", "ON",     "AND",   "BLOCK", "XYZ",    "PART",   "LOWER", "UPPER", "XY"};
+    Triple t;
+    bool has_plane = false, has_height = false, is_first = true;
+    for (std::size_t at = 0; at < s.size();) {
+        if (!text::is_letter(s[at])) {
+            ++at;
+            continue;
+        }
+        std::size_t end = at;
+        while (end < s.size() && (text::is_letter(s[end]) || text::is_digit(s[end])))
+            ++end;
+        const std::string_view word = s.substr(at, end - at);
+        at = end;
+        const auto is_one_of = [word](const auto& words) {
+            return std::ranges::find(words, word) != std::end(words);
+        };
+        if (std::exchange(is_first, false)) {
+            if (!is_one_of(kHeads)) return std::nullopt;
+        } else if (word == "LEFT" || word == "RIGHT") {
+            t.value.x = word == "LEFT" ? -1.0 : 1.0;
+            has_plane = true;
+        } else if (word == "FRONT" || word == "BACK" || word == "REAR") {
+            t.value.y = word == "FRONT" ? -1.0 : 1.0;
+            has_plane = true;
+        } else if (word == "CENTER" || word == "CENTRE" || word == "MIDDLE") {
+            has_plane = true;
+        } else if (word == "TOP" || word == "BOTTOM") {
+            t.value.z = word == "TOP" ? 1.0 : -1.0;
+            has_height = true;
+        } else if (word.size() > 1 && word[0] == 'G' && text::is_digit(word[1])) {
+            if (word.substr(0, 2) != "G5") return std::nullopt;  // G54 … G59
+        } else if (!is_one_of(kFillers)) {
+            return std::nullopt;
+        }
+    }
+    return has_plane && has_height ? std::optional(t) : std::nullopt;
+}
+
 // Vectric's words for where the zero is: "Bottom Left Corner", "Center".
 Triple corner_named(std::string_view s) {
     const auto has = [s](std::string_view word) { return s.find(word) != kNone; };
@@ -314,7 +394,7 @@ std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
     const std::string upper = text::upper(text::trimmed(comment));
     if (upper.size() < 3) return std::nullopt;
     for (const auto& form :
-         {read_fusion, read_cutviewer, read_piped, read_kiri, read_tool_phrase}) {
+         {read_fusion, read_cutviewer, read_piped, read_kiri, read_drill_table, read_tool_phrase}) {
         if (auto remark = form(upper)) {
             // FreeCAD writes it in mm, whatever the program is in.
             if (upper.starts_with("COMPENSATED TOOL PATH")) remark->unit = Unit::Millimetre;
@@ -357,8 +437,15 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         remark.first = *size;
         return remark;
     }
+    if (const auto zero = zero_named(s)) {
+        remark.what = What::Zero;
+        remark.first = *zero;
+        return remark;
+    }
     if (const auto behind = behind_block_name(s)) {
-        if (const auto size = product_at(s, *behind)) {
+        auto size = product_at(s, *behind);
+        if (!size) size = named_lengths(s);
+        if (size) {
             remark.what = What::Size;
             remark.first = *size;
             return remark;

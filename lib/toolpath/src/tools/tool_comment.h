@@ -34,6 +34,7 @@ struct StockRemark {
         Size,       ///< `first` is the size; where the zero is, other comments say.
         ZeroAtTop,  ///< Z0 is on top of the material …
         ZeroAtBed,  ///< … or below it.
+        Zero,       ///< ZeroXY, with `first.value.z` 1 on top of the material, or -1 below it.
         ZeroXY,     ///< Where X0 Y0 is: `first.value` counts from the middle, -1, 0 or 1.
         Elsewhere,  ///< The size lies where nobody here knows.
     } what = What::Block;

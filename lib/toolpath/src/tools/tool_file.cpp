@@ -53,6 +53,33 @@ private:
 
 // --- LinuxCNC ---
 
+// Adds what a remark says of the kind and shape of a tool to `spec`. The diameter of the column
+// counts; of a V-cutter it may be that of the tip.
+void take_kind(std::string_view remark, ToolSpec& spec) {
+    auto said = read_tool_remark(remark);
+    if (!said && spec.diameter) {
+        const std::string size = text::number(*spec.diameter);
+        said = read_tool_remark("T1 D" + size + "MM " + std::string(remark));
+    }
+    if (!said) return;
+    const double factor = said->unit == text::Unit::Inch ? 25.4 : 1.0;
+    const auto in_mm = [factor](std::optional<double> length) {
+        if (length) *length *= factor;
+        return length;
+    };
+    spec.kind = said->spec.kind;
+    spec.angle = said->spec.angle;
+    spec.taper = said->spec.taper;
+    spec.pitch = said->spec.pitch;
+    spec.left_hand = said->spec.left_hand;
+    const auto corner = in_mm(said->spec.corner_radius);
+    if (corner && spec.diameter && *corner <= 0.505 * *spec.diameter) spec.corner_radius = corner;
+    const auto tip = in_mm(said->spec.tip_diameter);
+    if (!tip || !spec.diameter) return;
+    spec.tip_diameter = tip;
+    if (std::abs(*tip - *spec.diameter) < 1e-6) spec.diameter.reset();
+}
+
 // One line: T1 P1 Z0.511 D0.125 ;1/8 end mill. False if it is none.
 bool read_table_line(std::string_view line, std::uint32_t number, double unit, Collector& out) {
     const std::size_t semicolon = line.find(';');
@@ -89,12 +116,8 @@ bool read_table_line(std::string_view line, std::uint32_t number, double unit, C
         rest = text::trimmed(rest.substr(end));
     }
     if (!has_tool || !has_pocket) return false;
-    if (const auto said = read_tool_remark(remark)) {
-        spec.kind = said->spec.kind;
-        spec.angle = said->spec.angle;
-        spec.taper = said->spec.taper;
-    }
     if (diameter && *diameter > 0) spec.diameter = diameter;
+    take_kind(remark, spec);
     spec.description = std::string(remark);
     const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(line.size(), 1000));
     out.keep(std::move(spec), offset, {number, 1, length}, std::string(text::trimmed(line)));

@@ -160,6 +160,8 @@ private:
             return take_letter(word.text.front());  // F DRILL
         }
         const bool is_first = words_seen_++ == 0;
+        is_chamfer_ = is_chamfer_ || word.text.starts_with("CHAMFER") ||
+                      word.text.starts_with("FASENFR") || word.text.starts_with("FASFR");
         // #1 DRILL - 6MM SLIDE REAMER DRILL: the second part says what the first is for.
         const bool is_aside = has_noun_ && word.role == Role::Noun && segment_ != noun_segment_;
         if (word.rank > rank_ && !is_aside) kind_ = word.kind, rank_ = word.rank;
@@ -540,8 +542,11 @@ private:
         if (!kind_ && angle_) spec.kind = ToolKind::VCutter;
         if (spec.kind == ToolKind::VCutter) {
             spec.angle = angle_;
+            if (is_chamfer_ && angle_ == 45.0) spec.angle = 90.0;  // of a side
             spec.tip_diameter = length(tip_);
         }
+        if (spec.kind == ToolKind::DovetailMill && angle_ && *angle_ < 90.0)
+            spec.taper = dovetail_taper(*angle_);
         if (spec.kind == ToolKind::Drill) spec.angle = angle_;
         if (spec.kind == ToolKind::TaperedEndMill && angle_) spec.taper = std::min(*angle_, 80.0);
         if (const auto corner = length(corner_); corner && *corner <= 0.505 * *spec.diameter) {
@@ -587,6 +592,7 @@ private:
     std::optional<double> angle_;
     std::optional<double> pitch_mm_;  // of a thread
     bool is_left_ = false;
+    bool is_chamfer_ = false;
     double register_ = 0.0;
     // What speaks against a tool.
     int words_seen_ = 0, unknown_ = 0, letters_ = 0, expressions_ = 0, dimensions_ = 0;

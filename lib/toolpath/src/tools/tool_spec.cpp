@@ -389,6 +389,7 @@ private:
         if (per_side && degrees > 80) return "a flank opens by 80 degrees per side at most";
         if (!per_side && (degrees < 1 || degrees > 179))
             return "an angle is between 1 and 179 degrees";
+        if (spec_.kind == ToolKind::DovetailMill) degrees = dovetail_taper(degrees);
         (per_side ? spec_.taper : spec_.angle) = degrees;
         return {};
     }
@@ -430,6 +431,11 @@ private:
 };
 
 }  // namespace
+
+double dovetail_taper(double degrees) {
+    constexpr double kLeastOfMetal = 40.0;
+    return degrees < kLeastOfMetal ? degrees : 90.0 - degrees;
+}
 
 std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& message) {
     const std::string upper = text::upper(option);

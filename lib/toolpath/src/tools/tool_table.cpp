@@ -105,7 +105,7 @@ public:
         } else if (size_ && !size_is_elsewhere_) {
             // Vectric's usual zero, unless it says another: the lower left corner, on top.
             const cda::Vec3 size = factor(size_->unit, inches_first_) * size_->value;
-            cda::Vec3 min{-(zero_xy_.x + 1) / 2 * size.x, -(zero_xy_.y + 1) / 2 * size.y,
+            cda::Vec3 min{(-1 - zero_xy_.x) / 2 * size.x, (-1 - zero_xy_.y) / 2 * size.y,
                           zero_at_bed_ ? 0.0 : -size.z};
             set_stock({min, min + size}, block_span_, block_text_);
             if (notes_.stock) notes_.stock->place_assumed = !zero_told_;
@@ -221,6 +221,11 @@ private:
             case What::Heading: size_expected_ = true; return;
             case What::ZeroAtTop: zero_at_bed_ = false, zero_told_ = true; return;
             case What::ZeroAtBed: zero_at_bed_ = true, zero_told_ = true; return;
+            case What::Zero:
+                zero_xy_ = remark.first.value;
+                zero_at_bed_ = remark.first.value.z < 0.0;
+                zero_told_ = true;
+                return;
             case What::ZeroXY: zero_xy_ = remark.first.value, zero_told_ = true; return;
             case What::Elsewhere: size_is_elsewhere_ = true; return;
             case What::Size:

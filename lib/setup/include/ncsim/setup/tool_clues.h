@@ -14,6 +14,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace ncsim::setup {
 
@@ -25,7 +26,8 @@ public:
     /// As --assume-tool reads it: "flat:D6", "ball:D1/8in". Moves that only go down are those of a
     /// drill; many that rise while they go aside, of a ball; short ones of little depth, of an
     /// engraver. No wider than the tightest arc in the plane, than a few steps from line to line,
-    /// and than a quarter of what it covers; a size that is sold, in the unit of the program.
+    /// than the shortest way from hole to hole of a drill, and than a quarter of what it covers; a
+    /// size that is sold, in the unit of the program.
     std::string guess(bool inches) const;
 
 private:
@@ -33,12 +35,14 @@ private:
 
     double width_mm() const;
     double step_mm() const;
+    double hole_spacing_mm() const;
 
     cda::Box tips_;
     std::size_t moves_ = 0, falling_ = 0, slanting_ = 0;
     double length_mm_ = 0.0;
     double smallest_arc_mm_ = std::numeric_limits<double>::infinity();
-    std::array<std::set<std::int64_t>, 2> lines_;  // along X and Y: where, µm
+    std::array<std::set<std::int64_t>, 2> lines_;            // along X and Y: where, µm
+    std::set<std::pair<std::int64_t, std::int64_t>> holes_;  // places of moves straight down, µm
 };
 
 }  // namespace ncsim::setup

@@ -91,13 +91,19 @@ std::string filled_in(const ToolSpec& spec, double assumed_length);
 /// flutes.
 std::string describe(const Tool& tool);
 
+/// Returns the taper per side, in degrees, of a dovetail cutter that a catalogue lists with the
+/// angle `degrees`: cutters for metal are listed by the angle between floor and flank (45, 60),
+/// router bits by the angle between axis and flank (7.5, 14).
+double dovetail_taper(double degrees);
+
 /// Reads `T1=flat:D10:L22:S12x30:H28x15,40x25`: a number, a kind (flat, ball, bull, face, v,
 /// chamfer, drill, taper, slot, dovetail, lollipop, tap, reamer, boring-bar, thread; may be left
 /// out) and values: D diameter, K pitch of a tap, R corner radius, L length of the flutes, A angle
-/// (included; per side for taper and dovetail), P tip diameter, N neck and S shank (diameter, or
-/// diameter x length), E stick-out from the tip to the holder, H the holder from below upwards
-/// (diameter x height, or lower-upper x height for a cone). Numbers are mm, or inches with `in`
-/// behind them; case does not matter. Nothing if it is not of that form; the message then says why.
+/// (included; per side for taper; of dovetail see `dovetail_taper`), P tip diameter, N neck and S
+/// shank (diameter, or diameter x length), E stick-out from the tip to the holder, H the holder
+/// from below upwards (diameter x height, or lower-upper x height for a cone). Numbers are mm, or
+/// inches with `in` behind them; case does not matter. Nothing if it is not of that form; the
+/// message then says why.
 std::optional<ToolSpec> parse_tool_option(std::string_view text, std::string& message);
 
 }  // namespace ncsim::toolpath
