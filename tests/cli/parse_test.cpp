@@ -11,6 +11,10 @@ namespace {
 
 using nlohmann::json;
 
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 TEST(Parse, ShowsBlocksInOneSpelling) {
     Folder folder;
     folder.write("a.nc", "n10 g21 g90 ( go )\n#1=4 g0 x#1 y-.5\n\ng0 z 1 . 5\n/m2\n");
@@ -34,6 +38,33 @@ TEST(Parse, ShowsMotionsInMillimetres) {
               "L2 feed X25.4 Y0 Z25.4 F254\n"
               "L3 arc XY X50.8 Y25.4 Z25.4 centre 25.4 25.4 turns -1 F254\n"
               "L4 dwell 2\n");
+}
+
+TEST(Parse, ListsWhatAControlDoesNotHave) {
+    Folder folder;
+    folder.write("a.nc", "G21 G90\nG0 X0 Y0\nG81 X1 Z-1 R1 F100\nX2\nG81 X3\nM7\nM2\n");
+    Ran ran = folder.run({"parse", "a.nc", "--for", "grbl"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_EQ(ran.out,
+              "a.nc:3:1: grbl 1.1 has no G81 (2 times)\n"
+              "a.nc:6:1: M7 is an option of grbl 1.1\n"
+              "a.nc: grbl 1.1 lacks 1 of what this program uses; it answers with error 20 and stops "
+              "the stream\n"
+              "source: gnea/grbl, grbl/gcode.c at v1.1h\n");
+    ran = folder.run({"parse", "a.nc", "--for", "haas"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out, "M7 is not in the list of codes of Haas")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "the list may have gaps")) << ran.out;
+    ran = folder.run({"parse", "a.nc", "--for", "linuxcnc"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_TRUE(contains(ran.out, "has all codes of this program")) << ran.out;
+    const json lacks = json::parse(folder.run({"parse", "a.nc", "--for", "grbl", "--json"}).out);
+    EXPECT_EQ(lacks.at("lacks").at(0).at("what"), "G81");
+    EXPECT_EQ(lacks.at("lacks").at(0).at("line"), 3);
+    EXPECT_EQ(lacks.at("options").size(), 1U);
+    ran = folder.run({"parse", "a.nc", "--for", "siemens"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.err, "--for 'siemens': expected grbl,")) << ran.err;
 }
 
 TEST(Parse, ReportsWhatCannotBeReadAndExitsWithOne) {

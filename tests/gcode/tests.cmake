@@ -2,6 +2,7 @@ ncsim_add_test(gcode
   LIBRARIES ncsim::gcode ncsim::trig
   SOURCES
     codes_test.cpp
+    control_codes_test.cpp
     controls_test.cpp
     corpus_test.cpp
     dialect_test.cpp

@@ -131,6 +131,11 @@ TEST(DerivedStock, OfPassesInEqualStepsEndsAStepAboveTheFirst) {
     levels.add(others);
     EXPECT_EQ(levels.step(), 2.0);
     EXPECT_EQ(derive_stock({{0, 0, 0}, {10, 10, 40}}, 8.0, levels).stock.box.max.z, 10);
+    // Far below Z0: the zero is somewhere else, the part is where the cuts are.
+    EXPECT_EQ(derive_stock({{0, 0, -47}, {10, 10, 40}}, -45.0).stock.box.max.z, -45);
+    EXPECT_EQ(derive_stock({{0, 0, -47}, {10, 10, 40}}, -30.0).stock.box.max.z, 0) << "a deep wall";
+    EXPECT_EQ(derive_stock({{0, 0, -25}, {10, 10, 40}}, -25.0).stock.box.max.z, 0) << "one pass";
+    EXPECT_EQ(derive_stock({{0, 0, -9}, {10, 10, 40}}, -8.0).stock.box.max.z, 0) << "near Z0";
     EXPECT_EQ(derive_stock({{0, 0, 0}, {10, 10, 40}}, 9.0, levels).stock.box.max.z, 9)
         << "something cuts higher up, on a slope";
     EXPECT_EQ(derive_stock({{0, 0, -1}, {10, 10, 40}}, 8.0, levels).stock.box.max.z, 0);

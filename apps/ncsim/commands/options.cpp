@@ -55,7 +55,7 @@ std::vector<std::string> as_options(std::vector<std::string> words) {
     return words;
 }
 
-// What was mistyped, and what may have been meant; empty if all words are known.
+// Returns the first unknown word and the nearest known one; empty if all words are known.
 std::string mistyped(const cli::App& app, const std::vector<std::string>& words) {
     if (words.empty()) return {};
     std::vector<std::string> commands;
@@ -89,8 +89,7 @@ std::string mistyped(const cli::App& app, const std::vector<std::string>& words)
     return {};
 }
 
-// An empty name of a file is a variable of a script that nobody set: what was meant to be read
-// would not be.
+// Throws Refusal for an empty file name, which an unset variable of a script leaves.
 void refuse_empty_names(const cli::App& command) {
     for (const cli::Option* option : command.options()) {
         const std::string type = option->type_name();

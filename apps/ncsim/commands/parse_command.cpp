@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/parse_command.h"
 
+#include "ncsim/gcode/control_codes.h"
 #include "ncsim/gcode/parser.h"
 #include "ncsim/report/listing.h"
 #include "ncsim/setup/job.h"
 
 #include "system/console.h"
 
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace ncsim::app {
+
+namespace {
+
+// The row of the table of controls.
+const gcode::ControlCodes* known_control(const std::string& name) {
+    if (const gcode::ControlCodes* control = gcode::find_control_codes(name)) return control;
+    std::vector<std::string_view> names;
+    for (const gcode::ControlCodes& control : gcode::all_control_codes())
+        names.push_back(control.name);
+    throw Refusal{fmt::format("--for '{}': expected {}", name, fmt::join(names, ", "))};
+}
+
+}  // namespace
 
 cli::App* add_parse(cli::App& app, ParseOptions& options) {
     cli::App* parse =
@@ -15,6 +35,11 @@ cli::App* add_parse(cli::App& app, ParseOptions& options) {
     add_program_options(*parse, options);
     parse->add_flag("--canonical", options.canonical,
                     "The motions the program makes, in mm and degrees, not its blocks");
+    parse
+        ->add_option_function<std::string>(
+            "--for", [&options](const std::string& name) { options.control = known_control(name); },
+            "Codes of the program that this control does not have: grbl, haas, fanuc, …")
+        ->type_name("CONTROL");
     parse->add_flag("--json", options.json, "As JSON, a line for each of them");
     return parse;
 }
@@ -24,6 +49,11 @@ int run(const ParseOptions& options) {
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     const setup::Job job = setup::read_job(options, inputs);
+    if (options.control) {
+        const std::size_t lacks =
+            report::list_lacking(job.program, *options.control, options.json, put_out);
+        return lacks > 0 ? kFindings : kClean;
+    }
     gcode::ParserOptions parser;
     parser.strict = job.options.strict;
     const gcode::Diagnostics diagnostics =

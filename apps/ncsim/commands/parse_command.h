@@ -3,6 +3,8 @@
 // The command `ncsim parse`: how a program is read, as text that can be compared or as JSON.
 #pragma once
 
+#include "ncsim/gcode/control_codes.h"
+
 #include "options/program_options.h"
 
 namespace ncsim::app {
@@ -10,6 +12,7 @@ namespace ncsim::app {
 struct ParseOptions : ProgramOptions {
     bool canonical = false;  ///< The motions the program makes, not its blocks.
     bool json = false;
+    const gcode::ControlCodes* control = nullptr;  ///< List what it does not have.
 };
 
 /// The command `parse` of `app`. It reads into `options`, which must outlive it.

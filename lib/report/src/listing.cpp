@@ -7,10 +7,14 @@
 
 #include "json.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace ncsim::report {
 
@@ -249,6 +253,52 @@ gcode::Diagnostics list_motions(const gcode::SourceFile& program,
     });
     out.flush();
     return std::move(result.diagnostics);
+}
+
+std::size_t list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
+                         bool as_json, const TextSink& sink) {
+    const std::vector<gcode::CodeUse> uses = gcode::lacking_codes(program, control);
+    const std::string name = base_name(program.name);
+    const auto lacking =
+        static_cast<std::size_t>(std::ranges::count(uses, false, &gcode::CodeUse::is_option));
+    if (as_json) {
+        Json lacks = Json::array(), options = Json::array();
+        for (const gcode::CodeUse& use : uses) {
+            (use.is_option ? options : lacks)
+                .push_back({{"what", use.what},
+                            {"line", use.first.line},
+                            {"column", use.first.column},
+                            {"count", use.count}});
+        }
+        sink(to_text({{"program", name},
+                      {"control", control.title},
+                      {"source", control.source},
+                      {"list_is_complete", control.is_complete},
+                      {"lacks", lacks},
+                      {"options", options}}));
+        return lacking;
+    }
+    std::string text;
+    const std::string file = one_line(program.name);
+    for (const gcode::CodeUse& use : uses) {
+        text += fmt::format(
+            "{}:{}:{}: {}{}\n", file, use.first.line, use.first.column,
+            use.is_option ? fmt::format("{} is an option of {}", use.what, control.title)
+            : control.is_complete
+                ? fmt::format("{} has no {}", control.title, use.what)
+                : fmt::format("{} is not in the list of codes of {}", use.what, control.title),
+            use.count > 1 ? fmt::format(" ({} times)", use.count) : "");
+    }
+    if (lacking > 0) {
+        text += fmt::format("{}: {} lacks {} of what this program uses; {}\n", file, control.title,
+                            lacking, control.otherwise);
+    } else {
+        text += fmt::format("{}: {} has all codes of this program\n", file, control.title);
+    }
+    text += fmt::format("source: {}{}\n", control.source,
+                        control.is_complete ? "" : "; the list may have gaps");
+    sink(text);
+    return lacking;
 }
 
 }  // namespace ncsim::report

@@ -64,18 +64,6 @@ const GCode& entry_of(Code code) {
     return kCodes[kIndex[static_cast<std::size_t>(tenths_of(code))] - 1U];
 }
 
-bool is_of_grbl(Code code) {
-    constexpr std::array kOfGrbl = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281,
-                                    300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
-                                    570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
-    return std::ranges::find(kOfGrbl, tenths_of(code)) != kOfGrbl.end();
-}
-
-bool is_of_grbl(int m_number) {
-    constexpr std::array kOfGrbl = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30, 56};
-    return std::ranges::find(kOfGrbl, m_number) != kOfGrbl.end();
-}
-
 bool is_cycle(Code code) {
     switch (code) {
         case Code::G73:

@@ -103,11 +103,6 @@ constexpr int tenths_of(Code code) {
 /// G73, G74, G76, G81 … G89: a canned cycle that drills, taps or bores.
 bool is_cycle(Code code);
 
-/// True for the G codes of grbl. Source: grbl 1.1 wiki, "Supported G-codes in v1.1".
-bool is_of_grbl(Code code);
-/// True for the M codes of grbl, and M6, which senders of programs act on.
-bool is_of_grbl(int m_number);
-
 enum class MGroup : std::uint8_t {
     Stop,
     ToolChange,

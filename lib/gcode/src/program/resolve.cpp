@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/resolve.h"
 
+#include "ncsim/gcode/control_codes.h"
 #include "ncsim/gcode/print.h"
 
 #include "text/number.h"
@@ -13,6 +14,12 @@ namespace {
 
 /// Larger than any machine, and small enough that sums and squares stay numbers.
 constexpr double kLargest = 1e12;
+
+/// True for the codes of grbl, those of options included, and M6, which senders of programs act on.
+bool is_of_grbl(char letter, double number) {
+    static const ControlCodes& grbl = *find_control_codes("grbl");
+    return (letter == 'M' && number == 6.0) || support_of(grbl, letter, number) != CodeSupport::No;
+}
 
 }  // namespace
 
@@ -153,7 +160,7 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         unknown_g_ = true;
         return true;  // the rest of the block may have faults of its own
     }
-    if (rules_.only_grbl && !is_of_grbl(code) && !is_allowed('G', value)) {
+    if (rules_.only_grbl && !is_of_grbl('G', 0.1 * tenths_of(code)) && !is_allowed('G', value)) {
         log_.add(Message::NotOfGrbl, word.span, {text_of(word, value)});
         return false;
     }
@@ -202,7 +209,7 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
         if (is_whole && !rules_.strict && is_harmless_m(number, rules_.dialect)) return true;
         return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
     }
-    if (rules_.only_grbl && !is_of_grbl(number) && !is_allowed('M', value)) {
+    if (rules_.only_grbl && !is_of_grbl('M', number) && !is_allowed('M', value)) {
         log_.add(Message::NotOfGrbl, word.span, {text_of(word, value)});
         return false;
     }

@@ -153,6 +153,7 @@ namespace {
 constexpr double kMarginShare = 0.05;
 constexpr double kLeastMargin = 2.0;
 constexpr double kLeastHeight = 1.0;
+constexpr double kFarBelow = 10.0;  // mm, below Z0: deeper than a first cut at the side of a block
 
 double margin(double size) {
     return std::max(kLeastMargin, kMarginShare * size);
@@ -200,7 +201,9 @@ DerivedStock derive_stock(const cda::Box& swept, double highest_tip, const Highe
     cda::Box box = swept;
     widen(box, 0);
     widen(box, 1);
-    const bool from_zero = swept.min.z < 0;
+    const double depth = highest_tip - swept.min.z;
+    const bool is_far_below = highest_tip < -kFarBelow && -highest_tip > 4.0 * depth && depth > 0.0;
+    const bool from_zero = swept.min.z < 0 && !is_far_below;
     const std::optional<double> step =
         levels.highest() == highest_tip ? levels.step() : std::nullopt;
     const double highest = highest_tip + step.value_or(0.0);
@@ -212,8 +215,12 @@ DerivedStock derive_stock(const cda::Box& swept, double highest_tip, const Highe
         "with 5 % (at least 2 mm) more on all sides and below; top at ";
     derived.rule +=
         from_zero ? "Z0, since cuts go below it"
-        : step    ? "a step above the first of passes in equal steps, since no cut goes below Z0"
-                  : "the highest cutting position of a tool tip, since no cut goes below Z0";
+        : step    ? "a step above the first of passes in equal steps"
+                  : "the highest cutting position of a tool tip";
+    if (!from_zero) {
+        derived.rule += is_far_below ? ", since all cuts are far below Z0"
+                                     : ", since no cut goes below Z0";
+    }
     return derived;
 }
 

@@ -3,11 +3,13 @@
 // How a program is read, as text that can be compared or as JSON.
 #pragma once
 
+#include "ncsim/gcode/control_codes.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/parser.h"
 #include "ncsim/gcode/source.h"
 
+#include <cstddef>
 #include <functional>
 #include <string_view>
 
@@ -24,5 +26,10 @@ gcode::Diagnostics list_blocks(const gcode::SourceFile& program,
 gcode::Diagnostics list_motions(const gcode::SourceFile& program,
                                 const gcode::InterpreterOptions& options, bool as_json,
                                 const TextSink& sink);
+
+/// Lists what the program uses and `control` does not have, a line each. Returns the number of
+/// them.
+std::size_t list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
+                         bool as_json, const TextSink& sink);
 
 }  // namespace ncsim::report
