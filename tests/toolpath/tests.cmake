@@ -9,6 +9,7 @@ ncsim_add_test(toolpath
     spline_arcs_test.cpp
     stock_test.cpp
     tool_comment_test.cpp
+    tool_drawings_test.cpp
     tool_file_test.cpp
     tool_polytope_test.cpp
     tool_table_test.cpp
