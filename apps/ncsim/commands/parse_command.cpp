@@ -48,7 +48,7 @@ int run(const ParseOptions& options) {
     setup::InputSet inputs;
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    const setup::Job job = setup::read_job(options, inputs);
+    const setup::Job job = setup::read_job(static_cast<const setup::JobOptions&>(options), inputs);
     if (options.control) {
         const std::size_t lacks =
             report::list_lacking(job.program, *options.control, options.json, put_out);

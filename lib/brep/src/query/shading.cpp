@@ -95,8 +95,10 @@ ShadingMaker::ShadingMaker(const cda::Boundary& boundary)
 }
 
 void ShadingMaker::take(cda::Origin origin, const Source& source) {
-    const auto faces = std::ranges::equal_range(
-        by_origin_, origin, {}, [&](std::uint32_t f) { return boundary_.faces[f].origin; });
+    const auto origin_of = [&](std::uint32_t f) { return boundary_.faces[f].origin; };
+    const auto first = std::ranges::lower_bound(by_origin_, origin, {}, origin_of);
+    const auto last = std::ranges::upper_bound(by_origin_, origin, {}, origin_of);
+    const std::span<const std::uint32_t> faces(first, last);
     const std::span<const Vec3> points(boundary_.vertices);
     std::vector<std::uint32_t> numbers(source.candidates.size(), kNone);
     for (const std::uint32_t f : faces) {

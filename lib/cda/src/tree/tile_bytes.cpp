@@ -16,9 +16,9 @@ namespace ncsim::cda {
 
 namespace {
 
-constexpr std::size_t kPlaneBytes = 3 * 4 + 8;
-constexpr std::size_t kPointBytes = 3 * 8 + 3 * 4;
-constexpr std::size_t kPieceBytes = 5 * 4;
+constexpr std::size_t kPlaneBytes = 20;  // three components of 4 bytes, a distance of 8
+constexpr std::size_t kPointBytes = 36;  // three of 8 bytes, three of 4
+constexpr std::size_t kPieceBytes = 20;
 
 [[noreturn]] void fail(const char* why) {
     throw std::invalid_argument(why);
