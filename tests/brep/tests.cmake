@@ -36,7 +36,7 @@ set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQ
 # Parts of random programs likewise; more of them by hand: ncsim_brep_random <folder> 1000. With the
 # arguments that it gets here.
 add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/cam_parts.cpp
-  brep/random_parts.cpp brep/tilted_parts.cpp)
+  brep/random_parts.cpp brep/slot_parts.cpp brep/tilted_parts.cpp)
 target_include_directories(ncsim_brep_random PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation ncsim::trig fmt::fmt-header-only
   ncsim_build_flags)

@@ -3,6 +3,7 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "geometry/arc_ends.h"
 #include "geometry/bends.h"
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
@@ -28,7 +29,6 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-constexpr double kRounded = 2e-7;
 // Where ways bend, sides and corner radii of both meet in two corners, as near to each other as
 // what programs round. They are off both by more, mm.
 constexpr double kExact = 1e-6;
@@ -417,6 +417,26 @@ bool Chains::is_of_rounding(const Chain& chain) const {
            norm(middle_of(chain) - from) < reach({chain.left, chain.right});
 }
 
+// Circles that ought to touch in a corner but miss it cross on both sides of it. False if no circle
+// as near as readers tell ends in both corners with the directions of this one: splines do.
+bool Chains::end_in_corners(Circle& circle, const Vertex& from, const Vertex& to) {
+    // Three faces that miss their corner touch there, whatever is known of their forms.
+    const auto is_touch = [](const Vertex& v) {
+        return v.is_touch || (v.groups.size() == 3 && v.miss > kReaders);
+    };
+    if (!is_touch(from) && !is_touch(to)) return true;
+    if (std::max(is_touch(from) ? from.miss : 0.0, is_touch(to) ? to.miss : 0.0) > kReaders)
+        return false;
+    const Vertex &first = is_touch(from) ? from : to, &second = is_touch(from) ? to : from;
+    const auto ending = circle_through(circle, first.at, second.at);
+    // Directions that differ by more cross farther from the corner than readers merge.
+    constexpr double kSameDirection = 1e-8;  // rad
+    if (!ending || (is_touch(second) && angle_between(circle, *ending, second.at) > kSameDirection))
+        return false;
+    circle = *ending;
+    return true;
+}
+
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     if (chain.has_vanished) return;
@@ -513,13 +533,7 @@ void Chains::solve_chain(Chain& chain) {
             return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         }
     }
-    // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
-    // have their ends there, and one direction.
-    // Three faces that miss their corner touch there, whatever is known of their forms.
-    const auto is_rounded = [](const Vertex& v) {
-        return (v.is_touch || v.groups.size() == 3) && v.miss > kRounded;
-    };
-    if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
+    if (!is_loop && circle && !end_in_corners(*circle, from, to)) {
         points.front() = from.at;
         points.back() = to.at;
         if (auto spline = spline_between(a, b, points)) *curve = std::move(*spline);
