@@ -502,6 +502,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     }
     halve_wide_edges(result.part);
     part_at_horns(result.part);
+    part_cones_at_points(result.part);
     divide_arcs_beside_corners(result.part);
     draw_in_ellipses(result.part);
     std::set<cda::Origin> of_facets;
