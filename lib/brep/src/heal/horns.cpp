@@ -27,6 +27,7 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 using cda::normalized;
+using trig::kRadiansPerDegree;
 
 std::uint32_t departs_from(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
@@ -268,6 +269,70 @@ Parted part_at_horn(Part& part, std::uint32_t f) {
     return Parted::ByALine;
 }
 
+// Where an arc of a plane is to be divided: beside a corner in which it and a sharper arc run out
+// together.
+struct Cusp {
+    std::uint32_t edge = 0;
+    double at = 0.0;  // share of the edge that is passed there
+};
+
+// An arc as it leaves a corner.
+struct ArcEnd {
+    EdgeUse use;
+    Vec3 direction;     // unit
+    Vec3 curvature;     // turn of the direction for each mm
+    double turn = 0.0;  // of the whole arc if it bent as it does here, rad
+};
+
+ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    constexpr double kStep = 1e-2;
+    const auto direction = [&](double t) {
+        const Vec3 along = normalized(track.derivative(use.is_forward ? t : 1.0 - t));
+        return use.is_forward ? along : -along;
+    };
+    const Vec3 first = direction(0.0);
+    const double speed = norm(track.derivative(use.is_forward ? 0.0 : 1.0));
+    const Vec3 turn = (1.0 / kStep) * (direction(kStep) - first);
+    return {use, first, (1.0 / speed) * turn, norm(turn)};
+}
+
+std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
+    // Readers draw arcs as chords, equally long along an arc, and two that run out together cross
+    // if the first chord of the flatter one turns by more than that of the other one: by up to 17
+    // degrees, where the angle limits chords. So the flatter one begins with an arc of so much; a
+    // reader who turns by less at a time divides it, too. An arc of less than twice that is one.
+    constexpr double kFirst = 4.0 * kRadiansPerDegree, kLeast = 2.0 * kFirst;
+    constexpr double kAlong = 1e-3;  // rad
+    std::vector<std::pair<std::uint32_t, EdgeUse>> leaving;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            if (std::holds_alternative<Line>(part.edges[use.edge].curve)) continue;
+            leaving.emplace_back(departs_from(part, use), use);
+            leaving.emplace_back(departs_from(part, reversed_use(use)), reversed_use(use));
+        }
+    }
+    std::ranges::stable_sort(leaving, {}, [](const auto& one) { return one.first; });
+    std::vector<Cusp> cusps;
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+        for (std::size_t j = i + 1; j < leaving.size() && leaving[j].first == leaving[i].first;
+             ++j) {
+            if (leaving[i].second.edge == leaving[j].second.edge) continue;
+            ArcEnd flat = arc_end_of(part, leaving[i].second);
+            ArcEnd sharp = arc_end_of(part, leaving[j].second);
+            if (norm(flat.direction - sharp.direction) > kAlong ||
+                dot(flat.curvature, sharp.curvature) <= 0.0)
+                continue;
+            if (norm(flat.curvature) > norm(sharp.curvature)) std::swap(flat, sharp);
+            if (flat.turn < kLeast) continue;
+            const double share = kFirst / flat.turn;
+            cusps.push_back({flat.use.edge, flat.use.is_forward ? share : 1.0 - share});
+        }
+    }
+    return cusps;
+}
+
 // A generator of a cone along which its face becomes two: from the closed circle that the rest of
 // the loop touches in one corner to the middle of an edge of that rest.
 struct ConeCut {
@@ -368,6 +433,22 @@ void part_cones_at_points(Part& part) {
         halving.halve(loop[cut.use].edge);
         halving.finish();
         part_along(part, f, cut.loop, on_circle, on_circle + 1);
+    }
+}
+
+void divide_arcs_at_cusps(Part& part) {
+    // An arc may run out at both of its ends, and an edge is divided once at a time.
+    constexpr int kMostTimes = 4;
+    bool any = true;
+    for (int i = 0; i < kMostTimes && any; ++i) {
+        any = false;
+        Halving halving(part);
+        for (const Face& face : part.faces) {
+            if (!std::holds_alternative<Plane>(face.surface.form)) continue;
+            for (const Cusp& cusp : cusps_of(part, face))
+                any = halving.divide(cusp.edge, cusp.at) || any;
+        }
+        halving.finish();
     }
 }
 
