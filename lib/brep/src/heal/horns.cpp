@@ -301,9 +301,11 @@ ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
 std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
     // Readers draw arcs as chords, equally long along an arc, and two that run out together cross
     // if the first chord of the flatter one turns by more than that of the other one: by up to 17
-    // degrees, where the angle limits chords. So the flatter one begins with an arc of so much; a
-    // reader who turns by less at a time divides it, too. An arc of less than twice that is one.
-    constexpr double kFirst = 4.0 * kRadiansPerDegree, kLeast = 2.0 * kFirst;
+    // degrees, where the angle limits chords. So the flatter one begins with an arc of 4 degrees,
+    // and that with one of 1; readers who turn by less at a time divide these, too. Arcs that are
+    // hardly longer are not divided.
+    constexpr double kFirst = 4.0 * kRadiansPerDegree, kNearest = 1.0 * kRadiansPerDegree;
+    constexpr double kLonger = 2.0;
     constexpr double kAlong = 1e-3;  // rad
     std::vector<std::pair<std::uint32_t, EdgeUse>> leaving;
     for (const Loop& loop : face.loops) {
@@ -325,8 +327,8 @@ std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
                 dot(flat.curvature, sharp.curvature) <= 0.0)
                 continue;
             if (norm(flat.curvature) > norm(sharp.curvature)) std::swap(flat, sharp);
-            if (flat.turn < kLeast) continue;
-            const double share = kFirst / flat.turn;
+            if (flat.turn < kLonger * kNearest) continue;
+            const double share = (flat.turn < kLonger * kFirst ? kNearest : kFirst) / flat.turn;
             cusps.push_back({flat.use.edge, flat.use.is_forward ? share : 1.0 - share});
         }
     }
@@ -437,7 +439,7 @@ void part_cones_at_points(Part& part) {
 }
 
 void divide_arcs_at_cusps(Part& part) {
-    // An arc may run out at both of its ends, and an edge is divided once at a time.
+    // Twice at each end of an arc, and an edge is divided once at a time.
     constexpr int kMostTimes = 4;
     bool any = true;
     for (int i = 0; i < kMostTimes && any; ++i) {
