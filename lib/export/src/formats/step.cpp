@@ -483,7 +483,8 @@ private:
                    "," + real(half) + ")");
     }
     Entity surface_of(const brep::Sphere& form, const brep::Face& face) {
-        return add("SPHERICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+        return add("SPHERICAL_SURFACE(''," + place_of(brep::frame_in_file(part_, face)) + "," +
+                   real(form.radius) + ")");
     }
     Entity surface_of(const brep::Extrusion& form, const brep::Face& face) {
         const auto half = brep::half_of_ramp(part_, face);
