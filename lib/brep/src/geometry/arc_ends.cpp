@@ -19,8 +19,8 @@ std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3
     const double radius = 0.5 * dot(chord, chord) * reach / into;
     const double height = dot(tangent_at - circle.centre, circle.axis);
     const double shift = std::abs(reach - radius);
-    // The centre moves by `shift`, the radius by what differs.
-    const double off = shift + std::abs(radius - circle.radius);
+    // The centre moves by `shift`; the radius changes by as much and by what the corner misses.
+    const double off = 2.0 * shift + std::abs(reach - circle.radius);
     if (!(off <= kReaders) || std::abs(height) > kReaders) return std::nullopt;
     return Circle{circle.centre + (1.0 - radius / reach) * out, circle.axis, radius};
 }

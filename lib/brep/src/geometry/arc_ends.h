@@ -13,9 +13,13 @@ namespace ncsim::brep {
 /// vertices and edges a tolerance of 1e-7.
 inline constexpr double kReaders = 2e-7;
 
+/// Curves that part by less than this near a corner are tangent there but for the rounding of
+/// numbers, mm. OpenCASCADE looks for crossings to 1e-10.
+inline constexpr double kTangentMm = 1e-10;
+
 /// Returns the circle through `tangent_at` and `other` that has the axis of `circle` and, in
 /// `tangent_at`, its direction. Circles that are tangent in a corner but miss it by `d` cross about
-/// sqrt(d / difference of curvatures) beside it, far outside of any tolerance; the ones returned
+/// sqrt(d / difference of curvatures) away from it, far outside of any tolerance; the ones returned
 /// touch in the corner itself. Nothing if the result is off `circle` by more than `kReaders`.
 std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3 other);
 

@@ -269,7 +269,7 @@ Parted part_at_horn(Part& part, std::uint32_t f) {
     return Parted::ByALine;
 }
 
-// Where an arc of a plane is to be divided: beside a corner in which it and a sharper arc run out
+// Where an arc of a plane is to be divided: near a corner in which it and a sharper arc run out
 // together.
 struct Cusp {
     std::uint32_t edge = 0;

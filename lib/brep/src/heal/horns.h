@@ -17,7 +17,7 @@ namespace ncsim::brep {
 /// edges of the plane each time.
 void part_at_horns(Part& part);
 
-/// Divides arcs of planes beside corners in which they run out together with sharper ones, so that
+/// Divides arcs of planes near corners in which they run out together with sharper ones, so that
 /// the chords of readers do not cross there. OpenCASCADE drew nothing of such a plane at one
 /// deflection or another.
 void divide_arcs_at_cusps(Part& part);

@@ -3,6 +3,7 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "geometry/arc_ends.h"
 #include "geometry/nearly.h"
 
 #include <algorithm>
@@ -21,9 +22,6 @@ using cda::norm;
 
 // Crossings nearer to the corner are the corner to readers, mm.
 constexpr double kInCorner = 1e-6;
-// Curves that part by less between the corner and the crossing are tangent but for the rounding of
-// numbers, mm.
-constexpr double kTangent = 1e-10;
 
 // An edge of a plane, seen from one of its ends.
 struct PlaneEdge {
@@ -100,7 +98,8 @@ bool cross_beside_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& 
         if (nearest <= kInCorner) continue;
         const Vec3 axis = a.circle ? a.circle->axis : b.circle->axis;
         const Vec3 middle = 0.5 * (corner + p), side = cross(axis, p - corner);
-        if (std::abs(depth_of(a, middle, side) - depth_of(b, middle, side)) > kTangent) return true;
+        if (std::abs(depth_of(a, middle, side) - depth_of(b, middle, side)) > kTangentMm)
+            return true;
     }
     return false;
 }

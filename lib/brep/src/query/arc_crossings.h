@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Arcs of a plane that run out together in a corner and cross beside it. mm, frame W.
+// Arcs of a plane that run out together in a corner and cross near it. mm, frame W.
 #pragma once
 
 #include "ncsim/brep/part.h"

@@ -229,6 +229,7 @@ void Chains::solve() {
     for (Chain& chain : chains_)
         solve_chain(chain);
     if (failures_.empty()) join_vanished();
+    if (failures_.empty()) end_arcs_in_corners();
 }
 
 // Where walls touch but for rounding, corners above each other are beside each other by as much:
@@ -417,24 +418,62 @@ bool Chains::is_of_rounding(const Chain& chain) const {
            norm(middle_of(chain) - from) < reach({chain.left, chain.right});
 }
 
-// Circles that ought to touch in a corner but miss it cross on both sides of it. False if no circle
-// as near as readers tell ends in both corners with the directions of this one: splines do.
-bool Chains::end_in_corners(Circle& circle, const Vertex& from, const Vertex& to) {
-    // Three faces that miss their corner touch there, whatever is known of their forms.
-    const auto is_touch = [](const Vertex& v) {
-        return v.is_touch || (v.groups.size() == 3 && v.miss > kReaders);
+// Arcs that run out together in a corner but miss it cross on both sides of it. Each that misses it
+// by less than readers merge becomes the circle that ends in both of its corners with the direction
+// that it has there; a spline, if no circle as near does.
+void Chains::end_arcs_in_corners() {
+    struct End {
+        std::uint32_t chain;
+        bool is_start;
+        Vec3 direction;  // as it leaves the corner, unit
     };
-    if (!is_touch(from) && !is_touch(to)) return true;
-    if (std::max(is_touch(from) ? from.miss : 0.0, is_touch(to) ? to.miss : 0.0) > kReaders)
-        return false;
-    const Vertex &first = is_touch(from) ? from : to, &second = is_touch(from) ? to : from;
-    const auto ending = circle_through(circle, first.at, second.at);
-    // Directions that differ by more cross farther from the corner than readers merge.
-    constexpr double kSameDirection = 1e-8;  // rad
-    if (!ending || (is_touch(second) && angle_between(circle, *ending, second.at) > kSameDirection))
-        return false;
-    circle = *ending;
-    return true;
+    std::vector<std::vector<End>> ends(vertices_.size());
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        const Chain& chain = chains_[c];
+        if (chain.has_vanished || chain.has_failed || chain.is_closed || chain.from == chain.to)
+            continue;
+        const Vec3 from = vertices_[chain.from].at, to = vertices_[chain.to].at;
+        const auto* circle = std::get_if<Circle>(&chain.curve);
+        if (!circle && !std::holds_alternative<Line>(chain.curve)) continue;
+        const auto along = [&](Vec3 p) {
+            return cda::normalized(circle ? cross(circle->axis, p - circle->centre) : to - from);
+        };
+        ends[chain.from].push_back({c, true, along(from)});
+        ends[chain.to].push_back({c, false, -along(to)});
+    }
+    constexpr double kAlong = 1e-3;                             // rad
+    std::vector<std::array<bool, 2>> runs_out(chains_.size());  // at its start, at its end
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+        if (vertices_[v].miss <= kTangentMm || vertices_[v].miss > kReaders) continue;
+        for (std::size_t i = 0; i < ends[v].size(); ++i) {
+            for (std::size_t j = i + 1; j < ends[v].size(); ++j) {
+                if (norm(ends[v][i].direction - ends[v][j].direction) > kAlong) continue;
+                for (const End& end : {ends[v][i], ends[v][j]})
+                    runs_out[end.chain][end.is_start ? 0 : 1] = true;
+            }
+        }
+    }
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        const auto [starts, stops] = runs_out[c];
+        auto* circle = std::get_if<Circle>(&chains_[c].curve);
+        if (!circle || (!starts && !stops)) continue;
+        const Vec3 from = vertices_[chains_[c].from].at, to = vertices_[chains_[c].to].at;
+        const Vec3 first = starts ? from : to, second = starts ? to : from;
+        const auto ending = circle_through(*circle, first, second);
+        // Directions that differ by more cross farther from the corner than readers merge.
+        constexpr double kSameDirection = 1e-8;  // rad
+        const bool both = starts && stops;
+        if (ending && (!both || angle_between(*circle, *ending, second) <= kSameDirection)) {
+            *circle = *ending;
+            continue;
+        }
+        std::vector<Vec3> points = points_of(chains_[c]);
+        points.front() = from;
+        points.back() = to;
+        if (auto spline = spline_between(groups_.form_of(chains_[c].left),
+                                         groups_.form_of(chains_[c].right), points))
+            chains_[c].curve = std::move(*spline);
+    }
 }
 
 void Chains::solve_chain(Chain& chain) {
@@ -533,7 +572,13 @@ void Chains::solve_chain(Chain& chain) {
             return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         }
     }
-    if (!is_loop && circle && !end_in_corners(*circle, from, to)) {
+    // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
+    // have their ends there, and one direction.
+    // Three faces that miss their corner touch there, whatever is known of their forms.
+    const auto is_rounded = [](const Vertex& v) {
+        return (v.is_touch || v.groups.size() == 3) && v.miss > kReaders;
+    };
+    if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
         points.front() = from.at;
         points.back() = to.at;
         if (auto spline = spline_between(a, b, points)) *curve = std::move(*spline);

@@ -323,7 +323,7 @@ public:
     }
 
     // The same on an arc about an axis across the tool's: on each side of its centre a dome, at the
-    // heights that the arc passes there. Beyond them the dome would go on beside walls that the
+    // heights that the arc passes there. Beyond them the dome would go on along walls that the
     // tool left where it started or ended.
     void rim_across(const Element& e, const ArcWay& way, Vec3 axis) {
         if (e.radius <= kEqual || way.fitted_radius <= kEqual ||

@@ -86,9 +86,10 @@ Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
     return best;
 }
 
-// An axis on which all edges are lines of parameters: circles about it, or great circles through
-// the poles that end there or pass beside them; the face goes round no pole. Readers lay other
-// circles down on a sphere some hundredths of a micrometre beside it, and say so of the solid.
+// Returns an axis about which all edges are lines of parameters: circles about the axis, or great
+// circles through the poles that do not pass a pole inside. The face contains no pole. OpenCASCADE
+// lays other circles down on a sphere roughly, by 2e-5 mm on one of 3 mm, and finds the curve off
+// its surface.
 std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const Sphere& sphere) {
     constexpr double kOne = 1e-9;
     std::vector<const Edge*> edges;

@@ -79,10 +79,10 @@ constexpr double kPiece = 10.0;
 // Of spirals, within 2e-9 of the radius.
 constexpr double kPieceOfSpiral = 3.0;
 
-// The reach of a patch: it ends with the face where an edge runs along that end, and goes beyond
-// the face elsewhere. Readers know what lies on the end of a patch without looking for it; beside
-// an end of the face at which a wall is tangent they find places of edges roughly. `place_of`: both
-// angles of a point, degrees; the radii are those of both circles, mm.
+// The reach of a patch. The patch ends with the face where an edge runs along that end, and goes
+// beyond the face elsewhere. OpenCASCADE knows the parameters of edges on the end of a patch
+// without a search; near an end of the face at which a wall is tangent a search finds them roughly.
+// `place_of`: both angles of a point, degrees; the radii are those of both circles, mm.
 template <typename PlaceOf>
 Reach reach_of_patch(const Part& part, const Face& face, const Reach& reach,
                      const PlaceOf& place_of, double radius_around, double radius_along) {
