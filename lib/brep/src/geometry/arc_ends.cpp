@@ -18,9 +18,9 @@ std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3
     if (!(into > 0.0)) return std::nullopt;
     const double radius = 0.5 * dot(chord, chord) * reach / into;
     const double height = dot(tangent_at - circle.centre, circle.axis);
-    const double shift = std::abs(reach - radius);
-    // The centre moves by `shift`; the radius changes by as much and by what the corner misses.
-    const double off = 2.0 * shift + std::abs(reach - circle.radius);
+    // The new circle is farthest off the old one in `tangent_at` and opposite to it.
+    const double off =
+        std::max(std::abs(reach - circle.radius), std::abs(2.0 * radius - reach - circle.radius));
     if (!(off <= kReaders) || std::abs(height) > kReaders) return std::nullopt;
     return Circle{circle.centre + (1.0 - radius / reach) * out, circle.axis, radius};
 }
