@@ -4,6 +4,7 @@
 #include "ncsim/brep/measure.h"
 
 #include "brep/solids.h"
+#include "geometry/arc_ends.h"
 #include "heal/apart.h"
 
 #include <gtest/gtest.h>
@@ -165,8 +166,8 @@ TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
 }
 
 // The corner where two arcs end is beyond the point in which they touch, as far as the radii of 5
-// and 15 and their distance tell: they cross there once more, 0.2 mm before the corner or nearer to
-// it than programs round.
+// and 15 and their distance tell: they cross there once more, 0.2 mm before the corner, 0.02 mm
+// before it, where readers see it, too, or in the corner but for rounding.
 TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
     const auto faults = [](double half) {
         // Of both circles the points beside the y axis, on both sides.
@@ -182,11 +183,41 @@ TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
             {{0, false}, {2, false}, {1, false}});
     };
     EXPECT_NE(faults(0.1).find(kCrossOrTouch), std::string::npos);
-    EXPECT_EQ(faults(0.01), "");
+    EXPECT_NE(faults(0.01).find(kCrossOrTouch), std::string::npos);
+    EXPECT_EQ(faults(1e-7), "");
 }
 
 // Edges of facets are off the cone that is beside them: of two that meet near its apex nobody can
 // say whether the apex is in the face.
+// The floor of a slot along an arc of 7.2 mm by a tool of 6 mm, before the circle of a plunge at
+// its end: outside, both arcs are tangent in the corner, which the plunge misses.
+std::string faults_beside_plunge(double miss) {
+    const Circle outside{{}, kUp, 10.2}, inside{{}, kUp, 4.2};
+    const Circle plunge{{7.2 + miss, 0, 0}, -kUp, 3.0}, start{{-7.2, 0, 0}, -kUp, 3.0};
+    return faults_between({{-10.2, 0, 0}, {10.2, 0, 0}, {4.2, 0, 0}, {-4.2, 0, 0}},
+                          {{0, 1, outside}, {1, 2, plunge}, {3, 2, inside}, {0, 3, start}},
+                          {{0, true}, {1, true}, {2, false}, {3, false}});
+}
+
+TEST(Check, FindsArcsThatRunOutTogetherAndCross) {
+    EXPECT_EQ(faults_beside_plunge(0.0), "");
+    for (const double miss : {1e-9, 1e-8, 1e-7})
+        EXPECT_NE(faults_beside_plunge(miss).find(kCrossOrTouch), std::string::npos) << miss;
+}
+
+TEST(Check, LetsArcsThatEndInTheirCornerTouchThere) {
+    for (const double miss : {-1e-7, -1e-8, -1e-9, 1e-9, 1e-8, 1e-7}) {
+        const Circle plunge{{7.2 + miss, 0, 0}, kUp, 3.0};
+        const Vec3 corner{10.2, 0, 0}, other{4.2, 0, 0};
+        const auto ending = circle_through(plunge, corner, other);
+        ASSERT_TRUE(ending.has_value());
+        EXPECT_NEAR(cda::norm(corner - ending->centre), ending->radius, 1e-14);
+        EXPECT_NEAR(cda::norm(other - ending->centre), ending->radius, 1e-14);
+        EXPECT_LT(angle_between(plunge, *ending, corner), 1e-15);
+    }
+    EXPECT_FALSE(circle_through({{7.2001, 0, 0}, kUp, 3.0}, {10.2, 0, 0}, {4.2, 0, 0}));
+}
+
 TEST(Check, FindsEdgesBesideTheApexOfACone) {
     const auto faults = [](Vec3 near_tip) {
         Part part;

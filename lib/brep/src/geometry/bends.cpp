@@ -191,7 +191,7 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p) {
     return norm(p - one) < norm(p - two) ? one : two;
 }
 
-std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q) {
+std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 past) {
     const auto* first = std::get_if<Cylinder>(&a);
     const auto* second = std::get_if<Cylinder>(&b);
     const auto planes = first && second ? mitres(*first, *second) : bends(a, b);
@@ -207,7 +207,7 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q)
     // On the common normal of both axes.
     const Vec3 side = first->radius * normalized(cross(first->axis, second->axis));
     const Vec3 up = one.origin + side, down = one.origin - side;
-    return norm(p - up) + norm(q - up) < norm(p - down) + norm(q - down) ? up : down;
+    return norm(past - up) < norm(past - down) ? up : down;
 }
 
 std::optional<Form> ellipse_of_bend(const Form& a, const Form& b, Vec3 p) {

@@ -19,8 +19,8 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p);
 
 /// The same where the one of `p` and `q` lies on the circle and the other on the ellipse: the one
-/// nearer to that on the circle.
-std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q);
+/// nearer to that on the circle; of two pipes the one nearer to `past`, a point of the edge.
+std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 past);
 
 /// Of such forms: if `p` lies on the circle alone, the plane of the ellipse.
 std::optional<Form> ellipse_of_bend(const Form& a, const Form& b, Vec3 p);

@@ -2,6 +2,7 @@
 #include "heal/horns.h"
 
 #include "ncsim/brep/frames.h"
+#include "ncsim/trig/angles.h"
 
 #include "heal/pinches.h"
 #include "topology/around.h"
@@ -26,6 +27,7 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 using cda::normalized;
+using trig::kRadiansPerDegree;
 
 std::uint32_t departs_from(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
@@ -267,7 +269,190 @@ Parted part_at_horn(Part& part, std::uint32_t f) {
     return Parted::ByALine;
 }
 
+// Where an arc of a plane is to be divided: near a corner in which it and a sharper arc run out
+// together.
+struct Cusp {
+    std::uint32_t edge = 0;
+    double at = 0.0;  // share of the edge that is passed there
+};
+
+// An arc as it leaves a corner.
+struct ArcEnd {
+    EdgeUse use;
+    Vec3 direction;     // unit
+    Vec3 curvature;     // turn of the direction for each mm
+    double turn = 0.0;  // of the whole arc if it bent as it does here, rad
+};
+
+ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    constexpr double kStep = 1e-2;
+    const auto direction = [&](double t) {
+        const Vec3 along = normalized(track.derivative(use.is_forward ? t : 1.0 - t));
+        return use.is_forward ? along : -along;
+    };
+    const Vec3 first = direction(0.0);
+    const double speed = norm(track.derivative(use.is_forward ? 0.0 : 1.0));
+    const Vec3 turn = (1.0 / kStep) * (direction(kStep) - first);
+    return {use, first, (1.0 / speed) * turn, norm(turn)};
+}
+
+std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
+    // Readers draw arcs as chords, equally long along an arc, and two that run out together cross
+    // if the first chord of the flatter one turns by more than that of the other one: by up to 17
+    // degrees, where the angle limits chords. So the flatter one begins with an arc of 4 degrees,
+    // and that with one of 1; readers who turn by less at a time divide these, too. Arcs that are
+    // hardly longer are not divided.
+    constexpr double kFirst = 4.0 * kRadiansPerDegree, kNearest = 1.0 * kRadiansPerDegree;
+    constexpr double kLonger = 2.0;
+    constexpr double kAlong = 1e-3;  // rad
+    std::vector<std::pair<std::uint32_t, EdgeUse>> leaving;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            if (std::holds_alternative<Line>(part.edges[use.edge].curve)) continue;
+            leaving.emplace_back(departs_from(part, use), use);
+            leaving.emplace_back(departs_from(part, reversed_use(use)), reversed_use(use));
+        }
+    }
+    std::ranges::stable_sort(leaving, {}, [](const auto& one) { return one.first; });
+    std::vector<Cusp> cusps;
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+        for (std::size_t j = i + 1; j < leaving.size() && leaving[j].first == leaving[i].first;
+             ++j) {
+            if (leaving[i].second.edge == leaving[j].second.edge) continue;
+            ArcEnd flat = arc_end_of(part, leaving[i].second);
+            ArcEnd sharp = arc_end_of(part, leaving[j].second);
+            if (norm(flat.direction - sharp.direction) > kAlong ||
+                dot(flat.curvature, sharp.curvature) <= 0.0)
+                continue;
+            if (norm(flat.curvature) > norm(sharp.curvature)) std::swap(flat, sharp);
+            if (flat.turn < kLonger * kNearest) continue;
+            const double share = (flat.turn < kLonger * kFirst ? kNearest : kFirst) / flat.turn;
+            cusps.push_back({flat.use.edge, flat.use.is_forward ? share : 1.0 - share});
+        }
+    }
+    return cusps;
+}
+
+// A generator of a cone along which its face becomes two: from the closed circle that the rest of
+// the loop touches in one corner to the middle of an edge of that rest.
+struct ConeCut {
+    std::size_t loop = 0, circle = 0, use = 0;  // places of the circle and of the edge
+    double at_circle = 0.5;                     // share of the circle that is passed there
+};
+
+std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
+    const auto& cone = std::get<Cone>(face.surface.form);
+    const auto is_closed = [&](const EdgeUse& use) {
+        const Edge& edge = part.edges[use.edge];
+        return edge.from == edge.to && std::holds_alternative<Circle>(edge.curve);
+    };
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+        const Loop& loop = face.loops[l];
+        const auto round = std::ranges::find_if(loop, is_closed);
+        if (loop.size() < 2 || round == loop.end()) continue;
+        ConeCut cut{l, static_cast<std::size_t>(round - loop.begin())};
+        const Edge& edge = part.edges[round->edge];
+        const auto& circle = std::get<Circle>(edge.curve);
+        const Vec3 start = part.vertices[edge.from] - circle.centre;
+        const Vec3 side = cross(circle.axis, start);
+        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        const Drawing drawing(part, face);
+        std::optional<ConeCut> best;
+        double shortest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            if (i == cut.circle || is_closed(loop[i])) continue;
+            const auto halves = edge_in_two(part, part.edges[loop[i].edge]);
+            if (!halves) continue;
+            const Vec3 out = halves->middle - cone.apex;
+            constexpr double kTurn = 360.0, kNearCorner = 0.02;
+            double share = trig::angle_of(dot(out, start), dot(out, side)) / kTurn;
+            if (share < 0.0) share += 1.0;
+            if (share < kNearCorner || share > 1.0 - kNearCorner) continue;
+            const Vec3 at = track.at(share);
+            const double length = norm(at - halves->middle);
+            // Seen along the axis, as the drawing is.
+            const auto seen = [&](Vec3 p) { return p - dot(p - cone.apex, cone.axis) * cone.axis; };
+            if (length >= shortest || !drawing.is_clear(seen(at), seen(halves->middle))) continue;
+            shortest = length;
+            best = ConeCut{l, cut.circle, i, share};
+        }
+        if (best) return best;
+    }
+    return std::nullopt;
+}
+
+// Makes two faces of a face with one loop: along a line between two corners of it.
+void part_along(Part& part, std::uint32_t f, std::size_t l, std::uint32_t from, std::uint32_t to) {
+    const Face face = part.faces[f];
+    const Loop& loop = face.loops[l];
+    const auto begins_at = [&](std::uint32_t v) {
+        return [&part, v](const EdgeUse& use) { return departs_from(part, use) == v; };
+    };
+    const auto first = std::ranges::find_if(loop, begins_at(from));
+    Loop turned(first, loop.end());
+    turned.insert(turned.end(), loop.begin(), first);
+    const auto second = std::ranges::find_if(turned, begins_at(to));
+    const auto edge = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.push_back({from, to, Line{}});
+    Face one = face, other = face;
+    one.loops = {Loop(turned.begin(), second)};
+    one.loops.front().push_back({edge, false});
+    other.loops = {Loop(second, turned.end())};
+    other.loops.front().push_back({edge, true});
+    one.frame = frame_for(part, one);
+    other.frame = frame_for(part, other);
+    part.faces[f] = std::move(one);
+    add_beside(part, f, std::move(other));
+}
+
 }  // namespace
+
+bool touches_its_circle(const Part& part, const Face& face) {
+    if (!std::holds_alternative<Cone>(face.surface.form)) return false;
+    return std::ranges::any_of(face.loops, [&](const Loop& loop) {
+        return loop.size() > 1 && std::ranges::any_of(loop, [&](const EdgeUse& use) {
+                   const Edge& edge = part.edges[use.edge];
+                   return edge.from == edge.to;
+               });
+    });
+}
+
+bool can_part_on_generator(const Part& part, const Face& face) {
+    return face.loops.size() == 1 && cone_cut_of(part, face).has_value();
+}
+
+void part_cones_at_points(Part& part) {
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        if (!touches_its_circle(part, part.faces[f]) || !can_part_on_generator(part, part.faces[f]))
+            continue;
+        const ConeCut cut = *cone_cut_of(part, part.faces[f]);
+        const Loop& loop = part.faces[f].loops[cut.loop];
+        const auto on_circle = static_cast<std::uint32_t>(part.vertices.size());
+        Halving halving(part);
+        halving.halve(loop[cut.circle].edge, cut.at_circle);
+        halving.halve(loop[cut.use].edge);
+        halving.finish();
+        part_along(part, f, cut.loop, on_circle, on_circle + 1);
+    }
+}
+
+void divide_arcs_at_cusps(Part& part) {
+    // Twice at each end of an arc, and an edge is divided once at a time.
+    constexpr int kMostTimes = 4;
+    bool any = true;
+    for (int i = 0; i < kMostTimes && any; ++i) {
+        any = false;
+        Halving halving(part);
+        for (const Face& face : part.faces) {
+            if (!std::holds_alternative<Plane>(face.surface.form)) continue;
+            for (const Cusp& cusp : cusps_of(part, face))
+                any = halving.divide(cusp.edge, cusp.at) || any;
+        }
+        halving.finish();
+    }
+}
 
 void part_at_horns(Part& part) {
     // What is added is looked at, too: it may have other holes.

@@ -17,4 +17,17 @@ namespace ncsim::brep {
 /// edges of the plane each time.
 void part_at_horns(Part& part);
 
+/// Divides arcs of planes near corners in which they run out together with sharper ones, so that
+/// the chords of readers do not cross there. OpenCASCADE drew nothing of such a plane at one
+/// deflection or another.
+void divide_arcs_at_cusps(Part& part);
+
+/// True if the loop of a cone touches the circle in which it ends, in one corner. Readers find such
+/// a loop crossed there, as a rule.
+bool touches_its_circle(const Part& part, const Face& face);
+/// True if part_cones_at_points() divides the face, which touches_its_circle().
+bool can_part_on_generator(const Part& part, const Face& face);
+/// Makes two faces of each such cone, along a generator from that circle to another edge.
+void part_cones_at_points(Part& part);
+
 }  // namespace ncsim::brep

@@ -11,6 +11,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "geometry/nearly.h"
+#include "query/arc_crossings.h"
 #include "topology/around.h"
 #include "topology/axes.h"
 
@@ -483,8 +484,10 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     const double area = area_mm2 ? *area_mm2 : measure(part, face, face.frame.origin).area;
     if (area <= 0.0) tell("it has no area");
     if (is_without_end(part, face)) tell("it goes round and has no other end");
-    if (const auto edges = any_interfere(map, std::move(all), clear_mm))
-        faults.push_back({face_number, kCrossOrTouch, {edges->begin(), edges->end()}});
+    auto edges = any_interfere(map, std::move(all), clear_mm);
+    if (!edges && std::holds_alternative<Plane>(face.surface.form))
+        edges = arcs_that_cross_beside_corner(part, face);
+    if (edges) faults.push_back({face_number, kCrossOrTouch, {edges->begin(), edges->end()}});
     return faults;
 }
 

@@ -404,7 +404,8 @@ private:
         bool has(Vec3 p) const {
             const auto apex = cut_.apex();
             if (!apex) return cut_.branch_of(p) == branch_;
-            constexpr double kOne = 1e-3;
+            // Edges of facets are off the ruling; the other one of the plane is much farther away.
+            constexpr double kOne = 2e-2;
             return norm(cross(p - *apex, q_ - *apex)) <= kOne * norm(p - *apex) * norm(q_ - *apex);
         }
         double place_of(Vec3 p) const {

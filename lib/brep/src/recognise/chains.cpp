@@ -3,6 +3,7 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "geometry/arc_ends.h"
 #include "geometry/bends.h"
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
@@ -28,7 +29,6 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-constexpr double kRounded = 2e-7;
 // Where ways bend, sides and corner radii of both meet in two corners, as near to each other as
 // what programs round. They are off both by more, mm.
 constexpr double kExact = 1e-6;
@@ -229,6 +229,7 @@ void Chains::solve() {
     for (Chain& chain : chains_)
         solve_chain(chain);
     if (failures_.empty()) join_vanished();
+    if (failures_.empty()) end_arcs_in_corners();
 }
 
 // Where walls touch but for rounding, corners above each other are beside each other by as much:
@@ -417,6 +418,64 @@ bool Chains::is_of_rounding(const Chain& chain) const {
            norm(middle_of(chain) - from) < reach({chain.left, chain.right});
 }
 
+// Arcs that run out together in a corner but miss it cross on both sides of it. Each that misses it
+// by less than readers merge becomes the circle that ends in both of its corners with the direction
+// that it has there; a spline, if no circle as near does.
+void Chains::end_arcs_in_corners() {
+    struct End {
+        std::uint32_t chain;
+        bool is_start;
+        Vec3 direction;  // as it leaves the corner, unit
+    };
+    std::vector<std::vector<End>> ends(vertices_.size());
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        const Chain& chain = chains_[c];
+        if (chain.has_vanished || chain.has_failed || chain.is_closed || chain.from == chain.to)
+            continue;
+        const Vec3 from = vertices_[chain.from].at, to = vertices_[chain.to].at;
+        const auto* circle = std::get_if<Circle>(&chain.curve);
+        if (!circle && !std::holds_alternative<Line>(chain.curve)) continue;
+        const auto along = [&](Vec3 p) {
+            return cda::normalized(circle ? cross(circle->axis, p - circle->centre) : to - from);
+        };
+        ends[chain.from].push_back({c, true, along(from)});
+        ends[chain.to].push_back({c, false, -along(to)});
+    }
+    constexpr double kAlong = 1e-3;                             // rad
+    std::vector<std::array<bool, 2>> runs_out(chains_.size());  // at its start, at its end
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+        if (vertices_[v].miss <= kTangentMm || vertices_[v].miss > kReaders) continue;
+        for (std::size_t i = 0; i < ends[v].size(); ++i) {
+            for (std::size_t j = i + 1; j < ends[v].size(); ++j) {
+                if (norm(ends[v][i].direction - ends[v][j].direction) > kAlong) continue;
+                for (const End& end : {ends[v][i], ends[v][j]})
+                    runs_out[end.chain][end.is_start ? 0 : 1] = true;
+            }
+        }
+    }
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        const auto [starts, stops] = runs_out[c];
+        auto* circle = std::get_if<Circle>(&chains_[c].curve);
+        if (!circle || (!starts && !stops)) continue;
+        const Vec3 from = vertices_[chains_[c].from].at, to = vertices_[chains_[c].to].at;
+        const Vec3 first = starts ? from : to, second = starts ? to : from;
+        const auto ending = circle_through(*circle, first, second);
+        // Directions that differ by more cross farther from the corner than readers merge.
+        constexpr double kSameDirection = 1e-8;  // rad
+        const bool both = starts && stops;
+        if (ending && (!both || angle_between(*circle, *ending, second) <= kSameDirection)) {
+            *circle = *ending;
+            continue;
+        }
+        std::vector<Vec3> points = points_of(chains_[c]);
+        points.front() = from;
+        points.back() = to;
+        if (auto spline = spline_between(groups_.form_of(chains_[c].left),
+                                         groups_.form_of(chains_[c].right), points))
+            chains_[c].curve = std::move(*spline);
+    }
+}
+
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     if (chain.has_vanished) return;
@@ -517,7 +576,7 @@ void Chains::solve_chain(Chain& chain) {
     // have their ends there, and one direction.
     // Three faces that miss their corner touch there, whatever is known of their forms.
     const auto is_rounded = [](const Vertex& v) {
-        return (v.is_touch || v.groups.size() == 3) && v.miss > kRounded;
+        return (v.is_touch || v.groups.size() == 3) && v.miss > kReaders;
     };
     if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
         points.front() = from.at;

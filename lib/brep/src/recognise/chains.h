@@ -160,6 +160,7 @@ private:
     Vec3 middle_of(const Chain& chain) const;
     std::optional<Spline> spline_of(const Chain& chain, const Form& first, const Form& second,
                                     const std::vector<Vec3>& points);
+    void end_arcs_in_corners();
     void solve_chain(Chain& chain);
     bool is_of_rounding(const Chain& chain) const;
     void vanish(Chain& chain) const { chain.has_vanished = true; }

@@ -4,6 +4,7 @@
 #include "ncsim/brep/frames.h"
 
 #include "geometry/nearly.h"
+#include "heal/horns.h"
 
 #include <algorithm>
 #include <limits>
@@ -40,18 +41,6 @@ bool is_pinched(const Part& part, const Face& face) {
     }
     std::sort(corners.begin(), corners.end());
     return std::ranges::adjacent_find(corners) != corners.end();
-}
-
-// Does the loop of a cone touch the circle in which it ends, in one corner? Readers find it crossed
-// there, as a rule.
-bool is_cone_on_a_point(const Part& part, const Face& face) {
-    if (!std::holds_alternative<Cone>(face.surface.form)) return false;
-    return std::ranges::any_of(face.loops, [&](const Loop& loop) {
-        return loop.size() > 1 && std::ranges::any_of(loop, [&](const EdgeUse& use) {
-                   const Edge& edge = part.edges[use.edge];
-                   return edge.from == edge.to;
-               });
-    });
 }
 
 }  // namespace
@@ -104,8 +93,9 @@ bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, d
                              only_touches_itself(part, part.faces[face], clear_mm);
         const bool folds = tolerance_mm > kTouchMm && !part.faces[face].is_facet &&
                            is_pinched(part, part.faces[face]);
-        known.is_faulty =
-            (!faults.empty() && !touches) || folds || is_cone_on_a_point(part, part.faces[face]);
+        const bool is_cone_on_a_point = touches_its_circle(part, part.faces[face]) &&
+                                        !can_part_on_generator(part, part.faces[face]);
+        known.is_faulty = (!faults.empty() && !touches) || folds || is_cone_on_a_point;
         known.fault_at.clear();
         const bool is_local =
             std::ranges::none_of(faults, [](const Fault& fault) { return fault.edges.empty(); });

@@ -502,7 +502,9 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     }
     halve_wide_edges(result.part);
     part_at_horns(result.part);
+    part_cones_at_points(result.part);
     divide_arcs_beside_corners(result.part);
+    divide_arcs_at_cusps(result.part);
     draw_in_ellipses(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {

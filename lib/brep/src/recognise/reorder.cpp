@@ -187,10 +187,10 @@ void Chains::bend(std::uint32_t number) {
     const Chain& chain = chains_[number];
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     if (chain.is_closed || chain.is_made || from.has_failed || to.has_failed) return;
-    const auto corner =
-        corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right), from.at, to.at);
+    const Vec3 past = mesh_.point(mesh_.edges()[chain.edges[chain.edges.size() / 2]].from);
+    const auto corner = corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right),
+                                       from.at, to.at, past);
     if (!corner) {
-        const Vec3 past = mesh_.point(mesh_.edges()[chain.edges[chain.edges.size() / 2]].from);
         const auto hinge = hinge_of(groups_.form_of(chain.left), groups_.form_of(chain.right),
                                     from.at, past, to.at);
         if (!hinge || chain.is_flipped) return;
@@ -213,8 +213,13 @@ void Chains::bend(std::uint32_t number) {
         // bend than the ellipse in its place.
         const Vec3 middle = *corner - away(pipe->origin, pipe->axis, *corner);
         const double lower = norm((is_at_start ? from.at : to.at) - middle) - pipe->radius;
-        if (lower > std::max(kLune, groups_.error_of(chain.left))) return;
-        mitred_mm_ = std::max(mitred_mm_, lower);
+        const double near = reach({chain.left, chain.right});
+        const bool passes_corner = std::ranges::any_of(
+            points_of(chain), [&](Vec3 p) { return norm(p - *corner) <= near; });
+        if (!passes_corner) {
+            if (lower > std::max(kLune, groups_.error_of(chain.left))) return;
+            mitred_mm_ = std::max(mitred_mm_, lower);
+        }
     }
     part_at(number, *corner, is_at_start);
 }

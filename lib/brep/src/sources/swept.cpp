@@ -5,6 +5,7 @@
 #include "ncsim/toolpath/pose.h"
 #include "ncsim/trig/angles.h"
 
+#include "geometry/nearly.h"
 #include "sources/ways.h"
 
 #include <algorithm>
@@ -101,6 +102,37 @@ RoundWay piece_of(const RoundWay& way, int i, int pieces) {
     piece.reach = way.reach + way.growth * begin;
     piece.swept = width;
     return piece;
+}
+
+// The least and the greatest height above its centre, along `axis`, that an arc passes on the side
+// of its centre to which `side` points; nothing if the arc is not there. mm.
+std::optional<std::array<double, 2>> heights_passed(const ArcWay& way, Vec3 axis, Vec3 side) {
+    constexpr double kTurn = 360.0, kQuarter = 90.0;
+    const Vec3 on = way.swept < 0.0 ? cross(way.ahead, way.about) : cross(way.about, way.ahead);
+    const double swept = std::abs(way.swept) / trig::kRadiansPerDegree;
+    // The angle from the start, in the direction of the arc, at which it passes `direction`.
+    const auto angle_at = [&](Vec3 direction) {
+        const double angle = trig::angle_of(dot(direction, way.ahead), dot(direction, on));
+        return angle < 0.0 ? angle + kTurn : angle;
+    };
+    const double enters = angle_at(-axis), leaves = angle_at(axis);
+    std::optional<std::array<double, 2>> heights;
+    const auto take = [&](double degrees) {
+        const auto angle = trig::sin_cos(degrees);
+        const Vec3 out = angle.cos * way.ahead + angle.sin * on;
+        if (dot(out, side) < -kEqual) return;
+        const double height = way.fitted_radius * dot(out, axis);
+        if (!heights) heights = {height, height};
+        (*heights)[0] = std::min((*heights)[0], height);
+        (*heights)[1] = std::max((*heights)[1], height);
+    };
+    for (const double degrees : {0.0, swept, enters, leaves}) {
+        if (degrees <= swept) take(degrees);
+    }
+    // On the other side but for the place in which it crosses the axis.
+    if (heights && (*heights)[1] - (*heights)[0] <= kEqual && swept > kEqual * kQuarter)
+        return std::nullopt;
+    return heights;
 }
 
 class Sweeps {
@@ -290,11 +322,24 @@ public:
         into_->back().place = box;
     }
 
-    // The same on an arc about an axis across the tool's.
-    void rim_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
-        if (e.radius <= kEqual || reach <= kEqual || std::abs(dot(about, axis)) > kEqual) return;
-        for (const double sign : {-1.0, 1.0})
-            add(Dome{centre + e.height * axis, axis, sign * cross(about, axis), reach, e.radius});
+    // The same on an arc about an axis across the tool's: on each side of its centre a dome, at the
+    // heights that the arc passes there. Beyond them the dome would go on along walls that the
+    // tool left where it started or ended.
+    void rim_across(const Element& e, const ArcWay& way, Vec3 axis) {
+        if (e.radius <= kEqual || way.fitted_radius <= kEqual ||
+            std::abs(dot(way.about, axis)) > kEqual)
+            return;
+        const Vec3 centre = way.fitted + e.height * axis;
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 side = sign * cross(way.about, axis);
+            const auto heights = heights_passed(way, axis, side);
+            if (!heights) continue;
+            add(Dome{centre, axis, side, way.fitted_radius, e.radius});
+            if (into_->back().ends) continue;
+            const auto [low, high] = *heights;
+            into_->back().ends = std::array{Plane{centre + (low - kTouchMm) * axis, axis},
+                                            Plane{centre + (high + kTouchMm) * axis, axis}};
+        }
     }
 
     // A flat end where such an arc is level: at the bottom of a dip.
@@ -411,7 +456,7 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcWay& w
     } else if (way.is_level && (is_ball || e.fillet <= 0.0)) {
         sweeps.arc_across(e, way.centre, axis, way.about, way.radius);
         if (is_across) sweeps.level_across(e, way.fitted, axis, way.fitted_radius);
-        if (is_corner) sweeps.rim_across(e, way.fitted, axis, way.about, way.fitted_radius);
+        if (is_corner) sweeps.rim_across(e, way, axis);
     } else {
         sweeps.envelope(e, round);
     }

@@ -3,7 +3,9 @@
 
 #include "geometry/none.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -11,11 +13,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// At the knot in the middle, where there is one.
-std::optional<Halves> spline_in_two(const Spline& spline) {
-    const std::size_t knots = spline.knots.size();
-    if (knots < 3) return std::nullopt;
-    const std::size_t middle = knots / 2;
+// At an inner knot.
+Halves spline_in_two(const Spline& spline, std::size_t middle) {
     const auto width = [&](std::size_t i) { return spline.knots[i + 1] - spline.knots[i]; };
     // Of both control points beside it, as far from each as the pieces are wide.
     const double before = width(middle - 1), after = width(middle);
@@ -38,6 +37,41 @@ std::optional<Halves> spline_in_two(const Spline& spline) {
     return Halves{at, std::move(first), std::move(second)};
 }
 
+// At the knot in the middle, where there is one.
+std::optional<Halves> spline_in_two(const Spline& spline) {
+    const std::size_t knots = spline.knots.size();
+    if (knots < 3) return std::nullopt;
+    return spline_in_two(spline, knots / 2);
+}
+
+// At any place: the cubic there becomes two, which are the same curve.
+Halves spline_in_two(const Part& part, const Edge& edge, const Spline& spline, double at) {
+    const auto& k = spline.knots;
+    const double place = k.front() + at * (k.back() - k.front());
+    const auto after = static_cast<std::size_t>(std::ranges::upper_bound(k, place) - k.begin());
+    const std::size_t i = std::clamp<std::size_t>(after, 1, k.size() - 1);
+    // A knot as near as that is the place.
+    constexpr double kNear = 1e-3;
+    const double width = k[i] - k[i - 1];
+    if (place - k[i - 1] < kNear * width && i > 1) return spline_in_two(spline, i - 1);
+    if (k[i] - place < kNear * width && i + 1 < k.size()) return spline_in_two(spline, i);
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track::Step step = track.step(at);
+    const Vec3 third = (1.0 / (3.0 * (k.back() - k.front()))) * step.derivative;
+    Spline finer = spline;
+    // Both control points of the piece move to its ends: their handles are shorter.
+    const std::size_t first = 2 * i - 1;
+    const double before = place - k[i - 1], rest = k[i] - place;
+    const Vec3 from = track.at((k[i - 1] - k.front()) / (k.back() - k.front()));
+    const Vec3 to = track.at((k[i] - k.front()) / (k.back() - k.front()));
+    finer.points[first] = from + (before / width) * (spline.points[first] - from);
+    finer.points[first + 1] = to + (rest / width) * (spline.points[first + 1] - to);
+    const auto where = finer.points.begin() + static_cast<std::ptrdiff_t>(first + 1);
+    finer.points.insert(where, {step.at - before * third, step.at + rest * third});
+    finer.knots.insert(finer.knots.begin() + static_cast<std::ptrdiff_t>(i), place);
+    return spline_in_two(finer, i);
+}
+
 }  // namespace
 
 std::optional<Halves> edge_in_two(const Part& part, const Edge& edge, double at) {
@@ -51,9 +85,20 @@ Halving::Halving(Part& part) : part_(part), second_(part.edges.size(), kNone) {}
 
 bool Halving::halve(std::uint32_t number, double at) {
     if (number >= second_.size() || second_[number] != kNone) return false;
-    const Edge edge = part_.edges[number];
-    auto halves = edge_in_two(part_, edge, at);
+    return take(number, edge_in_two(part_, part_.edges[number], at));
+}
+
+bool Halving::divide(std::uint32_t number, double at) {
+    if (number >= second_.size() || second_[number] != kNone) return false;
+    const Edge& edge = part_.edges[number];
+    const auto* spline = std::get_if<Spline>(&edge.curve);
+    return take(number,
+                spline ? spline_in_two(part_, edge, *spline, at) : edge_in_two(part_, edge, at));
+}
+
+bool Halving::take(std::uint32_t number, std::optional<Halves> halves) {
     if (!halves) return false;
+    const Edge edge = part_.edges[number];
     const auto middle = static_cast<std::uint32_t>(part_.vertices.size());
     part_.vertices.push_back(halves->middle);
     second_[number] = static_cast<std::uint32_t>(part_.edges.size());

@@ -28,10 +28,14 @@ public:
     explicit Halving(Part& part);
     /// There. False: it stays as it is, has been halved, or is a half itself.
     bool halve(std::uint32_t edge, double at = 0.5);
+    /// The same, but splines at any place, where they get a knot.
+    bool divide(std::uint32_t edge, double at);
     /// Loops run along both halves. O(n) for n edges.
     void finish();
 
 private:
+    bool take(std::uint32_t edge, std::optional<Halves> halves);
+
     Part& part_;
     std::vector<std::uint32_t> second_;  // of each edge that was there
 };

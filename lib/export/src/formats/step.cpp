@@ -275,17 +275,19 @@ private:
         std::vector<Entity> points;
         for (const Vec3& p : c.points)
             points.push_back(point(p));
-        const Knots knots(c.knots);
+        const Knots knots(c.knots, 3);
         return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.," +
                    knots.multiplicities + "," + knots.places + ",.UNSPECIFIED.)");
     }
 
     struct Knots {
-        explicit Knots(const std::vector<double>& knots) {
+        Knots(const std::vector<double>& knots, int degree) {
+            const std::string end = std::to_string(degree + 1);
+            const std::string inner = std::to_string((degree + 1) / 2);
             for (std::size_t i = 0; i < knots.size(); ++i) {
                 multiplicities += i == 0 ? '(' : ',';
                 places += i == 0 ? '(' : ',';
-                multiplicities += i == 0 || i + 1 == knots.size() ? '4' : '2';
+                multiplicities += i == 0 || i + 1 == knots.size() ? end : inner;
                 places += real(knots[i]);
             }
             multiplicities += ')';
@@ -481,7 +483,8 @@ private:
                    "," + real(half) + ")");
     }
     Entity surface_of(const brep::Sphere& form, const brep::Face& face) {
-        return add("SPHERICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+        return add("SPHERICAL_SURFACE(''," + place_of(brep::frame_in_file(part_, face)) + "," +
+                   real(form.radius) + ")");
     }
     Entity surface_of(const brep::Extrusion& form, const brep::Face& face) {
         const auto half = brep::half_of_ramp(part_, face);
@@ -523,10 +526,12 @@ private:
                 row.push_back(point(p));
             rows += (rows.empty() ? "(" : ",") + list(row);
         }
-        const Knots around(patch.around), along(patch.along);
-        return add("B_SPLINE_SURFACE_WITH_KNOTS('',3,3," + rows + "),.UNSPECIFIED.,.F.,.F.,.F.," +
-                   around.multiplicities + "," + along.multiplicities + "," + around.places + "," +
-                   along.places + ",.UNSPECIFIED.)");
+        const Knots around(patch.around, patch.degree), along(patch.along, patch.degree);
+        const std::string degree = std::to_string(patch.degree);
+        return add("B_SPLINE_SURFACE_WITH_KNOTS(''," + degree + "," + degree + "," + rows +
+                   "),.UNSPECIFIED.,.F.,.F.,.F.," + around.multiplicities + "," +
+                   along.multiplicities + "," + around.places + "," + along.places +
+                   ",.UNSPECIFIED.)");
     }
     Entity surface_of(const brep::Torus& form, const brep::Face& face) {
         if (brep::is_spindle(form)) return spindle(form, face.frame);

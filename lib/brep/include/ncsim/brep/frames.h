@@ -17,6 +17,10 @@ bool has_tip(const Part& part, const Face& face);
 /// as far away as it can.
 Frame frame_for(const Part& part, const Face& face);
 
+/// Returns the frame that files give the surface of `face`: its own one, but for spheres, whose
+/// axis makes all edges lines of parameters if an axis does.
+Frame frame_in_file(const Part& part, const Face& face);
+
 /// Of a ramp that rises by less than 0.1 of its length, with a corner beside its side: to which
 /// side, level and unit, the half of its circle looks on which the whole face is, that in front of
 /// the way or that behind it. There both are nearly as high at one place, and readers cannot tell

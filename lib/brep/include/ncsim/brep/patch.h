@@ -8,12 +8,14 @@
 
 namespace ncsim::brep {
 
-/// Of a dome or a coil, as far as the face on it goes and a little beyond: the circle (of a coil
-/// the half of it that goes ahead, or behind, as the face does, and turns with the way), and the
-/// way. Within 4e-10 of the radii of domes, 2.4e-8 of those of coils; of a
-/// spiral the wall as far as the face goes and a little beyond, within 2e-9; of an envelope
-/// likewise, around the way and along it, within 1e-6 mm, or as near
-/// as 400 knots each way come.
+/// The part of a spline surface that a face lies on.
+/// A dome or a coil: the circle (of a coil the half of it that goes ahead, or behind, as the face
+/// does, and turns with the way), and the way; of degree 5, within 6e-10 of the radii, and the
+/// parameters are angles. A patch of a dome ends where the face ends along a circle of either kind,
+/// and otherwise a little farther.
+/// A spiral: the wall as far as the face goes and a little beyond, within 2e-9 of the radius.
+/// An envelope: likewise, around the way and along it, within 1e-6 mm, or as near as 400 knots each
+/// way come.
 Patch patch_of(const Part& part, const Face& face);
 
 }  // namespace ncsim::brep

@@ -9,12 +9,13 @@
 
 namespace ncsim::brep {
 
-/// A cubic B-spline surface: rows of control points, one for each control point around, of as many
-/// as there are along; knots as those of a Spline. The normal is that of around with along:
-/// outwards, of the form.
+/// A B-spline surface: rows of control points, one for each control point around, of as many
+/// as there are along. Each knot is different: the first and the last count `degree` + 1 times, the
+/// others half as often. The normal is that of around with along: outwards, of the form.
 struct Patch {
     std::vector<std::vector<Vec3>> net;
     std::vector<double> around, along;
+    int degree = 3;  ///< 3 or 5, both ways.
 };
 
 }  // namespace ncsim::brep

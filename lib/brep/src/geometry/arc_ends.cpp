@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/arc_ends.h"
+
+#include "geometry/nearly.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::brep {
+
+using cda::dot;
+using cda::norm;
+
+std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3 other) {
+    const Vec3 out = away(circle.centre, circle.axis, tangent_at);
+    const Vec3 chord = away(tangent_at, circle.axis, other);
+    const double reach = norm(out), into = -dot(chord, out);
+    if (!(into > 0.0)) return std::nullopt;
+    const double radius = 0.5 * dot(chord, chord) * reach / into;
+    const double height = dot(tangent_at - circle.centre, circle.axis);
+    // The new circle is farthest off the old one in `tangent_at` and opposite to it.
+    const double off =
+        std::max(std::abs(reach - circle.radius), std::abs(2.0 * radius - reach - circle.radius));
+    if (!(off <= kReaders) || std::abs(height) > kReaders) return std::nullopt;
+    return Circle{circle.centre + (1.0 - radius / reach) * out, circle.axis, radius};
+}
+
+double angle_between(const Circle& a, const Circle& b, Vec3 p) {
+    const Vec3 one = away(a.centre, a.axis, p), two = away(b.centre, b.axis, p);
+    const double lengths = norm(one) * norm(two);
+    return lengths > 0.0 ? norm(cda::cross(one, two)) / lengths : 0.0;
+}
+
+}  // namespace ncsim::brep

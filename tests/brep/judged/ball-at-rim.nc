@@ -1,0 +1,8 @@
+(T1 D=6. CR=3. - ball end mill)
+(STOCK/BLOCK,40.,40.,15.,20.,20.,15.)
+G21 G90 G17
+T1 M6 S9000 M3
+G0 X-20 Y0 Z5
+G1 Z-3 F200
+G0 Z5
+M30
