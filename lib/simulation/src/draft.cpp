@@ -113,7 +113,8 @@ double exact_work(const Plan& plan, const Survey& survey) {
 void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told) {
     if (!plan.draft || !survey.is_ready()) return;
     const ModelInfo* model = find_model(plan.model);
-    plan.is_draft_exact = model && !model->has_resolution && exact_work(plan, survey) <= kQuickWork;
+    plan.is_draft_exact = !tolerance_told && !tool_tolerance_told && model &&
+                          !model->has_resolution && exact_work(plan, survey) <= kQuickWork;
     if (plan.is_draft_exact) return;
     constexpr double kCoarser = 4.0;  // than usual, at least
     constexpr double kOfBlock = 1.0 / 1200.0;

@@ -23,8 +23,8 @@ inline constexpr double kQuickWork = 12'000.0;
 
 /// Sets the unspecified tolerances of a draft to what its picture allows, in which a pixel is about
 /// a thousandth of the block, and joins moves; tools stay round. A draft of at most kQuickWork with
-/// an exact model keeps the tolerances of an exact run, and `plan.is_draft_exact` is set. Plans
-/// that are not drafts remain as they are.
+/// an exact model and no specified tolerance keeps the tolerances of an exact run, and
+/// `plan.is_draft_exact` is set. Plans that are not drafts remain as they are.
 void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told);
 
 /// Moves from which on a draft is made of rays.
