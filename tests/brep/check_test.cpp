@@ -49,6 +49,59 @@ test::NamedPart solid_named(const std::string& name) {
     return {};
 }
 
+// A plate of which one face has n × n square holes; its edges are the sides of the loops, four
+// each.
+Part face_with_holes(int n) {
+    Part part;
+    Face face;
+    face.surface.form = Plane{{0, 0, 0}, {0, 0, 1}};
+    face.frame = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+    const auto add_loop = [&](const std::vector<Vec3>& corners) {
+        const auto first = static_cast<std::uint32_t>(part.vertices.size());
+        const auto count = static_cast<std::uint32_t>(corners.size());
+        Loop& loop = face.loops.emplace_back();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            part.vertices.push_back(corners[i]);
+            loop.push_back({static_cast<std::uint32_t>(part.edges.size()), true});
+            part.edges.push_back({first + i, first + (i + 1) % count, Line{}});
+        }
+    };
+    const double size = 4.0 * n;
+    add_loop({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}});
+    for (int i = 0; i < n * n; ++i) {
+        const double x = 4.0 * (i % n) + 1.0, y = 4.0 * (i / n) + 1.0;
+        add_loop({{x, y, 0}, {x, y + 2, 0}, {x + 2, y + 2, 0}, {x + 2, y, 0}});
+    }
+    part.faces.push_back(std::move(face));
+    return part;
+}
+
+TEST(Check, FindsTheOneHoleOfManyThatMeetsAnother) {
+    constexpr int kHoles = 20;
+    const Part sound = face_with_holes(kHoles);
+    double miss = 0.0;
+    EXPECT_EQ(told(faults_of(sound, 0, kTolerance, miss)), "");
+    // By hole, and the direction in which it moves onto the next one: within a strip of the plane
+    // and across the border of two.
+    for (int hole = 0; hole < kHoles * kHoles; hole += 7) {
+        for (const Vec3 way : {Vec3{2.5, 0, 0}, Vec3{-2.5, 0, 0}, Vec3{0, 2.5, 0}}) {
+            Part part = sound;
+            std::vector<std::uint32_t> moved;
+            for (std::uint32_t i = 0; i < 4; ++i) {
+                moved.push_back(static_cast<std::uint32_t>(4 + 4 * hole) + i);
+                part.vertices[moved.back()] = part.vertices[moved.back()] + way;
+            }
+            const auto faults = faults_of(part, 0, kTolerance, miss);
+            ASSERT_EQ(faults.size(), 1U) << "hole " << hole;
+            EXPECT_EQ(faults.front().what, kCrossOrTouch);
+            EXPECT_TRUE(std::ranges::any_of(
+                faults.front().edges,
+                [&](std::uint32_t edge) { return std::ranges::find(moved, edge) != moved.end(); }))
+                << "hole " << hole;
+        }
+    }
+}
+
 TEST(Check, FindsALoopTheWrongWayRound) {
     Part part = solid_named("cylinder").part;
     for (Loop& loop : part.faces[1].loops) {

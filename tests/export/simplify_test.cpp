@@ -7,6 +7,7 @@
 #include "ncsim/cda/tree.h"
 
 #include "box_part.h"
+#include "mesh/plain.h"
 #include "polytope_part.h"
 #include "support/random_shapes.h"
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -190,6 +192,88 @@ TEST(Simplify, AnyPartStaysClosed) {
             EXPECT_TRUE(cda::check(cda::triangulate(result.boundary)).is_closed());
             EXPECT_LE(result.deviation_mm, tolerance);
         }
+    }
+}
+
+void expect_same(const Simplified& a, const Simplified& b) {
+    EXPECT_EQ(a.boundary.vertices, b.boundary.vertices);
+    EXPECT_EQ(a.boundary.shells, b.boundary.shells);
+    EXPECT_EQ(a.origins, b.origins);
+    ASSERT_EQ(a.boundary.faces.size(), b.boundary.faces.size());
+    for (std::size_t f = 0; f < a.boundary.faces.size(); ++f) {
+        const cda::BoundaryFace& one = a.boundary.faces[f];
+        const cda::BoundaryFace& other = b.boundary.faces[f];
+        EXPECT_EQ(one.normal, other.normal);
+        EXPECT_EQ(one.offset, other.offset);
+        EXPECT_EQ(one.origin, other.origin);
+        EXPECT_EQ(one.shell, other.shell);
+        EXPECT_EQ(one.loops, other.loops);
+    }
+    EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+    EXPECT_EQ(a.mesh.face, b.mesh.face);
+}
+
+// A plate with n × n holes of eight sides, turned by `turn` (of 45°), each from a motion of its
+// own.
+cda::Boundary drilled_plate(int n, double turn = 0.3) {
+    cda::TreeCda part(ncsim::test::mm_box(0, 0, 0, 20, 20, 10), ncsim::test::kLattice);
+    const double pitch = 20.0 / n, radius = 0.3 * pitch;
+    for (int i = 0; i < n * n; ++i) {
+        std::vector<cda::LatticePoint> points;
+        for (int k = 0; k < 8; ++k) {
+            const double angle = 0.25 * std::numbers::pi * (k + turn);
+            const Vec3 about{pitch * (i % n + 0.5), pitch * (i / n + 0.5), 0.0};
+            for (const double z : {2.0, 11.0}) {
+                points.push_back(ncsim::test::kLattice.round(
+                    about + Vec3{radius * std::cos(angle), radius * std::sin(angle), z}));
+            }
+        }
+        const auto hull = cda::convex_hull(points, ncsim::test::kLattice,
+                                           cda::Origin{static_cast<std::uint32_t>(i + 1)});
+        if (hull) part.subtract(*hull);
+    }
+    return part.boundary();
+}
+
+TEST(Simplify, RecognisesAPlateWithHolesInWhichNothingIsToSimplify) {
+    const cda::Boundary plate = drilled_plate(4);
+    for (const double tolerance : {1e-6, 1e-4, 1e-3}) {
+        SCOPED_TRACE(tolerance);
+        const auto plain = as_plain(plate, 0.25 * tolerance, nullptr);
+        ASSERT_TRUE(plain);
+        EXPECT_EQ(plain->boundary.faces.size(), 6U + 16U * 9U);
+        expect_same(*plain, simplify_any(plate, tolerance, nullptr));
+        expect_same(*plain, simplify(plate, tolerance));
+    }
+    // Sides of less than the tolerance are not plain.
+    EXPECT_FALSE(as_plain(plate, 2.0, nullptr));
+    EXPECT_FALSE(as_plain(test::polytope_part().boundary(), 1e-3, nullptr));
+}
+
+TEST(Simplify, OfAPlainBoundaryIsThatOfAnyBoundary) {
+    int plain_parts = 0;
+    for (int i = 0; i < 60; ++i) {
+        // Random parts have facets of some nanometres; plates have none.
+        const bool is_plate = i % 2 == 0;
+        const cda::Boundary part = is_plate ? drilled_plate(1 + i % 5, i / 60.0)
+                                            : random_part(static_cast<std::uint64_t>(i));
+        for (const double tolerance : {1e-6, 1e-4, 1e-2, 1.0}) {
+            SCOPED_TRACE(std::to_string(i) + ", " + std::to_string(tolerance) + " mm");
+            const auto plain = as_plain(part, 0.25 * tolerance, nullptr);
+            if (!plain) continue;
+            ++plain_parts;
+            expect_same(*plain, simplify_any(part, tolerance, nullptr));
+        }
+    }
+    EXPECT_GT(plain_parts, 60);
+}
+
+TEST(Simplify, HandsOutTheTrianglesOfItsBoundary) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Simplified result = simplify(random_part(seed), 1e-2);
+        const cda::TriangleMesh mesh = cda::triangulate(result.boundary);
+        EXPECT_EQ(result.mesh.triangles, mesh.triangles) << "seed " << seed;
+        EXPECT_EQ(result.mesh.vertices, mesh.vertices) << "seed " << seed;
     }
 }
 

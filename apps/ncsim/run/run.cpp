@@ -88,11 +88,12 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
     // Formats with polygons get the faces that a person counts on the part.
     std::optional<exporter::Simplified> counted;
-    const auto polygons = [&]() -> const cda::Boundary& {
-        if (outcome.simplified) return *mesh;
+    const auto simplified = [&]() -> const exporter::Simplified& {
+        if (outcome.simplified) return *outcome.simplified;
         if (!counted) counted = exporter::simplify(*mesh, exporter::kFlatTolerance, &s.provenance);
-        return counted->boundary;
+        return *counted;
     };
+    const auto polygons = [&]() -> const cda::Boundary& { return simplified().boundary; };
     outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
     std::optional<exporter::MovingScene> moving;
     if (o.shows_machine && (!o.gltf.empty() || !o.vrml.empty())) moving = moving_machine(outcome);
@@ -117,8 +118,9 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     });
     outputs.write(o.ply,
                   [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });
-    outputs.write(o.threemf,
-                  [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
+    outputs.write(o.threemf, [&](std::ostream& out) {
+        exporter::write_3mf(out, polygons(), simplified().mesh, s.provenance);
+    });
     outputs.write(o.step, [&](std::ostream& out) {
         exporter::StepOptions how;
         how.max_faces = o.step_max_faces;

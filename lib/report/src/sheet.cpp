@@ -119,6 +119,8 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
                    "a line are one",
                    cutting.join_tolerance);
     }
+    if (cutting.is_draft_exact)
+        sheet.line("draft", "exact: the program is short; only unspecified tools are guessed");
     return sheet.text_;
 }
 

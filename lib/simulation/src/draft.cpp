@@ -39,6 +39,16 @@ bool has_no_flat(const toolpath::Tool& tool) {
     return false;
 }
 
+// True if each cutting piece is a cylinder: its hulls have a plane for each side, and two ends.
+bool is_plain_flat(const toolpath::Tool& tool) {
+    return std::ranges::all_of(tool.pieces, [](const toolpath::ToolPiece& piece) {
+        if (!piece.cutting || piece.profile.empty()) return true;
+        return std::ranges::all_of(piece.profile, [&](const toolpath::ProfilePoint& p) {
+            return p.radius == piece.profile.front().radius && p.fillet == 0.0;
+        });
+    });
+}
+
 }  // namespace
 
 void choose_model(Plan& plan, const Survey& survey) {
@@ -82,8 +92,30 @@ void choose_resolution(Plan& plan, const Survey& survey) {
         plan.resolution = dexel::default_resolution(std::max({size.x, size.y, size.z}));
 }
 
+double exact_work(const Plan& plan, const Survey& survey) {
+    // A chord of a coarse tolerance becomes this many of the plan's.
+    constexpr double kToleranceOfChords = 0.01;  // mm
+    const double finer = std::sqrt(kToleranceOfChords / plan.tolerance);
+    constexpr double kWorkOfIndexed = 2.0, kWorkOfTurning = 100.0, kWorkOfRound = 3.0;
+    double work = 0.0;
+    for (const auto& [number, pieces] : survey.pieces) {
+        const auto used = survey.tools.find(number);
+        const bool is_round = used == survey.tools.end() || !is_plain_flat(used->second.tool);
+        const double of_tool = static_cast<double>(pieces.straight) +
+                               finer * static_cast<double>(pieces.chords) +
+                               kWorkOfIndexed * static_cast<double>(pieces.indexed) +
+                               kWorkOfTurning * static_cast<double>(pieces.turning);
+        work += (is_round ? kWorkOfRound : 1.0) * of_tool;
+    }
+    return work;
+}
+
 void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told) {
     if (!plan.draft || !survey.is_ready()) return;
+    const ModelInfo* model = find_model(plan.model);
+    plan.is_draft_exact = !tolerance_told && !tool_tolerance_told && model &&
+                          !model->has_resolution && exact_work(plan, survey) <= kQuickWork;
+    if (plan.is_draft_exact) return;
     constexpr double kCoarser = 4.0;  // than usual, at least
     constexpr double kOfBlock = 1.0 / 1200.0;
     constexpr double kToolOfBlock = 1.0 / 300.0;

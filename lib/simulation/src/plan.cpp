@@ -24,6 +24,7 @@ report::CuttingFacts cutting_facts(const Plan& plan) {
     facts.tolerance = plan.tolerance;
     facts.tool_tolerance = plan.tool_tolerance;
     facts.join_tolerance = plan.join_tolerance;
+    facts.is_draft_exact = plan.is_draft_exact;
     facts.at_line = plan.at_line;
     return facts;
 }

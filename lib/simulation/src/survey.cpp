@@ -106,6 +106,7 @@ public:
         }
         if (feed) track.clues.take(motion, toolpath::Poses(told_machine_, motion));
         const toolpath::Samples samples = verify::coarse_samples(motion, told_machine_);
+        if (feed) count_pieces(motion, *from, *to, is_turned, samples.poses.size() - 1);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
             result_.tip_positions.add(p);
@@ -142,6 +143,19 @@ private:
         for (const gcode::Position* p : {&from, &to})
             box.add(cda::Vec3{p->x.mm(), p->y.mm(), p->z.mm()});
         result_.slanting_rapids.push_back({box, motion.file, motion.span});
+    }
+
+    void count_pieces(const gcode::Motion& motion, const gcode::Position& from,
+                      const gcode::Position& to, bool is_turned, std::size_t chords) {
+        FeedPieces& pieces = result_.pieces[motion.tool];
+        const bool turns = from.a != to.a || from.b != to.b || from.c != to.c;
+        if (turns) {
+            pieces.turning += chords;
+        } else if (!std::holds_alternative<gcode::Linear>(motion.what)) {
+            pieces.chords += chords;
+        } else {
+            ++(is_turned ? pieces.indexed : pieces.straight);
+        }
     }
 
     ToolTrack& track_of(const gcode::Motion& motion) {

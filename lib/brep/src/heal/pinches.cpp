@@ -240,9 +240,12 @@ std::vector<Loop> simple_loops(const Part& part, const Loop& loop) {
 }
 
 Face with(const Face& face, std::vector<Loop> loops) {
-    Face made = face;
-    made.loops = std::move(loops);
-    return made;
+    return {face.surface, face.frame, std::move(loops), face.origin, face.origins, face.is_facet};
+}
+
+// The same surface with one loop, to measure: as with(), without the motions that cut it.
+Face with_loop(const Face& face, const Loop& loop) {
+    return {face.surface, face.frame, {loop}, face.origin, {}, face.is_facet};
 }
 
 // For each face that there is to be, its loops; the outline first. Nothing where that cannot be
@@ -252,7 +255,7 @@ std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
     std::vector<Loop> holes;
     for (const Loop& loop : face.loops) {
         for (Loop& simple : simple_loops(part, loop)) {
-            const double area = measure(part, with(face, {simple}), face.frame.origin).area;
+            const double area = measure(part, with_loop(face, simple), face.frame.origin).area;
             if (area > 0.0) {
                 parts.push_back({std::move(simple)});
             } else {
@@ -274,7 +277,7 @@ std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
 bool has_other_outline(const Part& part, const Face& face) {
     if (face.loops.size() < 2) return false;
     for (std::size_t l = 0; l < face.loops.size(); ++l) {
-        const double area = measure(part, with(face, {face.loops[l]}), face.frame.origin).area;
+        const double area = measure(part, with_loop(face, face.loops[l]), face.frame.origin).area;
         if ((area > 0.0) != (l == 0)) return true;
     }
     return false;
@@ -316,7 +319,7 @@ bool goes_round(const Part& part, const Face& face, const Loop& outline, const L
     const Edge& edge = part.edges[loop.front().edge];
     const Vec3 p = Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.5);
     const Vec3 x = face.frame.x, y = cross(face.frame.axis, x);
-    const auto points = points_along(part, with(face, {outline})).front();
+    const auto points = points_along(part, with_loop(face, outline)).front();
     bool is_inside = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3 a = points[i] - p, b = points[(i + 1) % points.size()] - p;

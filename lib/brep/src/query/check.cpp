@@ -303,6 +303,77 @@ bool have_common_end(const Segment& s, const Segment& t) {
     return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
 }
 
+// Segments by the strips of x in which they are: a face with a grid of holes has many at the same
+// height, of which few are near each other.
+class Strips {
+public:
+    /// Requires: `segments` ascending by low(), and longer-lived than this.
+    Strips(const std::vector<Segment>& segments, double clear)
+        : segments_(segments), clear_(clear) {
+        constexpr std::size_t kOfAStrip = 256;  // segments
+        double right = -std::numeric_limits<double>::infinity();
+        left_ = -right;
+        for (const Segment& s : segments) {
+            left_ = std::min(left_, s.left());
+            right = std::max(right, s.right());
+        }
+        std::size_t count = segments.size() / kOfAStrip + 1;
+        const double width = (right - left_) / static_cast<double>(count);
+        // One strip for all if the numbers say nothing about where segments are.
+        const bool has_width = std::isfinite(width) && width > 0.0 && std::isfinite(1.0 / width);
+        if (!has_width) count = 1;
+        per_mm_ = has_width ? 1.0 / width : 0.0;
+        members_.resize(count);
+        for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            const auto [first, last] = strips_of(segments[i], 0.0);
+            for (std::size_t k = first; k <= last; ++k)
+                members_[k].push_back(i);
+        }
+        first_.resize(count, 0);
+    }
+
+    /// Writes into `others`, ascending, those after `i` whose boxes come within the clearance of
+    /// that of `i`. Requires: `i` not less than in the last call.
+    void find(std::uint32_t i, std::vector<std::uint32_t>& others) {
+        const Segment& s = segments_[i];
+        others.clear();
+        const auto [first, last] = strips_of(s, clear_);
+        for (std::size_t k = first; k <= last; ++k) {
+            const auto& members = members_[k];
+            std::size_t& next = first_[k];
+            while (next < members.size() && members[next] <= i)
+                ++next;
+            for (std::size_t m = next; m < members.size(); ++m) {
+                const Segment& t = segments_[members[m]];
+                if (t.low() > s.high() + clear_) break;
+                if (t.right() < s.left() - clear_ || t.left() > s.right() + clear_) continue;
+                others.push_back(members[m]);
+            }
+        }
+        if (first == last) return;
+        std::ranges::sort(others);
+        const auto again = std::ranges::unique(others);
+        others.erase(again.begin(), again.end());
+    }
+
+private:
+    // The first and the last; of what is nowhere, all.
+    std::pair<std::size_t, std::size_t> strips_of(const Segment& s, double more) const {
+        const std::size_t last = members_.size() - 1;
+        const auto strip = [&](double x, std::size_t nowhere) {
+            const double at = (x - left_) * per_mm_;
+            if (!std::isfinite(at)) return nowhere;
+            return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(last)));
+        };
+        return {strip(s.left() - more, 0), strip(s.right() + more, last)};
+    }
+
+    const std::vector<Segment>& segments_;
+    double clear_, left_ = 0.0, per_mm_ = 0.0;
+    std::vector<std::vector<std::uint32_t>> members_;
+    std::vector<std::size_t> first_;  // for each strip: its first member after `i`
+};
+
 // The edges of two pieces that do.
 std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
                                                           std::vector<Segment> segments,
@@ -319,29 +390,28 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
     }
     std::sort(segments.begin(), segments.end(),
               [](const Segment& s, const Segment& t) { return s.low() < t.low(); });
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const Segment& s = segments[i];
-        for (std::size_t j = i + 1; j < segments.size(); ++j) {
-            const Segment& t = segments[j];
-            if (t.low() > s.high() + clear) break;
-            if (t.right() < s.left() - clear || t.left() > s.right() + clear) continue;
-            const bool both_straight = s.is_straight && t.is_straight;
-            const bool are_neighbours = have_common_end(s, t);
-            if (both_straight && interfere(s, t, clear)) return {{s.edge, t.edge}};
-            if (both_straight) continue;
-            // Chords of curves that touch in their common end may lie on each other. Of cones
-            // readers find them crossed.
-            const Again beside{clear, 0.0, kBeside};
-            const auto is_near = [&] {
-                return interfere(s, t, clear) &&
-                       (map.is_cone() || std::min(length(s), length(t)) < kBeside ||
-                        neighbours_meet_again(map, s, t, beside));
-            };
-            const bool do_meet = are_neighbours
-                                     ? is_near() || neighbours_meet_again(map, s, t, kCrossing) ||
+    const auto do_interfere = [&](const Segment& s, const Segment& t) {
+        const bool both_straight = s.is_straight && t.is_straight;
+        if (both_straight) return interfere(s, t, clear);
+        // Chords of curves that touch in their common end may lie on each other. Of cones
+        // readers find them crossed.
+        const Again beside{clear, 0.0, kBeside};
+        const auto is_near = [&] {
+            return interfere(s, t, clear) &&
+                   (map.is_cone() || std::min(length(s), length(t)) < kBeside ||
+                    neighbours_meet_again(map, s, t, beside));
+        };
+        return have_common_end(s, t) ? is_near() || neighbours_meet_again(map, s, t, kCrossing) ||
                                            neighbours_meet_again(map, s, t, kCrossingElsewhere)
                                      : curves_interfere(map, s, t, clear, kDepth);
-            if (do_meet) return {{s.edge, t.edge}};
+    };
+    Strips strips(segments, clear);
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+        const Segment& s = segments[i];
+        strips.find(i, others);
+        for (const std::uint32_t j : others) {
+            if (do_interfere(s, segments[j])) return {{s.edge, segments[j].edge}};
         }
     }
     return std::nullopt;

@@ -19,8 +19,11 @@ std::size_t outline_of(const Part& part, const Face& face) {
     if (face.loops.size() < 2 || !std::holds_alternative<Plane>(face.surface.form)) return 0;
     std::size_t best = 0;
     double largest = -std::numeric_limits<double>::infinity();
+    // Not a copy of `face`: with its loops, ten thousand holes would be copied ten thousand times.
+    Face alone;
+    alone.surface = face.surface;
+    alone.frame = face.frame;
     for (std::size_t i = 0; i < face.loops.size(); ++i) {
-        Face alone = face;
         alone.loops = {face.loops[i]};
         const double area = measure(part, alone, face.frame.origin).area;
         if (area <= largest) continue;

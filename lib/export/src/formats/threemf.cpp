@@ -63,9 +63,8 @@ void append_materials(std::string& text, const Palette& palette) {
     text += "</basematerials>\n";
 }
 
-void append_object(std::string& text, const cda::Boundary& boundary, const Provenance& provenance,
-                   const Palette& palette) {
-    const cda::TriangleMesh mesh = cda::triangulate(boundary);
+void append_object(std::string& text, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
+                   const Provenance& provenance, const Palette& palette) {
     text +=
         "<object id=\"2\" type=\"model\" name=\"part\" pid=\"1\" "
         "pindex=\"0\">\n<mesh>\n<vertices>\n";
@@ -93,12 +92,17 @@ void append_object(std::string& text, const cda::Boundary& boundary, const Prove
 }  // namespace
 
 void write_3mf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+    write_3mf(out, boundary, cda::triangulate(boundary), provenance);
+}
+
+void write_3mf(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
+               const Provenance& provenance) {
     const Palette palette(provenance);
     std::string model(kModelStart);
     model += "<metadata name=\"Title\">" + xml_text(provenance.program) + "</metadata>\n";
     model += "<metadata name=\"Application\">ncsim</metadata>\n<resources>\n";
     append_materials(model, palette);
-    if (!boundary.faces.empty()) append_object(model, boundary, provenance, palette);
+    if (!boundary.faces.empty()) append_object(model, boundary, mesh, provenance, palette);
     model += "</resources>\n<build>\n";
     if (!boundary.faces.empty()) model += "<item objectid=\"2\"/>\n";
     model += "</build>\n</model>\n";

@@ -13,8 +13,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
-#include <unordered_set>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace ncsim::exporter {
@@ -80,9 +80,14 @@ bool is_nearer_than(double limit, Vec3 p, const TriangleMesh& mesh) {
     return false;
 }
 
-// Numbers for places, of both meshes.
+// Numbers for places, of both meshes, in a table with open addresses.
 class SamePlaces {
 public:
+    /// Requires: at most `most` vertices come in.
+    explicit SamePlaces(std::size_t most) : slots_(std::bit_ceil(2 * most + 1), kNone) {
+        places_.reserve(most);
+    }
+
     std::vector<Triple> triangles(const TriangleMesh& mesh) {
         std::vector<std::uint32_t> place(mesh.vertices.size());
         for (std::size_t v = 0; v < place.size(); ++v)
@@ -93,22 +98,27 @@ public:
             all.push_back({place[t[0]], place[t[1]], place[t[2]]});
         return all;
     }
-    std::size_t size() const { return numbers_.size(); }
+    std::size_t size() const { return places_.size(); }
 
 private:
-    struct Hash {
-        std::size_t operator()(const std::array<double, 3>& p) const {
-            std::uint64_t h = 0;
-            for (const double x : p)
-                h = cda::mix(h, std::bit_cast<std::uint64_t>(x + 0.0));
-            return h;
-        }
-    };
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
     std::uint32_t number(Vec3 p) {
-        const auto next = static_cast<std::uint32_t>(numbers_.size());
-        return numbers_.try_emplace({p.x, p.y, p.z}, next).first->second;
+        std::uint64_t hash = 0;
+        for (const double x : {p.x, p.y, p.z})
+            hash = cda::mix(hash, std::bit_cast<std::uint64_t>(x + 0.0));
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t slot = static_cast<std::size_t>(hash) & mask;
+        for (; slots_[slot] != kNone; slot = (slot + 1) & mask) {
+            if (places_[slots_[slot]] == p) return slots_[slot];
+        }
+        slots_[slot] = static_cast<std::uint32_t>(places_.size());
+        places_.push_back(p);
+        return slots_[slot];
     }
-    std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> numbers_;
+
+    std::vector<std::uint32_t> slots_;  // indices into places_
+    std::vector<Vec3> places_;
 };
 
 // A triangle whichever way it is gone round.
@@ -117,10 +127,34 @@ Triple sorted(Triple t) {
     return t;
 }
 
-struct HashTriple {
-    std::size_t operator()(const Triple& t) const {
-        return cda::mix(cda::mix(0, t[0]), t[1] | std::uint64_t{t[2]} << 32);
+// Triangles by their least corner: neighbours in space are neighbours in memory.
+class TrianglesByCorner {
+public:
+    TrianglesByCorner(const std::vector<Triple>& triangles, std::size_t places)
+        : first_(places + 1, 0), others_(triangles.size()) {
+        for (const Triple& t : triangles)
+            ++first_[std::ranges::min(t) + std::size_t{1}];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        for (const Triple& t : triangles) {
+            const auto [least, middle, most] = sorted(t);
+            others_[next[least]++] = {middle, most};
+        }
+        for (std::size_t v = 0; v < places; ++v)
+            std::sort(others_.begin() + first_[v], others_.begin() + first_[v + 1]);
     }
+
+    bool contain(const Triple& t) const {
+        const auto [least, middle, most] = sorted(t);
+        const std::pair others{middle, most};
+        const auto begin = others_.begin() + first_[least];
+        const auto end = others_.begin() + first_[least + std::size_t{1}];
+        return std::binary_search(begin, end, others);
+    }
+
+private:
+    std::vector<std::uint32_t> first_;  // for each place, where in others_ its triangles begin
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> others_;
 };
 
 // What one mesh has by itself: triangles, and of these the corners and middles.
@@ -130,17 +164,15 @@ struct Own {
 };
 Own own_of(const TriangleMesh& mesh, const std::vector<Triple>& triangles,
            const std::vector<Triple>& others, std::size_t places) {
-    std::unordered_set<Triple, HashTriple> in_other;
-    in_other.reserve(others.size());
+    const TrianglesByCorner in_other(others, places);
     std::vector<bool> is_done(places, false);
     for (const Triple& t : others) {
-        in_other.insert(sorted(t));
         for (const std::uint32_t place : t)
             is_done[place] = true;
     }
     Own own;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        if (in_other.contains(sorted(triangles[t]))) continue;
+        if (in_other.contain(triangles[t])) continue;
         own.triangles.push_back(t);
         Vec3 sum;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -169,7 +201,7 @@ double farthest(const Own& from, const TriangleMesh& to, const Own& own_of_to) {
 double deviation(const TriangleMesh& a, const TriangleMesh& b) {
     if (a.triangles.empty() || b.triangles.empty())
         return a.triangles.empty() == b.triangles.empty() ? 0.0 : cda::Box::kInf;
-    SamePlaces places;
+    SamePlaces places(a.vertices.size() + b.vertices.size());
     const std::vector<Triple> of_a = places.triangles(a);
     const std::vector<Triple> of_b = places.triangles(b);
     const Own own_a = own_of(a, of_a, of_b, places.size());

@@ -7,6 +7,8 @@
 //  4. Chains of vertices between two faces become straight where they almost are (Douglas and
 //     Peucker, Algorithms for the reduction of the number of points, 1973).
 //  5. Faces that lost their plane on the way get a new one.
+// A boundary in which none of this would change a face is recognised first (plain.h).
+//
 // What is thin or near is so within a quarter of the tolerance. Where the steps add up to more than
 // all of it, which is seen by comparing the surfaces, everything is done again with half as much.
 #include "ncsim/export/simplify.h"
@@ -18,6 +20,7 @@
 #include "mesh/deviation.h"
 #include "mesh/half_edges.h"
 #include "mesh/merge_faces.h"
+#include "mesh/plain.h"
 #include "mesh/slivers.h"
 
 #include <algorithm>
@@ -34,8 +37,6 @@ namespace {
 using cda::Vec3;
 using Vertex = std::uint32_t;
 using Loop = std::vector<Vertex>;
-
-constexpr double kMinNormalCosine = 0.9659;  // cosine of 15°
 
 double distance(Vec3 a, Vec3 b) {
     return cda::norm(b - a);
@@ -368,7 +369,7 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
         if (!is_right_way || farthest_from_plane(merged.boundary.vertices, face) > share)
             fit_plane(merged.boundary.vertices, face);
     }
-    return {std::move(merged.boundary), std::move(merged.origins), 0.0};
+    return {std::move(merged.boundary), std::move(merged.origins), 0.0, {}};
 }
 
 // Flakes thinner than the tolerance may vanish however wide they are: what they were is near to
@@ -392,7 +393,13 @@ cda::TriangleMesh without_lost_shells(cda::TriangleMesh mesh, const cda::Boundar
 }  // namespace
 
 Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines) {
-    if (boundary.faces.empty()) return {boundary, {}, 0.0};
+    if (boundary.faces.empty()) return {boundary, {}, 0.0, {}};
+    if (auto plain = as_plain(boundary, 0.25 * tolerance_mm, lines)) return std::move(*plain);
+    return simplify_any(boundary, tolerance_mm, lines);
+}
+
+Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
+                        const Provenance* lines) {
     const cda::TriangleMesh before = cda::triangulate(boundary);
     Simplified result;
     for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
@@ -400,8 +407,9 @@ Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Pr
         if (share < 1e-3 * tolerance_mm) share = 0.0;
         result = simplify_steps(boundary, before, share, lines);
         if (result.boundary.faces.empty()) return result;  // a part smaller than the tolerance
-        result.deviation_mm = deviation(without_lost_shells(before, boundary, result.boundary),
-                                        cda::triangulate(result.boundary));
+        result.mesh = cda::triangulate(result.boundary);
+        result.deviation_mm =
+            deviation(without_lost_shells(before, boundary, result.boundary), result.mesh);
         if (result.deviation_mm <= tolerance_mm || share == 0.0) return result;
     }
 }

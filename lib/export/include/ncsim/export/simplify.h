@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/cda/mesh.h"
 #include "ncsim/export/provenance.h"
 
 #include <vector>
@@ -23,6 +24,8 @@ struct Simplified {
     /// In mm, measured: the farthest that a corner or the middle of a triangle of one surface lies
     /// from the other, shells that vanished aside. Never more than the tolerance.
     double deviation_mm = 0.0;
+    /// `boundary`, as cda::triangulate() cuts it.
+    cda::TriangleMesh mesh;
 };
 
 /// Takes out what is thinner than a quarter of `tolerance_mm` (edges become vertices, bands between

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/cda/mesh.h"
 #include "ncsim/export/provenance.h"
 
 #include <iosfwd>
@@ -19,5 +20,10 @@ namespace ncsim::exporter {
 /// bytes: the archive's times are those of 1980. Throws std::runtime_error if the file would
 /// exceed the 4 GiB of a plain ZIP archive, or the stream fails.
 void write_3mf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+
+/// The same for a boundary that is cut into triangles already. Requires: `mesh` is
+/// cda::triangulate(boundary).
+void write_3mf(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
+               const Provenance& provenance);
 
 }  // namespace ncsim::exporter

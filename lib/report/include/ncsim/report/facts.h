@@ -66,6 +66,7 @@ struct CuttingFacts {
     double tool_tolerance = 0.0;          ///< Of round tools, mm.
     /// Moves in a row within this of a line are one, mm; 0: none are joined.
     double join_tolerance = 0.0;
+    bool is_draft_exact = false;           ///< A draft of a short program, cut exactly.
     std::optional<std::uint32_t> at_line;  ///< Where it was stopped.
 };
 

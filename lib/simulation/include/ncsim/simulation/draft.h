@@ -10,9 +10,21 @@
 
 namespace ncsim::simulation {
 
-/// Makes the tolerances of a draft that nobody told as coarse as its picture allows, in which a
-/// pixel is about a thousandth of the block, and joins moves; tools stay round. Leaves plans that
-/// are no drafts.
+/// Returns the work of an exact run of the program, in hulls of a flat end mill. A hull of a tool
+/// without straight walls and a flat end counts as three, because it has about three times as many
+/// planes; a move of a tool that leans as two; a piece that turns the tool as a hundred.
+///
+/// Guarantees: the number depends on the program, its tools and `plan.tolerance` alone, not on the
+/// machine that runs ncsim.
+double exact_work(const Plan& plan, const Survey& survey);
+
+/// Largest exact_work() of a draft that is cut exactly: less than a second of CPU time, typically.
+inline constexpr double kQuickWork = 12'000.0;
+
+/// Sets the unspecified tolerances of a draft to what its picture allows, in which a pixel is about
+/// a thousandth of the block, and joins moves; tools stay round. A draft of at most kQuickWork with
+/// an exact model and no specified tolerance keeps the tolerances of an exact run, and
+/// `plan.is_draft_exact` is set. Plans that are not drafts remain as they are.
 void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told);
 
 /// Moves from which on a draft is made of rays.

@@ -49,6 +49,7 @@ struct Plan {
     double join_tolerance = 0.0;
     /// A first look: tools that nobody describes are guessed.
     bool draft = false;
+    bool is_draft_exact = false;  ///< A draft that coarsen() left exact, because it is quick.
     /// How the machine turns, if somebody tells it; and with the program's zero, once it was
     /// surveyed.
     std::optional<setup::ToldKinematics> kinematics;

@@ -9,10 +9,20 @@
 #include "ncsim/simulation/plan.h"
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 
 namespace ncsim::simulation {
+
+/// Pieces into which the feed moves of one tool are cut, by cost. Counted, not measured.
+struct FeedPieces {
+    std::uint64_t straight = 0;  ///< Straight moves that do not turn the tool.
+    std::uint64_t chords = 0;    ///< Chords of arcs and splines, within 0.01 mm.
+    std::uint64_t indexed = 0;   ///< Straight moves of a tool that leans and does not turn.
+    std::uint64_t turning = 0;   ///< Chords of moves that turn the tool, within 0.5 mm.
+};
 
 struct Survey : report::ProgramFacts {
     bool cuts_from_nowhere = false;  ///< A move whose start is not told is a feed move.
@@ -28,6 +38,7 @@ struct Survey : report::ProgramFacts {
     bool turns_under_axes = false;  ///< Rotary axes stand elsewhere than at 0 without it.
     gcode::SourceSpan first_move;
     std::set<int> cutting_tools;
+    std::map<int, FeedPieces> pieces;  ///< By tool number; of moves with a known start.
 
     /// Can it be simulated? Else `diagnostics` says why not.
     bool is_ready() const { return ready; }
