@@ -20,6 +20,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -324,12 +325,17 @@ public:
         if (!has_width) count = 1;
         per_mm_ = has_width ? 1.0 / width : 0.0;
         members_.resize(count);
+        first_.resize(count, 0);
+        if (count == 1) {
+            members_.front().resize(segments.size());
+            std::iota(members_.front().begin(), members_.front().end(), 0U);
+            return;
+        }
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
             const auto [first, last] = strips_of(segments[i], 0.0);
             for (std::size_t k = first; k <= last; ++k)
                 members_[k].push_back(i);
         }
-        first_.resize(count, 0);
     }
 
     /// Writes into `others`, ascending, those after `i` whose boxes come within the clearance of
