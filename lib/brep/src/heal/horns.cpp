@@ -219,7 +219,7 @@ std::optional<Cut> shortest_cut(const Part& part, const Face& face, const Loop& 
 }
 
 Loop from_use(Loop loop, std::size_t i) {
-    std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(i));
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(i), loop.end());
     return loop;
 }
 

@@ -159,8 +159,8 @@ private:
             at.second = now(at.second);
         std::erase_if(
             on, [&](const auto& at) { return from == to || at.second == from || at.second == to; });
-        const auto again = std::ranges::unique(on, {}, [](const auto& at) { return at.second; });
-        on.erase(again.begin(), again.end());
+        const auto is_same = [](const auto& a, const auto& b) { return a.second == b.second; };
+        on.erase(std::unique(on.begin(), on.end(), is_same), on.end());
     }
 
     // Edges of other faces both ends of which have become one.

@@ -117,10 +117,10 @@ private:
             return loop.begin() + static_cast<std::ptrdiff_t>(i);
         };
         Loop& one = loops[first.loop];
-        std::ranges::rotate(one, place(one, first.at));
+        std::rotate(one.begin(), place(one, first.at), one.end());
         if (first.loop != second.loop) {
             Loop& other = loops[second.loop];
-            std::ranges::rotate(other, place(other, second.at));
+            std::rotate(other.begin(), place(other, second.at), other.end());
             one.insert(one.end(), other.begin() + 1, other.end());
             one.erase(one.begin());
             other.clear();

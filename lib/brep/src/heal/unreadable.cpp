@@ -90,8 +90,7 @@ std::vector<std::uint32_t> unreadable_planes(const Part& part) {
     for (const auto& more : {planes_of_no_size(part), planes_of_no_width(part)})
         found.insert(found.end(), more.begin(), more.end());
     std::ranges::sort(found);
-    const auto again = std::ranges::unique(found);
-    found.erase(again.begin(), again.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

@@ -239,7 +239,7 @@ private:
             const auto plane = mean_plane(part_, only);
             return plane && dot(plane->normal, plane_.normal) > 0.0;
         };
-        std::ranges::stable_partition(face.loops, goes_left);
+        std::stable_partition(face.loops.begin(), face.loops.end(), goes_left);
         const auto own = mean_plane(part_, face);
         lay_into(part_, face, own && off_plane(part_, face, plane_) > kFlat ? *own : plane_);
     }

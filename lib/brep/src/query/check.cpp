@@ -358,8 +358,7 @@ public:
         }
         if (first == last) return;
         std::ranges::sort(others);
-        const auto again = std::ranges::unique(others);
-        others.erase(again.begin(), again.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
     }
 
 private:

@@ -535,7 +535,7 @@ void Chains::solve_chain(Chain& chain) {
         return;
     }
     auto* circle = std::get_if<Circle>(&*curve);
-    auto* ellipse = std::get_if<Ellipse>(&*curve);
+    auto* ellipse = circle ? nullptr : &std::get<Ellipse>(*curve);
     const Vec3 centre = circle ? circle->centre : ellipse->centre;
     Vec3& axis = circle ? circle->axis : ellipse->axis;
     const double rough = turned(points, centre, axis);

@@ -59,20 +59,20 @@ KnownFaces::Known& KnownFaces::look_at(const Part& part, Face& face, std::uint32
         }
     }
     Known& known = known_[name];
-    if (known.surface != face.surface || known.loops != loops) {
+    if (known.surface_ != face.surface || known.loops_ != loops) {
         known = {};
-        known.surface = face.surface;
-        known.loops = std::move(loops);
+        known.surface_ = face.surface;
+        known.loops_ = std::move(loops);
         face.frame = frame_for(part, face);
-        known.outline = outline_of(part, face);
-        std::swap(face.loops.front(), face.loops[known.outline]);
-        if (known.outline != 0) face.frame = frame_for(part, face);
-        known.frame = face.frame;
+        known.outline_ = outline_of(part, face);
+        std::swap(face.loops.front(), face.loops[known.outline_]);
+        if (known.outline_ != 0) face.frame = frame_for(part, face);
+        known.frame_ = face.frame;
         known.measure = measure(part, face, apex_, Exactness::Rough);
         return known;
     }
-    std::swap(face.loops.front(), face.loops[known.outline]);
-    face.frame = known.frame;
+    std::swap(face.loops.front(), face.loops[known.outline_]);
+    face.frame = known.frame_;
     return known;
 }
 

@@ -40,10 +40,10 @@ public:
             bool is_forward;
             bool operator==(const Piece&) const = default;
         };
-        Surface surface;
-        std::vector<std::vector<Piece>> loops;
-        std::size_t outline = 0;
-        Frame frame;
+        Surface surface_;
+        std::vector<std::vector<Piece>> loops_;
+        std::size_t outline_ = 0;
+        Frame frame_;
     };
 
     /// Gives the face its frame, and of a plane the outline as its first loop. `name` tells faces

@@ -53,7 +53,7 @@ void take_out(std::vector<Loop>& loops, std::uint32_t one, std::uint32_t two) {
     }
     if (uses.size() != 2) return;
     Loop &first = loops[uses[0].first], &second = loops[uses[1].first];
-    std::ranges::rotate(first, place(first, uses[0].second));
+    std::rotate(first.begin(), place(first, uses[0].second), first.end());
     if (&first == &second) {
         const auto at = place(first, uses[1].second - uses[0].second);
         Loop rest(at + 1, first.end());
@@ -62,7 +62,7 @@ void take_out(std::vector<Loop>& loops, std::uint32_t one, std::uint32_t two) {
         loops.push_back(std::move(rest));
         return;
     }
-    std::ranges::rotate(second, place(second, uses[1].second));
+    std::rotate(second.begin(), place(second, uses[1].second), second.end());
     first.erase(first.begin());
     first.insert(first.end(), second.begin() + 1, second.end());
     second.clear();
@@ -153,7 +153,7 @@ void Outlines::join(std::vector<Loop>& loops) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const auto there = std::ranges::find(other, corner_of(loop[i]), corner_of);
                 if (there == other.end()) continue;
-                std::ranges::rotate(other, there);
+                std::rotate(other.begin(), there, other.end());
                 loop.insert(place(loop, i), other.begin(), other.end());
                 other.clear();
                 break;

@@ -358,7 +358,7 @@ Chains::ChainsAt Chains::chains_at() const {
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
         if (chains_[c].has_vanished) continue;
         for (const std::uint32_t v : {chains_[c].from, chains_[c].to}) {
-            const auto place = std::ranges::find(at[v], kNone);
+            auto* const place = std::ranges::find(at[v], kNone);
             if (place != at[v].end()) *place = c;
         }
     }

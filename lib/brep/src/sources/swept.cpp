@@ -448,12 +448,10 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcWay& w
                          way.growth, way.rise,  way.swept, axis};
     if (way.spiral && is_about && e.fillet <= 0.0) {
         sweeps.spiral(e, *way.spiral, way.left, axis, way.is_level);
-    } else if (way.spiral) {
-        sweeps.envelope(e, round);
-    } else if (is_about) {
+    } else if (!way.spiral && is_about) {
         sweeps.arc(e, round, way.is_level);
         if (is_corner && !way.is_level) sweeps.rim_around(e, round, way.rise);
-    } else if (way.is_level && (is_ball || e.fillet <= 0.0)) {
+    } else if (!way.spiral && way.is_level && (is_ball || e.fillet <= 0.0)) {
         sweeps.arc_across(e, way.centre, axis, way.about, way.radius);
         if (is_across) sweeps.level_across(e, way.fitted, axis, way.fitted_radius);
         if (is_corner) sweeps.rim_across(e, way, axis);

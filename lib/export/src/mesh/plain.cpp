@@ -84,13 +84,13 @@ bool any_are_joinable(const cda::Boundary& boundary, double share, const Provena
 // the outline is not the first loop, or there are several.
 bool put_in_order(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     for (LoopOfVertices& loop : face.loops)
-        std::ranges::rotate(loop, std::ranges::min_element(loop));
+        std::rotate(loop.begin(), std::ranges::min_element(loop), loop.end());
     std::ranges::sort(face.loops, {}, [](const LoopOfVertices& loop) { return loop.front(); });
     const auto is_outline = [&](const LoopOfVertices& loop) {
         return cda::dot(loop_area_vector(vertices, loop), face.normal) > 0.0;
     };
-    const auto holes = std::ranges::stable_partition(face.loops, is_outline);
-    return holes.begin() == face.loops.begin() + 1;
+    const auto holes = std::stable_partition(face.loops.begin(), face.loops.end(), is_outline);
+    return holes == face.loops.begin() + 1;
 }
 
 // True if a triangle is lower than `share`, in a wide sense: simplify_any() might move it.

@@ -4,7 +4,9 @@
 // that are joined to the faces that they were made of.
 #pragma once
 
-#include "ncsim/export/simplify.h"
+#include "ncsim/cda/boundary.h"
+#include "ncsim/export/provenance.h"
+#include "ncsim/export/simplified.h"
 
 #include <optional>
 

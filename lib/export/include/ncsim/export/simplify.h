@@ -4,29 +4,14 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/export/provenance.h"
-
-#include <vector>
+#include "ncsim/export/simplified.h"
 
 namespace ncsim::exporter {
 
 /// mm. Below what any machine or gauge sees, above the 10 nm of the lattice that makes several
 /// facets of one flat wall: within it, faces are those that a person counts on the part.
 inline constexpr double kFlatTolerance = 1e-4;
-
-struct Simplified {
-    /// `origin` of a face is the smallest of those it is made of, or, where lines are kept apart,
-    /// that of its largest one. Some vertices may be unused.
-    cda::Boundary boundary;
-    /// For each face the origins of the faces it is made of, ascending, each once.
-    std::vector<std::vector<cda::Origin>> origins;
-    /// In mm, measured: the farthest that a corner or the middle of a triangle of one surface lies
-    /// from the other, shells that vanished aside. Never more than the tolerance.
-    double deviation_mm = 0.0;
-    /// `boundary`, as cda::triangulate() cuts it.
-    cda::TriangleMesh mesh;
-};
 
 /// Takes out what is thinner than a quarter of `tolerance_mm` (edges become vertices, bands between
 /// two faces become edges), makes one face of neighbours that lie in one plane within a quarter of

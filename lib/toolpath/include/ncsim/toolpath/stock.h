@@ -79,8 +79,8 @@ private:
 
 /// From the box swept by the tools in all cutting moves (mm). The sides and the bottom stand a
 /// twentieth of the size away from it, at least 2 mm. The top is Z0 where the tool cuts below Z0:
-/// programs put it there, unless all cuts lie within a band that is more than 10 mm and four times its
-/// height below Z0; else the highest cutting position of a tool tip, `highest_tip`, or a step
+/// programs put it there, unless all cuts lie within a band that is more than 10 mm and four times
+/// its height below Z0; else the highest cutting position of a tool tip, `highest_tip`, or a step
 /// above it, where that is the first of passes in equal steps: it took a step, too. At least 1 mm
 /// thick.
 DerivedStock derive_stock(const cda::Box& swept, double highest_tip,
