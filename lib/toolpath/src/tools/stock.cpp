@@ -213,13 +213,12 @@ DerivedStock derive_stock(const cda::Box& swept, double highest_tip, const Highe
     derived.rule =
         "derived: what the tools sweep in cutting moves (face mills without run-in and run-out), "
         "with 5 % (at least 2 mm) more on all sides and below; top at ";
-    derived.rule +=
-        from_zero ? "Z0, since cuts go below it"
-        : step    ? "a step above the first of passes in equal steps"
-                  : "the highest cutting position of a tool tip";
+    derived.rule += from_zero ? "Z0, since cuts go below it"
+                    : step    ? "a step above the first of passes in equal steps"
+                              : "the highest cutting position of a tool tip";
     if (!from_zero) {
-        derived.rule += is_far_below ? ", since all cuts are far below Z0"
-                                     : ", since no cut goes below Z0";
+        derived.rule +=
+            is_far_below ? ", since all cuts are far below Z0" : ", since no cut goes below Z0";
     }
     return derived;
 }
