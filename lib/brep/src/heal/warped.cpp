@@ -213,7 +213,7 @@ private:
     Ends next(Ends ends) {
         for (;;) {
             const Triangle& t = triangles_[at_side_.find(ends)->second];
-            const auto tip = std::ranges::find_if(
+            const auto* const tip = std::ranges::find_if(
                 t, [&](std::uint32_t v) { return v != ends.first && v != ends.second; });
             const Ends after{ends.second, *tip};
             if (beyond(after) == kNone) return after;

@@ -113,6 +113,7 @@ std::vector<Corners> Outlines::touching_corners(std::uint32_t group, const std::
         if (on_it != corners.end()) touching.emplace_back(chain.from, *on_it);
     }
     std::vector<std::pair<double, std::uint32_t>> along;
+    along.reserve(corners.size());
     for (const std::uint32_t v : corners)
         along.emplace_back(at(v).x, v);
     std::ranges::sort(along);
