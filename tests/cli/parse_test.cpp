@@ -45,12 +45,13 @@ TEST(Parse, ListsWhatAControlDoesNotHave) {
     folder.write("a.nc", "G21 G90\nG0 X0 Y0\nG81 X1 Z-1 R1 F100\nX2\nG81 X3\nM7\nM2\n");
     Ran ran = folder.run({"parse", "a.nc", "--for", "grbl"});
     EXPECT_EQ(ran.exit_code, 1);
-    EXPECT_EQ(ran.out,
-              "a.nc:3:1: grbl 1.1 has no G81 (2 times)\n"
-              "a.nc:6:1: M7 is an option of grbl 1.1\n"
-              "a.nc: grbl 1.1 lacks 1 of what this program uses; it answers with error 20 and stops "
-              "the stream\n"
-              "source: gnea/grbl, grbl/gcode.c at v1.1h\n");
+    EXPECT_EQ(
+        ran.out,
+        "a.nc:3:1: grbl 1.1 has no G81 (2 times)\n"
+        "a.nc:6:1: M7 is an option of grbl 1.1\n"
+        "a.nc: grbl 1.1 lacks 1 of what this program uses; it answers with error 20 and stops "
+        "the stream\n"
+        "source: gnea/grbl, grbl/gcode.c at v1.1h\n");
     ran = folder.run({"parse", "a.nc", "--for", "haas"});
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_TRUE(contains(ran.out, "M7 is not in the list of codes of Haas")) << ran.out;
@@ -62,6 +63,11 @@ TEST(Parse, ListsWhatAControlDoesNotHave) {
     EXPECT_EQ(lacks.at("lacks").at(0).at("what"), "G81");
     EXPECT_EQ(lacks.at("lacks").at(0).at("line"), 3);
     EXPECT_EQ(lacks.at("options").size(), 1U);
+    EXPECT_EQ(folder.run({"parse", "a.nc", "--for", "grbl", "--canonical"}).exit_code, 2);
+    folder.write("b.nc", "G21 G90\nG#100 X0\nM2\n");
+    ran = folder.run({"parse", "b.nc", "--for", "fanuc"});
+    EXPECT_EQ(ran.exit_code, 4);
+    EXPECT_TRUE(contains(ran.out, "b.nc:2:1: codes by expressions cannot be judged")) << ran.out;
     ran = folder.run({"parse", "a.nc", "--for", "siemens"});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_TRUE(contains(ran.err, "--for 'siemens': expected grbl,")) << ran.err;

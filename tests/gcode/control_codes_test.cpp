@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What of a program a control does not have.
+// Codes and parts of the language that a program uses and a control lacks.
 #include "ncsim/gcode/control_codes.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +11,14 @@
 namespace ncsim::gcode {
 namespace {
 
-// "G81 3:1 x2, M6? 1:4 x1": what, place of the first, how often; '?' for options.
+// "G81 3:1 x2, M6? 1:4 x1": what, place of the first, how often; '?' for options, '*' for unknown.
 std::string lacking(const std::string& control, const std::string& program) {
     std::string text;
     for (const CodeUse& use : lacking_codes({"p.nc", program}, *find_control_codes(control))) {
-        text += (text.empty() ? "" : ", ") + use.what + (use.is_option ? "? " : " ") +
+        text += (text.empty() ? "" : ", ") + use.what +
+                (use.support == CodeSupport::Option    ? "? "
+                 : use.support == CodeSupport::Unknown ? "* "
+                                                       : " ") +
                 std::to_string(use.first.line) + ":" + std::to_string(use.first.column) + " x" +
                 std::to_string(use.count);
     }
@@ -34,13 +37,23 @@ TEST(ControlCodes, OfGrblHaveNeitherCyclesNorVariables) {
 }
 
 TEST(ControlCodes, KnowWordsOfOtherControlsApart) {
-    EXPECT_EQ(lacking("smoothieware", "G2 X5 R3\nX6 R4\nG0 X1 R4\n"),
-              "arcs by radius (R) 1:7 x2");
+    EXPECT_EQ(lacking("smoothieware", "G2 X5 R3\nX6 R4\nG0 X1 R4\n"), "arcs by radius (R) 1:7 x2");
     EXPECT_EQ(lacking("linuxcnc", "G1 X5,R2\nIF[#1EQ1]GOTO5\n"),
               "corners by ,R and ,C 1:6 x1, IF, WHILE and GOTO of Macro B 2:1 x1");
     EXPECT_EQ(lacking("fanuc", "G1 X5,R2\nIF[#1EQ1]GOTO5\n"), "");
     EXPECT_EQ(lacking("linuxcnc", "M150\nM200\nG5.2 X1 Y1\nG61.1\n"), "M200 2:1 x1");
     EXPECT_EQ(lacking("haas", "G187 P1\nG154 P3\n"), "");
+}
+
+// Silence would be taken for "all codes are there".
+TEST(ControlCodes, ThatCannotBeJudgedAreNamed) {
+    EXPECT_EQ(lacking("fanuc", "G1 X5\nG#100 X6\nM[1+2]\n"), "codes by expressions* 2:1 x2");
+    EXPECT_EQ(lacking("linuxcnc", "G1 X[ Y5\nG1 X2\n"), "lines that ncsim cannot read* 1:1 x1");
+    EXPECT_EQ(lacking("linuxcnc", ""), "files without NC words* 1:1 x1");
+    EXPECT_EQ(lacking("grbl", "0 BEGIN PGM A MM\n1 L X+1 Y+1 R0 FMAX\n"),
+              "reader for the language of Heidenhain controls 1:1 x1");
+    EXPECT_EQ(lacking("grbl", "G1 X1 A90\nA80 C5\n"), "axis A 1:7 x2, axis C 2:5 x1");
+    EXPECT_EQ(lacking("fluidnc", "G1 X1 A90\n"), "");
 }
 
 // A row without a source, or with codes that no reader of the row can make, is a mistake.
@@ -55,8 +68,8 @@ TEST(ControlCodes, AreATableWithSources) {
         for (const double g : {6.5, 54.9, 1234.0, 5000.0, -1.0})
             EXPECT_EQ(support_of(control, 'G', g), CodeSupport::No) << control.name << " G" << g;
     }
-    for (const char* name : {"grbl", "grblhal", "fluidnc", "smoothieware", "tinyg", "mach3", "mach4",
-                             "linuxcnc", "haas", "fanuc", "centroid", "carvera"})
+    for (const char* name : {"grbl", "grblhal", "fluidnc", "smoothieware", "tinyg", "mach3",
+                             "mach4", "linuxcnc", "haas", "fanuc", "centroid", "carvera"})
         EXPECT_TRUE(find_control_codes(name)) << name;
     EXPECT_FALSE(find_control_codes("GRBL 2"));
 }

@@ -270,6 +270,8 @@ const std::vector<Case>& cases() {
          "2:5: error: the value of H must be a whole number [not-whole]"},
         {By::Strict, "M3 M8 M48 M0 M66 P0~M2",
          "1:1: error: a block has 4 M codes at most [too-many-m]"},
+        {By::Strict, kStart + "M66~M2",
+         "2:1: error: M66 needs an input, either P or E [word-missing]"},
         {By::Strict, kStart + "G1 @5 X4~M2",
          "2:7: error: X and Y do not go with the polar words @ and ^ [polar-with-axes]"},
         {By::Strict, "G21~G0 X0 (" + std::string(246, 'a') + ")~M2",

@@ -8,6 +8,7 @@ ncsim_add_test(gcode
     dialect_test.cpp
     expression_test.cpp
     file_programs_test.cpp
+    head_modes_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp
     parser_test.cpp

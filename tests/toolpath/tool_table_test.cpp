@@ -298,6 +298,12 @@ TEST(StockComments, OfSetUpSheetsHaveLengthsByAxisAndANamedZero) {
     EXPECT_EQ(box(block + "(ZERO: CENTER, TOP OF STOCK)"),
               (cda::Box{{-45, -30, -20}, {45, 30, 0}}));
     EXPECT_FALSE(notes(block + "(ORIGIN LEFT FRONT TOP)\nG21\n").stock->place_assumed);
+    EXPECT_EQ(box(block + "(ORIGIN LOWER LEFT CORNER, TOP)"), (cda::Box{{0, 0, -20}, {90, 60, 0}}));
+    EXPECT_EQ(box(block + "(ORIGIN UPPER LEFT CORNER, TOP)"),
+              (cda::Box{{0, -60, -20}, {90, 0, 0}}));
+    EXPECT_EQ(box(block + "(ZERO LEFT CENTER TOP)"), (cda::Box{{0, -30, -20}, {90, 30, 0}}));
+    // The corner of a drawing, or one of the part: not known.
+    EXPECT_TRUE(notes(block + "(ZERO TOP LEFT)\nG21\n").stock->place_assumed);
     // Other words say something else.
     EXPECT_TRUE(notes(block + "(WORK ON THE LEFT TOP CLAMP)\nG21\n").stock->place_assumed);
     EXPECT_TRUE(notes(block + "(ZERO LEFT)\nG21\n").stock->place_assumed);

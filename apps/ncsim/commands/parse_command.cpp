@@ -39,7 +39,8 @@ cli::App* add_parse(cli::App& app, ParseOptions& options) {
         ->add_option_function<std::string>(
             "--for", [&options](const std::string& name) { options.control = known_control(name); },
             "Codes of the program that this control does not have: grbl, haas, fanuc, …")
-        ->type_name("CONTROL");
+        ->type_name("CONTROL")
+        ->excludes("--canonical");
     parse->add_flag("--json", options.json, "As JSON, a line for each of them");
     return parse;
 }
@@ -50,9 +51,9 @@ int run(const ParseOptions& options) {
         inputs.expect(path);
     const setup::Job job = setup::read_job(static_cast<const setup::JobOptions&>(options), inputs);
     if (options.control) {
-        const std::size_t lacks =
+        const report::Lacking found =
             report::list_lacking(job.program, *options.control, options.json, put_out);
-        return lacks > 0 ? kFindings : kClean;
+        return found.lacking > 0 ? kFindings : found.unknown > 0 ? kNotProven : kClean;
     }
     gcode::ParserOptions parser;
     parser.strict = job.options.strict;

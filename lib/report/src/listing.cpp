@@ -255,16 +255,21 @@ gcode::Diagnostics list_motions(const gcode::SourceFile& program,
     return std::move(result.diagnostics);
 }
 
-std::size_t list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
-                         bool as_json, const TextSink& sink) {
+Lacking list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
+                     bool as_json, const TextSink& sink) {
     const std::vector<gcode::CodeUse> uses = gcode::lacking_codes(program, control);
     const std::string name = base_name(program.name);
-    const auto lacking =
-        static_cast<std::size_t>(std::ranges::count(uses, false, &gcode::CodeUse::is_option));
+    Lacking count;
+    for (const gcode::CodeUse& use : uses) {
+        count.lacking += use.support == gcode::CodeSupport::No ? 1 : 0;
+        count.unknown += use.support == gcode::CodeSupport::Unknown ? 1 : 0;
+    }
     if (as_json) {
-        Json lacks = Json::array(), options = Json::array();
+        Json lacks = Json::array(), options = Json::array(), unknown = Json::array();
         for (const gcode::CodeUse& use : uses) {
-            (use.is_option ? options : lacks)
+            (use.support == gcode::CodeSupport::No       ? lacks
+             : use.support == gcode::CodeSupport::Option ? options
+                                                         : unknown)
                 .push_back({{"what", use.what},
                             {"line", use.first.line},
                             {"column", use.first.column},
@@ -275,30 +280,37 @@ std::size_t list_lacking(const gcode::SourceFile& program, const gcode::ControlC
                       {"source", control.source},
                       {"list_is_complete", control.is_complete},
                       {"lacks", lacks},
-                      {"options", options}}));
-        return lacking;
+                      {"options", options},
+                      {"unknown", unknown}}));
+        return count;
     }
     std::string text;
     const std::string file = one_line(program.name);
     for (const gcode::CodeUse& use : uses) {
         text += fmt::format(
             "{}:{}:{}: {}{}\n", file, use.first.line, use.first.column,
-            use.is_option ? fmt::format("{} is an option of {}", use.what, control.title)
+            use.support == gcode::CodeSupport::Option
+                ? fmt::format("{} is an option of {}", use.what, control.title)
+            : use.support == gcode::CodeSupport::Unknown
+                ? fmt::format("{} cannot be judged", use.what)
             : control.is_complete
                 ? fmt::format("{} has no {}", control.title, use.what)
                 : fmt::format("{} is not in the list of codes of {}", use.what, control.title),
             use.count > 1 ? fmt::format(" ({} times)", use.count) : "");
     }
-    if (lacking > 0) {
+    if (count.lacking > 0) {
         text += fmt::format("{}: {} lacks {} of what this program uses; {}\n", file, control.title,
-                            lacking, control.otherwise);
+                            count.lacking, control.otherwise);
+    } else if (count.unknown > 0) {
+        text += fmt::format("{}: {} has all codes of this program that can be judged\n", file,
+                            control.title);
     } else {
         text += fmt::format("{}: {} has all codes of this program\n", file, control.title);
     }
     text += fmt::format("source: {}{}\n", control.source,
                         control.is_complete ? "" : "; the list may have gaps");
     sink(text);
-    return lacking;
+    return count;
 }
 
 }  // namespace ncsim::report

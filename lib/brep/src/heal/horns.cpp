@@ -269,7 +269,7 @@ Parted part_at_horn(Part& part, std::uint32_t f) {
     return Parted::ByALine;
 }
 
-// Where an arc of a plane is to be divided: near a corner in which it and a sharper arc run out
+// A place to divide an arc of a plane: near a corner in which the arc and a sharper one run out
 // together.
 struct Cusp {
     std::uint32_t edge = 0;

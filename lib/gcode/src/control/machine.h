@@ -111,6 +111,7 @@ private:
     bool sets_active_data(const Command& command) const;
     bool check_compensation(const Command& command);
     static std::uint32_t letters_of_m(const Command& command);
+    bool lacks(const Command& command, std::string_view name, std::string_view what);
     bool check_strict(const Command& command);
     bool check_words_of_m(const Command& command);
     bool check_words_of_g(const Command& command);

@@ -2,7 +2,7 @@
 //
 // Words that LinuxCNC refuses before it acts on a block: numbers that are not whole, tools that no
 // table has, words of M codes.
-// Source: refusals of rs274 of linuxcnc-uspace 2.9, which tests/gcode/strict_test.cpp lists.
+// Source: refusals of rs274 of linuxcnc-uspace 2.9, recorded in tests/gcode/rs274_refusals.txt.
 #include "control/machine.h"
 
 #include <cmath>
@@ -11,14 +11,10 @@
 namespace ncsim::gcode {
 namespace {
 
-constexpr double kWholeTolerance = 1e-4;
+constexpr double kWholeTolerance = 1e-4;  // as LinuxCNC rounds words to whole numbers
 
 bool is_whole(double value) {
     return std::abs(value - std::round(value)) < kWholeTolerance;
-}
-
-bool is_user_m(int number) {
-    return number >= 100 && number <= 199;
 }
 
 }  // namespace
@@ -28,7 +24,7 @@ std::uint32_t Machine::letters_of_m(const Command& command) {
     std::uint32_t used = 0;
     for (const Word& word : command.block->words) {
         if (word.letter != 'M' || !word.literal) continue;
-        const int number = static_cast<int>(std::lround(word.number));
+        const double number = std::round(word.number);
         if (number == 19) used |= letters('P', 'Q', 'R');
         if (number >= 50 && number <= 53) used |= letters('P');
         if (number == 61) used |= letters('Q');
@@ -36,9 +32,14 @@ std::uint32_t Machine::letters_of_m(const Command& command) {
         if (number == 66) used |= letters('E', 'L', 'P', 'Q');
         if (number == 67 || number == 68) used |= letters('E', 'Q');
         if (number == 98) used |= letters('L', 'P');
-        if (is_user_m(number)) used |= letters('P', 'Q');
+        if (number >= 100 && number <= 199) used |= letters('P', 'Q');
     }
     return used;
+}
+
+/// Reports that `name` needs `what`; false.
+bool Machine::lacks(const Command& command, std::string_view name, std::string_view what) {
+    return fail(Message::WordMissing, command.span, {name, what});
 }
 
 bool Machine::check_strict(const Command& command) {
@@ -65,39 +66,36 @@ bool Machine::check_strict(const Command& command) {
 
 /// M19, M61, M62 … M68.
 bool Machine::check_words_of_m(const Command& command) {
-    const auto needs = [&](std::string_view name, std::string_view what) {
-        return fail(Message::CycleWordMissing, command.span, {name, what});
-    };
     const auto is_index = [&](char letter) {
         return command.has(letter) && command[letter] >= 0.0;
     };
     if (command.group(MGroup::ToolChange) == 61) {
-        if (!is_index('Q')) return needs("M61", "the number of a tool, 0 or more (Q)");
+        if (!is_index('Q')) return lacks(command, "M61", "the number of a tool, 0 or more (Q)");
         if (!check_tool(command, 'Q')) return false;
     }
     if (command.group(MGroup::Spindle) == 19) {
         const double p = command.get('P', 0.0);
         const double r = command.get('R', 0.0);
-        if (r < 0.0 || r > 360.0) return needs("M19", "R from 0 to 360");
-        if (p != 0.0 && p != 1.0 && p != 2.0) return needs("M19", "P 0, 1 or 2");
-        if (command.has('Q') && command['Q'] <= 0.0) return needs("M19", "Q above 0");
+        if (r < 0.0 || r > 360.0) return lacks(command, "M19", "R from 0 to 360");
+        if (p != 0.0 && p != 1.0 && p != 2.0) return lacks(command, "M19", "P 0, 1 or 2");
+        if (command.has('Q') && command['Q'] <= 0.0) return lacks(command, "M19", "Q above 0");
     }
     const int io = command.group(MGroup::Io);
-    if (io >= 62 && io <= 65 && !command.has('P')) return needs("M62 to M65", "an output (P)");
-    if ((io == 67 || io == 68) && !is_index('E')) return needs("M67 and M68", "an output (E)");
+    if (io >= 62 && io <= 65 && !command.has('P'))
+        return lacks(command, "M62 to M65", "an output (P)");
+    if ((io == 67 || io == 68) && !is_index('E'))
+        return lacks(command, "M67 and M68", "an output (E)");
     if (io != 66) return true;
-    if (is_index('P') == is_index('E')) return needs("M66", "an input, either P or E");
+    if (is_index('P') == is_index('E')) return lacks(command, "M66", "an input, either P or E");
     const double l = command.get('L', 0.0);
     if (l < 0.0) return fail(Message::NegativeValue, span_of(command, 'L'), {"L"});
     if (l == 0.0) return true;
-    if (is_index('E')) return needs("M66", "L0 with an analog input (E)");
-    return command.get('Q', 0.0) > 0.0 || needs("M66", "a time above 0 (Q) with L above 0");
+    if (is_index('E')) return lacks(command, "M66", "L0 with an analog input (E)");
+    return command.get('Q', 0.0) > 0.0 ||
+           lacks(command, "M66", "a time above 0 (Q) with L above 0");
 }
 
 bool Machine::check_words_of_g(const Command& command) {
-    const auto needs = [&](std::string_view name, std::string_view what) {
-        return fail(Message::CycleWordMissing, command.span, {name, what});
-    };
     Code motion = command.group(Group::Motion);
     if (motion == Code::None && command.axis_words && !command.axes_are_taken())
         motion = state_.motion;
@@ -106,18 +104,19 @@ bool Machine::check_words_of_g(const Command& command) {
     if (dwells && command.has('P') && command['P'] < 0.0)
         return fail(Message::NegativeValue, span_of(command, 'P'), {"P"});
     if (command.group(Group::SpindleSpeed) == Code::G96 && !command.has('S'))
-        return needs("G96", "a speed (S) in its block");
+        return lacks(command, "G96", "a speed (S) in its block");
     if (command.group(Group::OneShot) == Code::G10) {
         const double l = command.get('L', 0.0);
         const bool of_tool = l == 1.0 || l == 10.0 || l == 11.0;
         const double p = command.get('P', 0.0);
-        if (of_tool && p < 1.0) return needs("G10 of a tool", "its number (P)");
+        if (of_tool && p < 1.0) return lacks(command, "G10 of a tool", "its number (P)");
         if (of_tool && !check_tool(command, 'P')) return false;
         const double q = command.get('Q', 0.0);
-        if (of_tool && (q < 0.0 || q > 9.0)) return needs("G10 of a tool", "Q from 0 to 9");
+        if (of_tool && (q < 0.0 || q > 9.0))
+            return lacks(command, "G10 of a tool", "Q from 0 to 9");
     }
     if (command.group(Group::ToolLength) == Code::G43_2 && command.has('H') == command.axis_words)
-        return needs("G43.2", "either H or axis words");
+        return lacks(command, "G43.2", "either H or axis words");
     const bool by_polar = command.has('@') || command.has('^');
     if (by_polar && (command.has('X') || command.has('Y')))
         return fail(Message::PolarWithAxes, span_of(command, command.has('X') ? 'X' : 'Y'));
@@ -125,12 +124,12 @@ bool Machine::check_words_of_g(const Command& command) {
     const Code distance = command.group(Group::Distance);
     const bool is_incremental = distance == Code::None ? state_.incremental : distance == Code::G91;
     if (by_polar && is_incremental && is_at_origin)
-        return needs("@ and ^ under G91", "a place other than the origin");
+        return lacks(command, "@ and ^ under G91", "a place other than the origin");
     const bool threads = motion == Code::G33 || motion == Code::G33_1;
     const int spindle = command.group(MGroup::Spindle);
     const bool starts = spindle == 3 || spindle == 4;
     if (threads && !starts && state_.spindle == SpindleTurning::Stopped)
-        return needs(name_of(motion), "the spindle on");
+        return lacks(command, name_of(motion), "the spindle on");
     return true;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/gcode/control_codes.h"
 
+#include "ncsim/gcode/dialect.h"
 #include "ncsim/gcode/parser.h"
 #include "ncsim/gcode/print.h"
 
@@ -16,9 +17,9 @@ namespace ncsim::gcode {
 namespace {
 
 constexpr ControlCodes kControls[] = {
-#define NCSIM_CONTROL(name, title, g, optional_g, m, optional_m, features, complete, otherwise, \
-                      source)                                                                   \
-    {name, title, g, optional_g, m, optional_m, features, complete, otherwise, source},
+#define NCSIM_CONTROL(name, title, g, optional_g, m, optional_m, axes, features, complete, \
+                      otherwise, source)                                                   \
+    {name, title, g, optional_g, m, optional_m, axes, features, complete, otherwise, source},
 #include "text/control_codes.def"
 #undef NCSIM_CONTROL
 };
@@ -70,11 +71,26 @@ const std::vector<CodeSets>& code_sets() {
     return sets;
 }
 
+/// True for kinds whose text is not G-code.
+bool is_other_language(Kind kind) {
+    switch (kind) {
+        case Kind::Heidenhain:
+        case Kind::HeidenhainIso:
+        case Kind::Siemens:
+        case Kind::Okuma:
+        case Kind::Isg: return true;
+        default: return false;
+    }
+}
+
 class Census {
 public:
     explicit Census(const ControlCodes& control) : control_(control) {}
 
     void take(const Block& block) {
+        if (block.kind == BlockKind::Unreadable)
+            return add("lines that ncsim cannot read", block.line_span(), CodeSupport::Unknown);
+        if (block.kind != BlockKind::Words) return;
         take_course(block);
         if (block.block_delete) need(kBlockDelete, "lines that begin with '/'", block.line_span());
         if (!block.assignments.empty())
@@ -100,17 +116,24 @@ private:
 
     void take(const Word& word) {
         if (word.comma) return need(kCornerWords, "corners by ,R and ,C", word.span);
+        constexpr std::string_view kOtherAxes = "ABCUVW";
+        const bool is_axis = kOtherAxes.find(word.letter) != std::string_view::npos;
+        if (is_axis && control_.axes.find(word.letter) == std::string_view::npos)
+            return add(std::string("axis ") + word.letter, word.span);
+        const bool is_code = word.letter == 'G' || word.letter == 'M';
+        if (!word.literal && is_code && (control_.features & (kVariables | kExpressions)) != 0)
+            return add("codes by expressions", word.span, CodeSupport::Unknown);
         if (!word.literal) {
             const bool by_variable = word.text.find('#') != std::string_view::npos;
             if (by_variable) return need(kVariables, "variables", word.span);
             return need(kExpressions, "expressions", word.span);
         }
-        if (word.letter != 'G' && word.letter != 'M') return;
+        if (!is_code) return;
         const CodeSupport support = support_of(control_, word.letter, word.number);
         if (support == CodeSupport::Yes) return;
         std::string name(1, word.letter);
         print_number(name, std::round(word.number * 1e4) / 1e4);
-        add(name, word.span, support == CodeSupport::Option);
+        add(name, word.span, support);
     }
 
     void take_course(const Block& block) {
@@ -130,14 +153,14 @@ private:
         if ((control_.features & feature) == 0) add(std::string(name), span);
     }
 
-    void add(const std::string& what, SourceSpan span, bool is_option = false) {
+    void add(const std::string& what, SourceSpan span, CodeSupport support = CodeSupport::No) {
         const auto known = std::ranges::find(uses_, what, &CodeUse::what);
         if (known != uses_.end()) {
             ++known->count;
             return;
         }
         constexpr std::size_t kMostUses = 1000;
-        if (uses_.size() < kMostUses) uses_.push_back({what, span, 1, is_option});
+        if (uses_.size() < kMostUses) uses_.push_back({what, span, 1, support});
     }
 
     const ControlCodes& control_;
@@ -170,12 +193,23 @@ CodeSupport support_of(const ControlCodes& control, char letter, double number) 
 }
 
 std::vector<CodeUse> lacking_codes(const SourceFile& program, const ControlCodes& control) {
+    const DialectFindings findings = detect_dialect(program);
+    const auto whole = [&](std::string what, CodeSupport support) {
+        const bool has_line = !findings.kind_evidence.empty();
+        const std::uint32_t line = has_line ? findings.kind_evidence.front().line : 1;
+        return std::vector<CodeUse>{{std::move(what), {std::max(line, 1U), 1, 1}, 1, support}};
+    };
+    if (is_other_language(findings.kind)) {
+        return whole("reader for the language of " + std::string(name_of(findings.kind)),
+                     CodeSupport::No);
+    }
+    if (findings.kind == Kind::NotAProgram)
+        return whole("files without NC words", CodeSupport::Unknown);
     Census census(control);
     BlockReader reader(program);
     Block block;
-    while (reader.next(block)) {
-        if (block.kind == BlockKind::Words) census.take(block);
-    }
+    while (reader.next(block))
+        census.take(block);
     return std::move(census).uses();
 }
 

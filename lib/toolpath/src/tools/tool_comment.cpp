@@ -320,15 +320,15 @@ std::optional<Triple> named_lengths(std::string_view s) {
 }
 
 // "WCS G54 FRONT-LEFT-TOP", "ZERO: CENTER, TOP OF STOCK": where the zero is on the stock, -1 for
-// left, front and below, 0 for the middle, 1 for right, back and on top. Nothing if another word
-// is in it, or if it does not name the height and a place in the plane.
+// left, front (lower) and below, 0 for the middle, 1 for right, back (upper) and on top. Nothing if
+// another word is in it, or if it does not name the height and both places in the plane.
 std::optional<Triple> zero_named(std::string_view s) {
     static constexpr std::string_view kHeads[] = {"WCS", "ZERO", "ORIGIN", "DATUM", "XYZ", "WORK"};
     static constexpr std::string_view kFillers[] = {
         "ZERO",  "ORIGIN", "DATUM", "WORK",  "OFFSET", "CORNER", "OF",    "THE",   "AT", "IS",
         "STOCK", "ON",     "AND",   "BLOCK", "XYZ",    "PART",   "LOWER", "UPPER", "XY"};
     Triple t;
-    bool has_plane = false, has_height = false, is_first = true;
+    bool has_x = false, has_y = false, is_middle = false, has_height = false, is_first = true;
     for (std::size_t at = 0; at < s.size();) {
         if (!text::is_letter(s[at])) {
             ++at;
@@ -346,12 +346,15 @@ std::optional<Triple> zero_named(std::string_view s) {
             if (!is_one_of(kHeads)) return std::nullopt;
         } else if (word == "LEFT" || word == "RIGHT") {
             t.value.x = word == "LEFT" ? -1.0 : 1.0;
-            has_plane = true;
-        } else if (word == "FRONT" || word == "BACK" || word == "REAR") {
-            t.value.y = word == "FRONT" ? -1.0 : 1.0;
-            has_plane = true;
+            has_x = true;
+        } else if (word == "FRONT" || word == "LOWER") {
+            t.value.y = -1.0;
+            has_y = true;
+        } else if (word == "BACK" || word == "REAR" || word == "UPPER") {
+            t.value.y = 1.0;
+            has_y = true;
         } else if (word == "CENTER" || word == "CENTRE" || word == "MIDDLE") {
-            has_plane = true;
+            is_middle = true;
         } else if (word == "TOP" || word == "BOTTOM") {
             t.value.z = word == "TOP" ? 1.0 : -1.0;
             has_height = true;
@@ -361,6 +364,8 @@ std::optional<Triple> zero_named(std::string_view s) {
             return std::nullopt;
         }
     }
+    // "TOP LEFT" may be a corner of a drawing: the place across is missing.
+    const bool has_plane = (has_x && has_y) || is_middle;
     return has_plane && has_height ? std::optional(t) : std::nullopt;
 }
 

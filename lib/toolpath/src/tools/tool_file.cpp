@@ -77,7 +77,8 @@ void take_kind(std::string_view remark, ToolSpec& spec) {
     const auto tip = in_mm(said->spec.tip_diameter);
     if (!tip || !spec.diameter) return;
     spec.tip_diameter = tip;
-    if (std::abs(*tip - *spec.diameter) < 1e-6) spec.diameter.reset();
+    constexpr double kSame = 1e-6;  // mm: both numbers are written by hand, perhaps in two units
+    if (std::abs(*tip - *spec.diameter) < kSame) spec.diameter.reset();
 }
 
 // One line: T1 P1 Z0.511 D0.125 ;1/8 end mill. False if it is none.

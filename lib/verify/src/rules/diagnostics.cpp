@@ -75,6 +75,7 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"compensation-entry", "reading-guess"},
         {"arc-spiral", "reading-guess"},
         {"cycle-word-missing", "reading-guess"},
+        {"word-missing", "reading-guess"},
         {"cycle-upside-down", "reading-guess"},
         {"compensation-twice", "reading-guess"},
         {"compensation-exit", "reading-guess"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which codes a control has, and what of a program a control does not have.
+// Tables of the codes that controls have, and the codes of a program that a control lacks.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -31,6 +31,7 @@ struct ControlCodes {
     std::string_view g;           ///< Numbers and ranges of whole numbers: "0 1 38.2 54-59".
     std::string_view optional_g;  ///< With a build option, a device or an option of the maker.
     std::string_view m, optional_m;
+    std::string_view axes;       ///< Letters of its axes, of XYZABCUVW.
     std::uint32_t features = 0;  ///< Bits of ControlFeature.
     bool is_complete = false;    ///< False: the list is second-hand and may have gaps.
     std::string_view otherwise;  ///< What the control does with a code that it lacks.
@@ -43,23 +44,26 @@ std::span<const ControlCodes> all_control_codes();
 /// Returns the row of `name`, or nullptr.
 const ControlCodes* find_control_codes(std::string_view name);
 
-enum class CodeSupport : std::uint8_t { No, Option, Yes };
+/// Unknown: the number of the code is an expression.
+enum class CodeSupport : std::uint8_t { No, Option, Unknown, Yes };
 
 /// Returns whether the control has the G code (`letter` 'G') or M code `number`.
 /// Requires: `control` is a row of the table.
 CodeSupport support_of(const ControlCodes& control, char letter, double number);
 
-/// A code or a part of the language that a program uses.
+/// A code, an axis or a part of the language that a program uses.
 struct CodeUse {
     std::string what;  ///< "G81", "variables"
     SourceSpan first;
     std::uint64_t count = 0;  ///< Blocks with it, or words.
-    bool is_option = false;   ///< The control has it as an option.
+    CodeSupport support = CodeSupport::No;
 };
 
-/// Returns what `program` uses and `control` does not have, or has as an option, in the order of
-/// the first use. G and M words whose number is an expression are not judged. Cost: O(length of the
-/// program).
+/// Returns what `program` uses and `control` does not surely have, in the order of the first use:
+/// what it lacks, has as an option, or what is unknown. Lines that cannot be read are among them. A
+/// program in another language (Klartext, SINUMERIK …) is one use, of that language. Files that the
+/// program calls are not read, and the lengths of lines and the ranges of values are not judged.
+/// Cost: O(length of the program).
 std::vector<CodeUse> lacking_codes(const SourceFile& program, const ControlCodes& control);
 
 }  // namespace ncsim::gcode

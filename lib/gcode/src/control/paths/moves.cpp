@@ -128,8 +128,7 @@ bool Machine::needs_feed(const Command& command, std::string_view what) {
         return fail(Message::InverseTimeFeed, command.span, {what});
     }
     if (rules_.strict && state_.feed_mode == FeedMode::PerRevolution && state_.spindle_rpm == 0.0) {
-        return fail(Message::CycleWordMissing, command.span,
-                    {"a feed per revolution", "a spindle speed (S)"});
+        return lacks(command, "a feed per revolution", "a spindle speed (S)");
     }
     if (state_.feed > 0.0) return true;
     return tolerate(Message::FeedMissing, command.span, {what});
@@ -308,8 +307,7 @@ bool Machine::probe(const Command& command, Code motion) {
     AxisMask mask = 0;
     if (!find_ends(command, end, mask)) return false;
     if (rules_.strict && end == state_.position) {
-        return fail(Message::CycleWordMissing, command.span,
-                    {name_of(motion), "a target other than its start"});
+        return lacks(command, name_of(motion), "a target other than its start");
     }
     warn(Message::ProbeAssumed, command.span, {name_of(motion)});
     path_.straight(state_, end, MoveKind::Probe, mask);

@@ -27,9 +27,13 @@ gcode::Diagnostics list_motions(const gcode::SourceFile& program,
                                 const gcode::InterpreterOptions& options, bool as_json,
                                 const TextSink& sink);
 
-/// Lists what the program uses and `control` does not have, a line each. Returns the number of
-/// them.
-std::size_t list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
-                         bool as_json, const TextSink& sink);
+/// Uses of codes (gcode::CodeUse) that a control lacks, and those that cannot be judged.
+struct Lacking {
+    std::size_t lacking = 0, unknown = 0;
+};
+
+/// Lists what the program uses and `control` does not surely have, a line each.
+Lacking list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
+                     bool as_json, const TextSink& sink);
 
 }  // namespace ncsim::report
