@@ -174,9 +174,12 @@ private:
                 const double corner = some(":R", std::min(t.radius, t.length), 2);
                 return RoundTool::end_mill(d, corner, l);
             }
-            case 8:
+            case 8: {
+                // Catalogues list 60 between floor and flank, the small ones from the axis.
                 begin("dovetail");
-                return RoundTool::dovetail(d, angle(one_of(1.0, 10.0, 15.0, 30.0, 45.0, 60.0)), l);
+                const double listed = angle(one_of(1.0, 10.0, 15.0, 30.0, 45.0, 60.0));
+                return RoundTool::dovetail(d, listed == 60.0 ? 30.0 : listed, l);
+            }
             case 9:
                 tools_.back().length = 2 * t.radius;
                 text += "lollipop:D" + mm_text(2 * t.radius);
