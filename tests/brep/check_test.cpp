@@ -287,11 +287,11 @@ TEST(Check, FindsEdgesBesideTheApexOfACone) {
         double miss = 0.0;
         return told(faults_of(part, 0, 0.1, miss));
     };
-    EXPECT_NE(faults({0, -2e-4, 0.013}).find("beside the apex"), std::string::npos);
+    EXPECT_NE(faults({0, -2e-4, 0.013}).find("misses the apex"), std::string::npos);
     // On the cone, but on its other side.
-    EXPECT_NE(faults({0, -0.02, 0.02}).find("beside the apex"), std::string::npos);
-    EXPECT_EQ(faults({0, 0, 0}).find("beside the apex"), std::string::npos);
-    EXPECT_EQ(faults({0, 0.5, 0.5}).find("beside the apex"), std::string::npos);
+    EXPECT_NE(faults({0, -0.02, 0.02}).find("misses the apex"), std::string::npos);
+    EXPECT_EQ(faults({0, 0, 0}).find("misses the apex"), std::string::npos);
+    EXPECT_EQ(faults({0, 0.5, 0.5}).find("misses the apex"), std::string::npos);
 }
 
 // The wall of a bore without its lower end; and a ring of which one loop is left.

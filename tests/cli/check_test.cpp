@@ -292,7 +292,7 @@ TEST(Check, TellsWhatIsLeftBeyondTheDesign) {
     EXPECT_EQ(ran.exit_code, 1) << ran.out;
     EXPECT_TRUE(contains(ran.out,
                          "slot.nc:8:1: error: material is left that the design does not have, "
-                         "beside what was cut by lines 8: thickness "))
+                         "adjacent to the cut of lines 8: thickness "))
         << ran.out;
     const Ran kept =
         folder.run({"check", "slot.nc", "--design", "design.stl", "--design-tol", "0.11"});
@@ -354,7 +354,7 @@ TEST(Check, WritesJUnitWithACaseARule) {
         << "a case a rule, one for all doubts, one for the program that is missing";
     EXPECT_EQ(ncsim::test::count(xml, "<failure "), 1U);
     EXPECT_TRUE(contains(xml, "type=\"rapid-in-material\">slot.nc:8:1: error: rapid move"));
-    EXPECT_TRUE(contains(xml, "<skipped message=\"no fixtures are told\"/>"));
+    EXPECT_TRUE(contains(xml, "<skipped message=\"no fixtures are specified\"/>"));
     EXPECT_TRUE(contains(xml, "<error message=\"cannot read 'missing.nc'"));
     const std::string checked = "xmllint --noout '" + (folder.path() / "a.xml").string() + "'";
     EXPECT_EQ(std::system(checked.c_str()), 0) << "well-formed";

@@ -54,7 +54,7 @@ TEST(Doubts, HaveAnExitCodeOfTheirOwnAndSayWhatToTell) {
     const Ran ran = folder.run({"check", "slot.nc"});
     EXPECT_EQ(ran.exit_code, 4);
     EXPECT_TRUE(contains(ran.out, "slot.nc: not proven: 0 errors")) << ran.out;
-    EXPECT_TRUE(contains(ran.out, "  to tell  start-unknown: --start X,Y,Z")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "  fix      start-unknown: specify --start X,Y,Z")) << ran.out;
     EXPECT_TRUE(contains(ran.out, "  or       --accept start-unknown\n")) << ran.out;
     EXPECT_EQ(folder.run({"check", "slot.nc", "--start", "0,0,100"}).exit_code, 0);
     EXPECT_EQ(folder.run({"check", "slot.nc", "--exit-zero"}).exit_code, 0);
@@ -332,7 +332,7 @@ TEST(DerivedStock, OfAProgramThatTurnsAIsABarAboutIt) {
         folder.run({"run", "wrap.nc", "--assume-tool", "flat:D6", "--report", "r.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     const json stock = json::parse(folder.read("r.json"))["stock"];
-    EXPECT_TRUE(contains(stock["told"]["text"], "derived: a bar about the axis that turns"));
+    EXPECT_TRUE(contains(stock["source"]["text"], "derived: a bar about the axis that turns"));
     EXPECT_EQ(stock["min"][2], -20.0) << stock.dump();
     EXPECT_EQ(stock["max"][2], 20.0) << stock.dump();
     EXPECT_EQ(stock["min"][1], -20.0) << stock.dump();

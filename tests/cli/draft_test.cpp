@@ -189,16 +189,16 @@ TEST(UntoldAxis, IsTakenAsZeroAndNamed) {
     const Ran ran =
         folder.run({"run", "wrap.nc", "--assume-tool", "flat:D6", "--report", "r.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_TRUE(contains(ran.err, "the program never tells Y; taken as 0")) << ran.err;
-    EXPECT_TRUE(contains(ran.err, "assumed: Y 0, since the program never tells it")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "the program never sets Y; taken as 0")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "assumed: Y 0, which the program never sets")) << ran.err;
     EXPECT_GT(json::parse(folder.read("r.json"))["model"]["hulls"], 3);
     const Ran check = folder.run({"check", "wrap.nc", "--assume-tool", "flat:D6"});
-    EXPECT_TRUE(contains(check.out, "doubt: the program never tells Y; taken as 0")) << check.out;
+    EXPECT_TRUE(contains(check.out, "doubt: the program never sets Y; taken as 0")) << check.out;
     EXPECT_NE(check.exit_code, 0);
     // Told, it is not assumed.
     const Ran told =
         folder.run({"run", "wrap.nc", "--assume-tool", "flat:D6", "--start", "0,3,100"});
-    EXPECT_FALSE(contains(told.err, "never tells")) << told.err;
+    EXPECT_FALSE(contains(told.err, "never sets")) << told.err;
 }
 
 TEST(UntoldAxis, PromisesNoDrawingWhereThereIsNone) {
@@ -207,7 +207,7 @@ TEST(UntoldAxis, PromisesNoDrawingWhereThereIsNone) {
     const Ran ran = folder.run({"run", "steps.nc", "--draft", "--png", "a.png"});
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_FALSE(folder.has("a.png"));
-    EXPECT_TRUE(contains(ran.err, "the program never tells Z; taken as 0")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "the program never sets Z; taken as 0")) << ran.err;
     EXPECT_FALSE(contains(ran.err, "drawn as a path")) << ran.err;
 }
 

@@ -438,7 +438,7 @@ TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
                  "preset = \"xyzac-trt\"\ncontrol = { m_codes = { M428 = \"tip\", M429 = "
                  "\"axes\" } }\n[travel]\nx = [-1, 1]\n[offsets]\nG54 = [0, 0, 0]\n");
     const json v = verdict(folder, {"--machine", "m.toml"});
-    EXPECT_TRUE(has(reasons(v), "told-not-used"));
+    EXPECT_TRUE(has(reasons(v), "setting-not-used"));
     const auto is_judged = [](const json& verdict) {
         return std::ranges::any_of(verdict["programs"][0]["findings"], [](const json& finding) {
             return finding["rule"] == "over-travel";
@@ -452,7 +452,7 @@ TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
         folder.write("m.toml", std::string(kTrt) + "[travel]\n" + travel + "\n");
         const json known = verdict(folder, {"--machine", "m.toml"});
         EXPECT_EQ(is_judged(known), beyond) << travel;
-        EXPECT_FALSE(has(reasons(known), "told-not-used"));
+        EXPECT_FALSE(has(reasons(known), "setting-not-used"));
     }
     // Nor do they count for the length of the way where G54 is not told: it is 16 mm without them.
     folder.write("a.nc", hole(-30, 75, "M428", kBack + "G0 X-16\n"));
@@ -527,7 +527,7 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
          "moves straight: no way"},
         {"preset = \"4axis-a\"\ncontrol = { orient = \"up\" }\n", "expected \"shortest\""},
         {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\naxis = \"A\"\n" + about,
-         "axis A is told twice"},
+         "axis A is specified twice"},
         {ends + linear + cradle(about) + "[[link]]\nname = \"x\"\n", "a name of its own"},
         {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\naxis = \"B\"\n" + about,
          "axis B moves neither the part nor the tool"},

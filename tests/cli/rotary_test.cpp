@@ -69,7 +69,7 @@ TEST(Rotary, WrapWithoutYMillsFlats) {
     // Nobody tells the bar: it is derived, about the axis that turns.
     const Ran derived = folder.run({"run", "a.nc", "--tool", "T1=flat:D50:L40"});
     EXPECT_NE(derived.err.find("a round bar along X"), std::string::npos) << derived.err;
-    EXPECT_NE(derived.err.find("never tells Y; taken as 0"), std::string::npos) << derived.err;
+    EXPECT_NE(derived.err.find("never sets Y; taken as 0"), std::string::npos) << derived.err;
 }
 
 }  // namespace

@@ -340,7 +340,7 @@ TEST(Run, ReportsVolumesByToolAndByBlock) {
         EXPECT_EQ(report["blocks"].size(), 1U);
         EXPECT_EQ(report["blocks"][0]["line"], 8);
         EXPECT_DOUBLE_EQ(report["blocks"][0]["removed_mm3"], 800.0);
-        EXPECT_EQ(report["tools"][0]["told"]["line"], 1);
+        EXPECT_EQ(report["tools"][0]["source"]["line"], 1);
         EXPECT_DOUBLE_EQ(report["distance_mm"]["feed"], 60.0);
         EXPECT_EQ(report["part"]["extents"]["max"], json::array({20.0, 15.0, 0.0}));
         EXPECT_TRUE(report["findings"].empty());

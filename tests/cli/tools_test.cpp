@@ -38,11 +38,11 @@ TEST(Tools, AreListedWithTheirSourceAndUse) {
     EXPECT_EQ(ran.err, "");
     EXPECT_EQ(ran.out,
               "T1        flat end mill D10 L30\n"
-              "  told    line 1: (T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
+              "  source  line 1: (T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
               "  assumed length 30 mm\n"
               "  used    from line 6, 60.0 mm cutting, 113.6 mm in rapid moves\n"
               "stock     40 x 30 x 10 mm, X -20 to 20, Y -15 to 15, Z -10 to 0\n"
-              "  told    line 2: (STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n");
+              "  source  line 2: (STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n");
 }
 
 TEST(Tools, ThatAreNotDescribedOrNotUsedAreToldAndExitWithOne) {
@@ -58,7 +58,7 @@ TEST(Tools, ThatAreNotDescribedOrNotUsedAreToldAndExitWithOne) {
     const json sheet = json::parse(folder.run({"tools", "two.nc", "--json"}).out);
     ASSERT_EQ(sheet["tools"].size(), 3U);
     EXPECT_EQ(sheet["tools"][0]["diameter_mm"], 10.0);
-    EXPECT_EQ(sheet["tools"][0]["told"]["line"], 1);
+    EXPECT_EQ(sheet["tools"][0]["source"]["line"], 1);
     EXPECT_EQ(sheet["tools"][1]["described"], false);
     EXPECT_EQ(sheet["tools"][2]["used"], false);
     EXPECT_EQ(sheet["findings"][0]["code"], "tool-unknown");
@@ -78,7 +78,7 @@ TEST(Tools, ComeFromTablesAndContradictionsAreReported) {
     const Ran ran = folder.run({"tools", "two.nc", "--tool-table", "tool.tbl"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.out, "T1        flat end mill D8 ")) << ran.out;
-    EXPECT_TRUE(contains(ran.out, "  told    from tool.tbl, line 2: T2 P2 D3 ;3 mm drill\n"));
+    EXPECT_TRUE(contains(ran.out, "  source  from tool.tbl, line 2: T2 P2 D3 ;3 mm drill\n"));
     EXPECT_TRUE(contains(ran.err, "two.nc:1:")) << ran.err;
     EXPECT_TRUE(contains(ran.err, "tool 1 has a diameter of 10 mm, but tool.tbl says 8 mm"));
 }
@@ -245,8 +245,9 @@ TEST(Tools, SayWhatMovesAtTiltedAnglesTellOfXYZ) {
     folder.write("none.nc", begin + "G0 X0 Y0 Z9 B90\nG1 X-5\nY3 Z-20\nM30\n");
     EXPECT_TRUE(contains(folder.run({"tools", "none.nc"}).out, "  tip     1 along the tool of "));
     folder.write("mute.nc", begin + "G0 X0 Y0 Z9 B30\nG1 X-5\nY3 Z-20\nM30\n");
-    EXPECT_TRUE(contains(folder.run({"tools", "mute.nc"}).out,
-                         "plunges   none at tilted angles: no move tells what X, Y and Z are\n"));
+    EXPECT_TRUE(
+        contains(folder.run({"tools", "mute.nc"}).out,
+                 "plunges   none at tilted angles: no move decides what X, Y and Z mean\n"));
     folder.write("upright.nc", begin + "G0 X0 Y0 Z9 C30\nG1 Z-5\nM30\n");
     EXPECT_FALSE(contains(folder.run({"tools", "upright.nc"}).out, "plunges"));
 }

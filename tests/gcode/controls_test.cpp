@@ -521,6 +521,15 @@ TEST(Controls, TheModeBeforeG90AndG91IsAGuessUnlessSomethingDecides) {
     for (int i = 0; i < 10; ++i)
         row += "G0 X10\n";
     EXPECT_TRUE(guess(row, Dialect::Auto));
+    // The end of an arc lies on its circle in one reading only.
+    const std::string quarter = "G0 X10 Y0 Z5\nG1 Z-1\nG3 X0 Y10 I-10\nG0 Z5\n";
+    EXPECT_FALSE(guess(quarter, Dialect::Auto));
+    EXPECT_FALSE(guess("G0 X30 Y0 Z5\nG1 Z-1\nG3 X20 Y10 R10\nG0 Z5\n", Dialect::Auto));
+    EXPECT_FALSE(guess("G0 X30 Z5\nG18\nG3 X20 Z-5 I-10\nG0 Z5\n", Dialect::Auto));
+    EXPECT_TRUE(guess("G0 X10 Y0 Z5\nG1 Z-1\nG3 X-10 Y10 I-10\nG0 Z5\n", Dialect::Auto));
+    EXPECT_TRUE(guess("G3 X0 Y10 I0 J5\nG0 Z5\n", Dialect::Auto));  // fits both
+    EXPECT_TRUE(guess("G0 X3\nG3 X1 Y1 R50\nG0 Z5\n", Dialect::Auto));
+    EXPECT_TRUE(guess(quarter + "G3 X-10 Y10 I-10\n", Dialect::Auto));
 }
 
 // --- Documentation -----------------------------------------------------------------------------

@@ -104,19 +104,20 @@ const std::vector<Case>& cases() {
          "1:11: error: 'repeet' is no control word (such as sub, call, if, while) "
          "[o-word-unknown]"},
         {By::Tip, "G0 X0 Y0 Z0 A10~G43.4 H1",
-         "2:1: error: G43.4 with rotary axes that are not at 0: whether X, Y and Z turn with the "
-         "table from there or from 0 is not told (machine file, control.tip_frame_at); the program "
-         "is stopped here [kinematics]"},
+         "2:1: error: G43.4 with rotary axes that are not at 0: the machine file does not specify "
+         "whether X, Y and Z turn with the table from there or from 0 (control.tip_frame_at); the "
+         "program is stopped here [kinematics]"},
         {By::Tip, "M428~G0 X0 Y0 Z0 A10~G81 X1 R2 Z-5 F100",
          "3:1: error: G81 is not simulated under tip control with the tool tilted [kinematics]"},
         {By::Turning, "G43.4 H1",
-         "1:1: error: G43.4: whether X, Y and Z turn with the table is not told (machine file, "
-         "control.tip_frame); the program is stopped here [kinematics]"},
+         "1:1: error: G43.4: the machine file does not specify whether X, Y and Z turn with the "
+         "table (control.tip_frame); the program is stopped here [kinematics]"},
         {By::Turning, "G68.2 P7",
          "1:1: error: G68.2 needs a form that is one (P); the program is stopped here "
          "[plane-form]"},
         {By::Turning, "G0 X0 Y0 Z0~G53.1",
-         "2:1: error: G53.1 needs a tilted plane, and none is told (G68.2); the program is stopped "
+         "2:1: error: G53.1 needs a tilted plane, and none is active (G68.2); the program is "
+         "stopped "
          "here [plane-form]"},
         {By::Turning, "G68.2 J5~G92.1",
          "2:1: error: G92.1 is not simulated in a tilted plane; it ends with G69 [plane-form]"},
@@ -158,23 +159,24 @@ const std::vector<Case>& cases() {
          "2:1: error: G54.2 is not simulated under tip control, nor in a tilted plane; the program "
          "is stopped here [plane-form]"},
         {By::Turning, "G54.2 P2",
-         "1:1: error: G54.2 P2 needs what the control has in its parameters, and nobody told it: "
-         "where the part is on the table (machine file, control.fixture_offsets), and whether the "
+         "1:1: error: G54.2 P2 needs parameters of the control that are not specified: where the "
+         "part is on the table (machine file, control.fixture_offsets), and whether the "
          "tool moves with the zero (control.fixture_offset_moves); the program is stopped here "
          "[kinematics]"},
         {By::Turning, "G54.4 P3",
-         "1:1: error: G54.4 P3 needs what the control has in its parameters, and nobody told it: "
-         "by how much the setting of the part is off (machine file, control.setting_errors), and "
+         "1:1: error: G54.4 P3 needs parameters of the control that are not specified: by how much "
+         "the setting of the part is off (machine file, control.setting_errors), and "
          "whether the tool moves with the zero (control.setting_error_moves); the program is "
          "stopped here [kinematics]"},
         {By::Turning, "G54.4 P2",
-         "1:1: error: G54.4 P2: the part leans, and nobody told that rotary axes take that over "
-         "(machine file, control.setting_error_turns_axes); a tool that leans on the part is not "
+         "1:1: error: G54.4 P2: the part is tilted, and the machine file does not specify that "
+         "rotary axes compensate it (control.setting_error_turns_axes); a tool that leans on the "
+         "part is not "
          "simulated; the program is stopped here [kinematics]"},
         {By::Turning, "G54.4 P1",
          "1:1: warning: G54.4 P1: the part is turned by 0.5 degrees on the table; motions are "
-         "where they are told on the part, and the axes of the machine are told as if it were "
-         "straight [setting-error]"},
+         "reported in the frame of the part, and axis positions as if the part were straight "
+         "[setting-error]"},
         {By::Turning, "G54.2 P1~G54.4 P1",
          "2:1: error: G54.4 while another code has the zero go with the table; end that one first; "
          "the program is stopped here [plane-form]"},
@@ -209,8 +211,8 @@ const std::vector<Case>& cases() {
         {By::Default, "G4", "1:1: warning: G4 needs a time (P) [dwell-without-time]"},
         {By::Default, kStart + "G53 G2 X1 I0.5", "2:1: warning: G53 needs G0 or G1 [g53-motion]"},
         {By::Default, kStart + "G1 X1~G55 G1 X2",
-         "3:5: warning: how far the origin of G55 is from that of G54 is not told; it is taken to "
-         "be the same [offset-unknown]"},
+         "3:5: warning: the distance from the origin of G55 to that of G54 is not specified; it is "
+         "taken to be 0 [offset-unknown]"},
         // Arcs and curves
         {By::Default, kStart + "G2 X10 I5 R5",
          "2:11: warning: G2 has a centre and a radius; the centre counts [arc-two-forms]"},

@@ -169,7 +169,7 @@ TEST(UrdfMachine, RefusesWhatIsNoMachineWithItsLine) {
              {bomb, "there is no link 'workpiece'"},
              {"<sdf/>", "m.urdf:1: expected <robot>"},
              {"<robot><link/></robot>", "<link> needs 'name'"},
-             {with(link("bed")), "link 'bed' is told twice"},
+             {with(link("bed")), "link 'bed' is specified twice"},
              {with(link("loose")), "m.urdf:16: link 'loose' hangs on nothing"},
              {with(link("a") + link("b") + joint("f", "fixed", "a", "b") +
                    joint("g", "fixed", "b", "a")),
@@ -177,7 +177,7 @@ TEST(UrdfMachine, RefusesWhatIsNoMachineWithItsLine) {
              {with(joint("f", "fixed", "bed", "slide")), "link 'slide' has a joint already"},
              {with(link("a") + joint("f", "fixed", "bed", "b")), "there is no link 'b'"},
              {with(link("a") + joint("arm", "revolute", "bed", "a")), "which axis is it?"},
-             {with(link("a") + joint("A", "revolute", "bed", "a")), "axis A is told twice"},
+             {with(link("a") + joint("A", "revolute", "bed", "a")), "axis A is specified twice"},
              {with(link("a") + joint("B", "prismatic", "bed", "a")), "A, B and C turn"},
              {with(link("a") + joint("C", "floating", "bed", "a")), "'floating' is not simulated"},
              {with(link("a") + joint("C", "continuous", "bed", "a")),

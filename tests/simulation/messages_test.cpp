@@ -37,9 +37,9 @@ constexpr Case kCases[] = {
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Y0 Z1\nT0 M6\nG1 Z-1 F100\nX9\nM2\n",
      false, "spindle-empty: T0 left the spindle empty before this cut: call a tool"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
-     "axis-untold: the program never tells Y; taken as 0 (--start)"},
+     "axis-untold: the program never sets Y; taken as 0 (--start)"},
     {"G21 G90\nG0 X0 Y0\nG1 X9 F100\nM2\n", true,
-     "axis-untold: the program never tells Z; taken as 0 (--start), and the program is drawn as a "
+     "axis-untold: the program never sets Z; taken as 0 (--start), and the program is drawn as a "
      "path"},
     {"G21 G90\nM2\n", false, "no-motion: the program makes no move"},
     {"G21 G90\nG0 X1 Y1 Z1\nX2\nM2\n", false,
@@ -48,10 +48,9 @@ constexpr Case kCases[] = {
     {"G21 G90\nG0 X1 Y1 Z1\nX2\nM2\n", true,
      "no-motion: the program makes no cutting move, only rapid ones; it is drawn as a path"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG1 X9 Y9 Z-1 F100\nM2\n", false,
-     "no-motion: no cutting move starts at a place that the program tells"},
+     "no-motion: no cutting move starts at a known position"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG1 X9 Y9 Z-1 F100\nX20\nM2\n", false,
-     "start-unknown: this cutting move starts at a place that the program does not tell; it leaves "
-     "no trace"},
+     "start-unknown: this cutting move starts at an unknown position; it cuts nothing"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Y0 Z1\nG1 Z-1 F100\nX900000\nM2\n",
      false,
      "stock-size: the stock would reach from -45004 to 945004 mm: is a unit wrong, or a number? "

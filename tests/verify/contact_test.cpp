@@ -90,7 +90,7 @@ TEST(NonCuttingContact, SeesTheShankOfAToolThatRisesBeforeItsCutter) {
 
 TEST(NonCuttingContact, IsSkippedWhereNobodyTellsAShank) {
     EXPECT_EQ(skipped_because(verdict_of(kStart), "non-cutting-contact"),
-              "neither flute length, shank nor holder is told of T1");
+              "neither flute length, shank nor holder is specified for T1");
 }
 
 TEST(Plunge, IsFoundForToolsThatDoNotCutAtTheirCentre) {

@@ -252,17 +252,17 @@ TEST(MachineNearMiss, IsToldWhereAClearanceIs) {
 TEST(MachineCollision, SaysWhatWasNotAsked) {
     const std::string program = "G0 X0 Y0 Z100\n";
     EXPECT_EQ(skipped_because(verdict_of(program), "machine-collision"),
-              "no mesh of a link is told (machine.toml, [[link]] mesh)");
+              "no mesh of a link is specified (machine.toml, [[link]] mesh)");
     LinkBodies told = tilting();
     told.links.push_back({"saddle", {}, {{kX}}});
     EXPECT_EQ(skipped_because(verdict_of(program, setup_of(told)), "machine-collision"),
-              "no mesh is told of the link 'saddle'; the others were asked");
+              "no mesh is specified for the link 'saddle'; the others were verified");
     EXPECT_EQ(skipped_because(verdict_of(program, setup_of(tilting())), "machine-near-miss"),
-              "no clearance of a link is told (machine.toml, [[link]] clearance)");
+              "no clearance of a link is specified (machine.toml, [[link]] clearance)");
     verify::Setup nowhere = setup_of(tilting());
     nowhere.machine.work_zero.reset();
     EXPECT_EQ(skipped_because(verdict_of(program, nowhere), "machine-collision"),
-              "where the work zero (G54) lies in the machine is not told");
+              "the position of the work zero (G54) in the machine is not specified");
 }
 
 TEST(MachineCollision, LinksCanBeRequired) {
@@ -369,7 +369,8 @@ TEST(PathDeviation, IsTheSagittaOfATurn) {
     verify::Setup setup = setup_of(tilting());
     const std::string turn = "G0 X120 Y0 Z50\nZ0\nG1 A60 F500\n";
     EXPECT_EQ(skipped_because(verdict_of(kLength + turn, setup), "path-deviation"),
-              "nobody tells how far the tip may leave its line (machine.toml, path_deviation)");
+              "the allowed deviation of the tip from its line is not specified (machine.toml, "
+              "path_deviation)");
     const double sagitta = 20.0 * (1.0 - std::cos(std::numbers::pi / 6));
     setup.machine.path_deviation = sagitta + 0.01;
     EXPECT_TRUE(findings_of(verdict_of(kLength + turn, setup), "path-deviation").empty());

@@ -97,7 +97,7 @@ TEST(OverTravel, ComparesTheWayWhereTheZeroIsUnknown) {
     const auto verdict = verdict_of(kStart + "G0 X70\nG0 X71.5\nG0 X0\n", setup);
     expect_at(only(verdict, "over-travel"), 3, 1.5);
     EXPECT_EQ(skipped_because(verdict_of(kStart), "over-travel"),
-              "no travels are told (machine.toml, [travel])");
+              "no travels are specified (machine.toml, [travel])");
 }
 
 TEST(StartUnknown, IsFoundForFeedMovesAndNotedForTheFirstRapid) {

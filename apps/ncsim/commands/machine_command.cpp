@@ -48,7 +48,8 @@ machine::Values values_of(const std::string& pose) {
 
 std::string sheet_of_pose(const setup::MachineFile& file, const std::string& pose) {
     if (!file.kinematics)
-        throw std::runtime_error("--pose: the file does not tell how the machine turns");
+        throw std::runtime_error(
+            "--pose: the file does not specify the rotary axes of the machine");
     const machine::Values values = values_of(pose);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const char letter = machine::kLetters[i];

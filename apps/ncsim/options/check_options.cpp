@@ -119,7 +119,7 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
             "More of them, a path a line; others are left out and named; - is the standard input")
         ->type_name("FILE");
     check->add_flag("--no-project", o.no_project,
-                    "Pass over ncsim.toml, which tells options for the programs below its folder");
+                    "Ignore ncsim.toml, the options for the programs below its folder");
     add_language_options(*check, o);
     add_setup_options(*check, o);
     add_simulation_options(*check, o);

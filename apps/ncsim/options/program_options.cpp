@@ -164,7 +164,7 @@ void require_verifying(const SimulationOptions& options) {
 void require_exact(const SimulationOptions& options, std::string_view what) {
     if (options.model.empty() || simulation::find_model(options.model)->exact) return;
     throw Refusal{fmt::format(
-        "{}: what --model {} tells is not exact; take {}", what, options.model,
+        "{}: --model {} is not exact; use {}", what, options.model,
         simulation::model_names([](const simulation::ModelInfo& model) { return model.exact; }))};
 }
 
@@ -279,7 +279,7 @@ void add_setup_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },
-            "For tools nobody describes, as flat:D6")
+            "Tool for every tool that is not described, as flat:D6")
         ->type_name("TOOL");
 }
 

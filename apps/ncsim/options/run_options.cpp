@@ -274,7 +274,7 @@ cli::App* add_run(cli::App& app, Options& options) {
         ->type_name("NAME");
     run->add_option_function<std::string>(
            "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
-           "What colours tell: tool, line, depth")
+           "Meaning of colours: tool, line, depth")
         ->type_name("WHAT");
     run->add_flag("--show-path", o.shows_path, "Draw the path of the tip, rapids dashed");
     run->add_flag("--show-tool", o.shows_tool, "Draw the tool where it stands");
@@ -301,7 +301,7 @@ cli::App* add_run(cli::App& app, Options& options) {
     run->add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
     run->add_flag("--redo", o.redo, "Cut a tile again whose result is there");
     run->add_flag("--draft", o.draft,
-                  "A first look: guess tools that nobody describes, say so in the picture, and be "
+                  "A first look: guess tools that are not described, say so in the picture, and be "
                   "quick");
     run->add_flag("--quiet,-q", o.quiet, "Only errors and warnings");
     run->after_parsing([run, &o] {
@@ -343,7 +343,7 @@ void complete(Options& options) {
     complete(static_cast<const ProgramOptions&>(options));
     choose_model(options);
     if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
-        throw Refusal{"--dxf and --svg draw sections: where is told by --section z=-4"};
+        throw Refusal{"--dxf and --svg draw sections; specify the plane with --section z=-4"};
     if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
         throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
     }

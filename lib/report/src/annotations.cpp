@@ -73,8 +73,8 @@ std::string github_annotations(const Checked& checked, bool notes) {
         append(text, "::warning file={}", escaped_command(file_of(checked, d.place), true));
         if (d.place.span.line > 0)
             append(text, ",line={},col={}", d.place.span.line, d.place.span.column);
-        const std::string message = fmt::format("not proven: {}\nto tell: {}", d.message,
-                                                verify::find_reason(d.reason)->tell);
+        const std::string message =
+            fmt::format("not proven: {}\nfix: {}", d.message, verify::find_reason(d.reason)->fix);
         append(text, ",title={}::{}\n", escaped_command(d.reason, true),
                escaped_command(message, false));
     }

@@ -148,7 +148,7 @@ KnownFinding known_from(const Json& json) {
         }
     }
     if (known.rule.empty() || known.message.empty() || known.severity.empty())
-        throw std::runtime_error("rule, severity and message have to be told");
+        throw std::runtime_error("rule, severity and message are required");
     return known;
 }
 

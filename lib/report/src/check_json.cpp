@@ -65,7 +65,7 @@ Json to_json(const Checked& checked, const verify::Doubt& d) {
     }
     json["count"] = d.count;
     json["accepted"] = d.accepted;
-    json["tell"] = verify::find_reason(d.reason)->tell;
+    json["fix"] = verify::find_reason(d.reason)->fix;
     return json;
 }
 
@@ -168,7 +168,7 @@ Json check_json_share(const Checked& checked) {
 void write_check_json(std::ostream& out, const Entries& all, const Scope& scope) {
     JsonStream json(out);
     json.begin_object();
-    json.value("version", 1);
+    json.value("version", 2);
     json.value("ncsim", kVersion);
     json.begin_array("programs");
     all([&](const Entry& entry) { json.element(Json::parse(entry.json)); });

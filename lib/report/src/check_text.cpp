@@ -176,7 +176,7 @@ void put_remedies(std::string& text, const std::string& remedies) {
     for (std::size_t at = 0; at < remedies.size();) {
         const std::size_t end = remedies.find('\n', at);
         const std::string line = remedies.substr(at, end - at);
-        append(text, "  {:<8} {}\n", ids.empty() ? "to tell" : "", line);
+        append(text, "  {:<8} {}\n", ids.empty() ? "fix" : "", line);
         ids += (ids.empty() ? "" : ",") + line.substr(0, line.find(':'));
         at = end + 1;
     }
@@ -262,7 +262,7 @@ std::string remedies_of(const Checked& checked) {
             return d.reason == reason.id && !d.accepted;
         };
         if (std::ranges::any_of(checked.verdict.doubts, is_open))
-            text += fmt::format("{}: {}\n", reason.id, reason.tell);
+            text += fmt::format("{}: {}\n", reason.id, reason.fix);
     }
     return text;
 }

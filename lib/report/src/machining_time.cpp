@@ -30,7 +30,7 @@ std::string time_line(const verify::Distances& distances) {
     if (time.total()) {
         append(text, "{}: feed {}, ", time_text(*time.total()), time_text(*time.feed));
     } else {
-        text += "not known, a feed is not told: ";
+        text += "unknown, a feed is not specified: ";
     }
     append(text, "rapid {} at {:g} m/min", time_text(time.rapid), 1e-3 * kAssumedRapid);
     if (distances.tool_changes > 0) {

@@ -184,7 +184,7 @@ std::string for_script(const Json& json) {
 }
 
 std::string seconds_text(const std::optional<double>& seconds) {
-    if (!seconds) return "not known: rates are not told";
+    if (!seconds) return "unknown: rates are not specified";
     const auto whole = static_cast<long>(std::lround(*seconds));
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
@@ -229,13 +229,13 @@ std::string doubts_html(const Checked& checked) {
         if (d.place.span.line > 0) where += fmt::format(":{}", d.place.span.line);
         append(text,
                "<div class=\"finding {}\"{}><b>{}</b> {} <small>{} · {}</small>"
-               "<small>to tell: {}</small></div>\n",
+               "<small>fix: {}</small></div>\n",
                d.accepted ? "note suppressed" : "warning",
                d.place.file == 0 && d.place.span.line > 0
                    ? fmt::format(" data-line=\"{}\"", d.place.span.line)
                    : "",
                d.accepted ? "accepted" : "doubt", escaped(d.message), escaped(where), d.reason,
-               escaped(std::string(verify::find_reason(d.reason)->tell)));
+               escaped(std::string(verify::find_reason(d.reason)->fix)));
     }
     return text + "</section>\n";
 }

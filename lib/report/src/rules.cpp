@@ -27,7 +27,7 @@ std::string rules_text() {
     }
     text += "\nreasons for doubt, for --accept\n";
     for (const verify::ReasonInfo& reason : verify::reasons())
-        append(text, "  {:<20} {}\n  {:<20} to tell: {}\n", reason.id, reason.why, "", reason.tell);
+        append(text, "  {:<20} {}\n  {:<20} fix: {}\n", reason.id, reason.why, "", reason.fix);
     return text;
 }
 
@@ -42,7 +42,7 @@ std::string rules_json() {
     }
     auto reasons = Json::array();
     for (const verify::ReasonInfo& reason : verify::reasons())
-        reasons.push_back({{"id", reason.id}, {"why", reason.why}, {"tell", reason.tell}});
+        reasons.push_back({{"id", reason.id}, {"why", reason.why}, {"fix", reason.fix}});
     Json json{{"rules", std::move(rules)}, {"reasons", std::move(reasons)}};
     return json.dump(1) + "\n";
 }

@@ -62,7 +62,7 @@ Json tools_json(const RunFacts& run) {
                   {"shape", toolpath::describe(used.tool)},
                   {"diameter_mm", toolpath::cutting_diameter_of(used.tool)},
                   {"length_mm", toolpath::cutting_height_of(used.tool)},
-                  {"told", source(used.told_by, used.span, used.text)},
+                  {"source", source(used.told_by, used.span, used.text)},
                   {"assumed", used.filled_in}};
         if (const auto d = run.program->distances.find(number); d != run.program->distances.end()) {
             tool["rapid_mm"] = tidy(d->second.rapid_mm);
@@ -116,7 +116,7 @@ std::string solid_text(const SolidFacts& solid) {
     text += fmt::format("          {} of the planes {} of round tools", solid.facets_kept,
                         solid.facets_kept == 1 ? "is a facet" : "are facets");
     if (solid.facet_miss_mm > kLeast)
-        text += fmt::format(", within {:.2g} mm of what is beside them", solid.facet_miss_mm);
+        text += fmt::format(", within {:.2g} mm of the adjacent faces", solid.facet_miss_mm);
     constexpr std::size_t kMostLines = 6;
     before = ": line ";
     for (std::size_t i = 0; i < std::min(kMostLines, solid.facet_lines.size()); ++i) {
@@ -206,7 +206,7 @@ std::string summary(const RunFacts& run) {
         append(text, "part      {} of {}; {} removed in {} hulls\n", volume_text(s.part_volume),
                volume_text(s.stock_volume), volume_text(s.stock_volume - s.part_volume), s.hulls);
         if (s.part_volume_error > 0.0) {
-            append(text, "          off by {} at most, by what the rays tell\n",
+            append(text, "          off by at most {}, as the rays show\n",
                    volume_text(s.part_volume_error));
         }
         if (s.aliasing) text += aliasing_text(*s.aliasing, run.cutting.resolution);
@@ -265,7 +265,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
             if (run.program->stock->deflection_mm > 0.0)
                 json["stock"]["deflection_mm"] = run.program->stock->deflection_mm;
         }
-        json["stock"]["told"] =
+        json["stock"]["source"] =
             source(run.program->stock->told_by, run.program->stock->span, run.program->stock->text);
     }
     json["simulated"] = run.part != nullptr;

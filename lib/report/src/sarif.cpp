@@ -81,7 +81,7 @@ Json sarif_rules() {
         rules.push_back({{"id", reason.id},
                          {"shortDescription", {{"text", reason.why}}},
                          {"fullDescription", {{"text", reason.why}}},
-                         {"help", {{"text", fmt::format("To tell: {}.", reason.tell)}}},
+                         {"help", {{"text", fmt::format("Fix: {}.", reason.fix)}}},
                          {"defaultConfiguration", {{"level", "warning"}}},
                          {"properties", {{"category", "doubt"}, {"tags", {"doubt"}}}}});
     }
@@ -163,11 +163,11 @@ Json result(const Checked& checked, const verify::Doubt& d, Seen& seen) {
     const std::string path = file_of(checked, d.place);
     const std::string identity = d.reason + '\n' + path + '\n' + d.message;
     const int nth = seen[identity]++;
-    const std::string_view tell = verify::find_reason(d.reason)->tell;
+    const std::string_view fix = verify::find_reason(d.reason)->fix;
     Json json{{"ruleId", d.reason},
               {"ruleIndex", index_of(d.reason)},
               {"level", "warning"},
-              {"message", {{"text", fmt::format("Not proven: {}. To tell: {}.", d.message, tell)}}},
+              {"message", {{"text", fmt::format("Not proven: {}. Fix: {}.", d.message, fix)}}},
               {"locations", {location(path, d.place)}},
               {"partialFingerprints",
                {{"ncsimFinding/v1", fingerprint(identity) + ":" + std::to_string(nth)}}}};

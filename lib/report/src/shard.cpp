@@ -190,8 +190,8 @@ void Shards::take(std::uint32_t number) {
         if (place.offset == kNowhere) {
             place = {number, offset};
         } else if (line_at(place) != line) {
-            fail(file, fmt::format("program {} of the list is told of in '{}', too, and not the "
-                                   "same",
+            fail(file, fmt::format("program {} of the list is in '{}', too, with another "
+                                   "result",
                                    *index + 1, files_[place.file]));
         }
     }

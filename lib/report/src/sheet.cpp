@@ -62,14 +62,14 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
     sheet.line("dialect", "{}", dialect(program));
     sheet.line("units", "{}", units(program));
     if (program.moves_from_nowhere > 0) {
-        sheet.line("start", "not told: {} move{} until all of X, Y and Z are known leave no trace",
+        sheet.line("start", "unknown: the first {} move{} cut nothing (--start X,Y,Z)",
                    program.moves_from_nowhere, program.moves_from_nowhere == 1 ? "" : "s");
     } else {
         sheet.line("start", "known");
     }
     for (std::size_t axis = 0; axis < program.untold.size(); ++axis) {
         if (program.untold[axis])
-            sheet.line("", "assumed: {} 0, since the program never tells it", "XYZ"[axis]);
+            sheet.line("", "assumed: {} 0, which the program never sets", "XYZ"[axis]);
     }
     if (program.uses_machine_coordinates) {
         sheet.line(

@@ -73,9 +73,9 @@ public:
         if (program_.stock) {
             const toolpath::StockEntry& stock = *program_.stock;
             add("stock", describe(stock.box));
-            add("  told", told(stock.told_by, stock.span, stock.text, stock.file, "--stock"));
+            add("  source", told(stock.told_by, stock.span, stock.text, stock.file, "--stock"));
         } else {
-            add("stock", "not told");
+            add("stock", "not specified");
         }
         if (plunges_.is_tilted) add_plunges();
         return std::move(text_);
@@ -92,10 +92,10 @@ private:
         const auto used = program_.tools.find(number);
         if (used != program_.tools.end()) {
             const UsedTool& tool = used->second;
-            add("  told", told(tool.told_by, tool.span, tool.text, tool.file, "--tool"));
+            add("  source", told(tool.told_by, tool.span, tool.text, tool.file, "--tool"));
             if (!tool.filled_in.empty()) add("  assumed", tool.filled_in);
         } else if (const auto* entry = toolpath::find_tool(described_, number)) {
-            add("  told", told(entry->told_by, entry->span, entry->text, entry->file, "--tool"));
+            add("  source", told(entry->told_by, entry->span, entry->text, entry->file, "--tool"));
         }
         const verify::Distances* distances = distances_of(program_, number);
         if (!distances) {
@@ -114,7 +114,7 @@ private:
 
     void add_plunges() {
         if (plunges_.moves == 0) {
-            add("plunges", "none at tilted angles: no move tells what X, Y and Z are");
+            add("plunges", "none at tilted angles: no move decides what X, Y and Z mean");
             return;
         }
         add("plunges", fmt::format("{} at tilted angles, along the tool of some machine or along Z",
@@ -176,12 +176,12 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
         if (used != program.tools.end()) {
             const UsedTool& u = used->second;
             add_spec(tool, u.spec);
-            tool["told"] = told_json(u.told_by, u.span, u.file, u.text);
+            tool["source"] = told_json(u.told_by, u.span, u.file, u.text);
             tool["assumed"] = u.filled_in;
             tool["first_line"] = u.first.line;
         } else if (entry) {
             add_spec(tool, entry->spec);
-            tool["told"] = told_json(entry->told_by, entry->span, entry->file, entry->text);
+            tool["source"] = told_json(entry->told_by, entry->span, entry->file, entry->text);
         }
         if (distances) {
             tool["feed_mm"] = tidy(distances->feed_mm);
@@ -195,7 +195,7 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
         const cda::Box& box = stock.box;
         json["stock"] = {{"min", {box.min.x, box.min.y, box.min.z}},
                          {"max", {box.max.x, box.max.y, box.max.z}},
-                         {"told", told_json(stock.told_by, stock.span, stock.file, stock.text)}};
+                         {"source", told_json(stock.told_by, stock.span, stock.file, stock.text)}};
     }
     if (plunges.is_tilted) {
         Json tip = Json::array();

@@ -75,7 +75,7 @@ verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts
         extend_shank(facts.tool, used.spec);
     }
     if (used.told_by == toolpath::ToldBy::Assumption) {
-        facts.assumption = "nobody describes it; taken as " + used.text;
+        facts.assumption = "not described; taken as " + used.text;
     } else {
         facts.assumption = used.filled_in;
     }
@@ -103,8 +103,8 @@ std::vector<std::string> place_fixtures(verify::MachineDescription& machine, con
         const auto origin = setup::origin_of(plan.job.interpreter, fixture.system);
         if (!origin || !machine.work_zero) {
             lost.push_back(fmt::format(
-                "where the fixture '{}' stands: it is told in {}, and how far "
-                "that is from {} is not",
+                "position of the fixture '{}': it is specified in {}, and the distance "
+                "from there to {} is not",
                 fixture.name, setup::name_of_system(fixture.system), setup::name_of_system(here)));
             return true;
         }
@@ -119,10 +119,12 @@ std::vector<std::string> place_fixtures(verify::MachineDescription& machine, con
 }
 
 std::set<std::string, std::less<>> accepted_reasons(const std::vector<std::string>& names) {
-    std::set<std::string, std::less<>> accepted(names.begin(), names.end());
-    if (accepted.erase("all") > 0) {
-        for (const verify::ReasonInfo& reason : verify::reasons())
-            accepted.emplace(reason.id);
+    std::set<std::string, std::less<>> accepted;
+    for (const verify::ReasonInfo& reason : verify::reasons()) {
+        const auto is_reason = [&](const std::string& name) {
+            return name == "all" || verify::find_reason(name) == &reason;
+        };
+        if (std::ranges::any_of(names, is_reason)) accepted.emplace(reason.id);
     }
     return accepted;
 }
@@ -199,9 +201,9 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     const double home = setup.machine.home ? setup.machine.home->z : 0.0;
     setup.home_z = zero ? home - zero->z : verify::kHomeHeight + home;
     if (!zero) {
-        setup.home_assumption =
-            fmt::format("machine zero {:g} mm above the program zero, since no machine tells it",
-                        verify::kHomeHeight);
+        setup.home_assumption = fmt::format(
+            "machine zero {:g} mm above the program zero, not specified by a machine file",
+            verify::kHomeHeight);
     }
     return setup;
 }
@@ -234,12 +236,15 @@ report::Look look_at(const Plan& plan, const Survey& survey, const Simulation& s
     return look;
 }
 
-std::vector<std::string> unused_tools(const Plan& plan, const Survey& survey) {
+// Tools and registers that are specified and that the program does not use, in words.
+std::vector<std::string> unused_settings(const Plan& plan, const Survey& survey) {
     std::vector<std::string> unused;
     for (const toolpath::ToolSpec& spec : plan.job.options.tools) {
         if (!survey.tools.contains(spec.number) && !survey.tools.contains(0))
             unused.push_back(fmt::format("--tool T{}: the program does not move it", spec.number));
     }
+    for (const int number : survey.interpretation.unread_registers)
+        unused.push_back(fmt::format("--compensation D{}: no G41 and no G42 reads it", number));
     return unused;
 }
 
@@ -285,7 +290,7 @@ void doubt_accepted_blocks(verify::Verdict& verdict,
             continue;
         verify::Doubt doubt;
         doubt.reason = kReason;
-        doubt.message = "nobody knows what an accepted fault does: " + f.message;
+        doubt.message = "the effect of an accepted fault is unknown: " + f.message;
         doubt.place = f.place;
         doubt.count = f.count;
         doubt.accepted = accepted.contains(kReason);
@@ -363,7 +368,7 @@ Prepared prepared(Plan told, const Questions& questions) {
     for (std::string& lost : place_fixtures(all.setup.machine, plan, all.survey))
         all.not_used.push_back(std::move(lost));
     if (questions.tools_are_meant) {
-        for (std::string& unused : unused_tools(plan, all.survey))
+        for (std::string& unused : unused_settings(plan, all.survey))
             all.not_used.push_back(std::move(unused));
     }
     return all;
@@ -468,13 +473,13 @@ void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Question
     for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
         if (survey.untold[axis])
             verifier.add_doubt("start-unknown",
-                               fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
+                               fmt::format("the program never sets {}; taken as 0", "XYZ"[axis]));
     }
 }
 
 // Doubts about the tools, the stock and the motions, none about the part.
 bool is_assumption(const verify::Doubt& doubt) {
-    constexpr std::string_view kOthers[] = {"told-not-used", "required", "nothing-removed"};
+    constexpr std::string_view kOthers[] = {"setting-not-used", "required", "nothing-removed"};
     return std::ranges::find(kOthers, doubt.reason) == std::end(kOthers);
 }
 
@@ -570,12 +575,12 @@ std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& ques
     verifier.add(survey.diagnostics);
     if (!questions.machine.bodies.empty() && !told.machine.work_zero) {
         verifier.add_doubt(
-            "told-not-used",
-            "meshes of links: where the work zero (G54) lies in the machine is not told");
+            "setting-not-used",
+            "meshes of links: the position of the work zero (G54) in the machine is not specified");
     }
     add_doubts_of_inputs(plan, survey, questions, verifier);
     for (std::string& what : all.not_used)
-        verifier.add_doubt("told-not-used", std::move(what));
+        verifier.add_doubt("setting-not-used", std::move(what));
     note_blend(questions, survey, told, verifier);
     observe_frames(plan, verifier);
     if (checked.simulated) {

@@ -136,7 +136,7 @@ Finding excess(const DesignRegion& region, const Design& design, const Simulatio
     f.message = "material is left that the design does not have";
     const auto lines = lines_of(region, simulation);
     f.message += lines.empty() ? ", where nothing was cut"
-                               : ", beside what was cut by lines " + report::lines_text(lines);
+                               : ", adjacent to the cut of lines " + report::lines_text(lines);
     f.quantity = verify::Quantity{"thickness", region.depth_mm, "mm"};
     return f;
 }

@@ -96,7 +96,8 @@ private:
     std::string why_not(cda::Vec3 to, const machine::Values& now,
                         const machine::Travels& travels) const {
         const auto turning = std::ranges::count_if(placed_.chain.joints, &machine::Joint::turns);
-        if (turning > 2) return "it has more than two rotary axes, so that the angles must be told";
+        if (turning > 2)
+            return "it has more than two rotary axes, so the angles must be programmed";
         if (machine::orient(chain(0.0), to, now, travels)) return "not by a way of this sign";
         return machine::orient(chain(0.0), to, now) ? "it is beyond the travel of a rotary axis"
                                                     : "no turn of its rotary axes leads there";

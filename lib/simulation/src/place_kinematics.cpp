@@ -77,7 +77,7 @@ std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiec
     if (!of_tip && !at_zero.empty())
         guesses.push_back("the axes " + at_zero + " pass through the program zero");
     if (!of_tip && !work_zero(workpiece) && at_zero.empty())
-        guesses.emplace_back("the program zero is that of the machine, from which axes are told");
+        guesses.emplace_back("the program zero is the machine zero, to which axes refer");
     if (std::string second = guess_of_second_axes(told, axes); !second.empty())
         guesses.push_back(std::move(second));
     for (std::size_t i = 0; i < axes.uvw.size(); ++i) {

@@ -393,7 +393,7 @@ struct Look {
 std::string rotation_of(const Plan& plan, const Survey& survey) {
     if (!plan.kinematics)
         return "assumed: A, B, C turn the tool about X, Y, Z through the program zero";
-    std::string text = "as the machine file tells";
+    std::string text = "as the machine file specifies";
     if (survey.uses_tip_control) text += ", X Y Z are the tip's under tip control";
     const bool by_tips = !survey.turns_under_axes && !survey.interpretation.asked_for_places;
     const std::string guess =

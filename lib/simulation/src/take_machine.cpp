@@ -31,7 +31,7 @@ std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file
     const auto origin = setup::origin_of(job.interpreter, kG54);
     if (!origin) {
         lost.emplace_back(
-            "where the tool starts: the machine tells it, but not where G54 is in it");
+            "start of the tool: the machine file specifies it, but not the position of G54");
         return lost;
     }
     job.interpreter.start_is_of_machine = true;

@@ -18,10 +18,10 @@ void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched
     const Place place{m.file, m.span};
     if (move.passes_above) return;
     if (!toolpath::has_known_start(m)) {
-        log.doubt("start-unknown", "where the tool comes from is not told", place);
+        log.doubt("start-unknown", "the start of the move is unknown", place);
     } else if (m.start_assumed) {
         log.doubt("start-unknown",
-                  "the program goes on by increments from a place that nobody told; taken as 0",
+                  "the program continues by increments from an unknown position; taken as 0",
                   place);
     }
     if (m.offset_unknown) {
@@ -32,14 +32,14 @@ void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched
     } else if (m.machine_coordinates && !setup.home_assumption.empty()) {
         log.doubt("offset-guess",
                   "a move goes to a place of the machine (G28, G30, G53), and where the "
-                  "workpiece lies in it is not told",
+                  "workpiece lies in it is not specified",
                   place);
     }
     if (!needs_part) return;
     if (!is_watched && !setup.not_simulated && (m.tool != 0 || toolpath::has_known_start(m))) {
         log.doubt("not-simulated",
                   m.tool == 0 ? "moves before the first tool change were not simulated"
-                              : fmt::format("T{} moves, and nobody describes it", m.tool),
+                              : fmt::format("T{} moves and is not described", m.tool),
                   place);
     }
     if (!setup.kinematics && is_turned(m)) {
@@ -113,8 +113,8 @@ void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& to
         if (watched.uncertain_mm <= 0.0) continue;
         const double told = facts_of(setup, number)->certain_flutes.value_or(0.0);
         log.doubt("flutes-guess",
-                  fmt::format("T{} would have to cut {:.6g} mm high, and nobody says that "
-                              "its flutes are longer than {:.6g} mm",
+                  fmt::format("T{} would have to cut {:.6g} mm high, and its flutes are "
+                              "not known to be longer than {:.6g} mm",
                               number, told + watched.uncertain_mm, told),
                   watched.uncertain_place);
     }

@@ -139,7 +139,7 @@ void PathFacts::place_in_machine(Move& move, FindingLog& log) const {
         const Box joints = toolpath::extent_of_joints(motion, *setup_.kinematics);
         if (!joints.is_empty()) move.machine_path = Box{joints.min + shift, joints.max + shift};
     } else if (move.is_tilted_tip && std::ranges::any_of(setup_.machine.travel, is_told)) {
-        log.doubt("told-not-used",
+        log.doubt("setting-not-used",
                   "travels: where the axes go under tip control is not compared with them",
                   {motion.file, motion.span});
     } else if (setup_.machine.work_zero && toolpath::has_known_end(motion)) {

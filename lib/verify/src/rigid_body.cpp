@@ -41,7 +41,7 @@ RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
 
 std::string why_as_hull(const cda::TriangleMesh& mesh, bool told) {
     constexpr std::size_t kMostTriangles = 50'000;  // more take longer to divide than programs
-    if (told) return "that was told";
+    if (told) return "that was specified";
     if (mesh.triangles.size() > kMostTriangles) return "it has more than 50,000 triangles";
     return {};
 }

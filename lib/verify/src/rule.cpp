@@ -100,7 +100,7 @@ constexpr std::array kRules = {
          needs_path_deviation,
          judge_path_deviation},
     Rule{{"start-unknown", Category::Travel, Severity::Warning,
-          "From an unknown place nobody can tell what a move meets.",
+          "What a move from an unknown position meets is unknown.",
           "Move to X, Y and Z at rapid, clear of the part, before the first cut."},
          false,
          needs_nothing,
@@ -211,7 +211,7 @@ constexpr std::array kRules = {
          needs_air_cuts},
 
     Rule{{"tool-undefined", Category::SetUp, Severity::Warning,
-          "A tool that nobody described is not faked.",
+          "A tool without a description cannot be simulated.",
           "Describe it in a comment, in a tool table or with --tool."}},
     Rule{{"wrong-length-offset", Category::SetUp, Severity::Error,
           "A tool that is longer than the control believes goes that much too deep.",
@@ -223,8 +223,8 @@ constexpr std::array kRules = {
           "Without its length the control drives the spindle where the tip should be.",
           "Program G43 with the number of the tool before it goes down."}},
     Rule{{"offset-undefined", Category::SetUp, Severity::Warning,
-          "An offset that nobody told moves everything that follows.",
-          "Tell the offset in the job, or set it in the program (G10)."}},
+          "An unknown offset moves everything that follows.",
+          "Specify the offset in the job, or set it in the program (G10)."}},
 };
 
 constexpr auto kInfos = [] {

@@ -429,8 +429,8 @@ private:
 
     void doubt_length(const gcode::Motion& motion) {
         log_.doubt("length-offset",
-                   fmt::format("how far T{} reaches below the spindle nose is not told: not all "
-                               "links of the machine were asked",
+                   fmt::format("the reach of T{} below the spindle nose is not specified: not all "
+                               "links of the machine were verified",
                                motion.tool),
                    place());
     }

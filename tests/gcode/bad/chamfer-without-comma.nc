@@ -1,4 +1,4 @@
-; 5:9: error: C beside a straight line may mean the corner to the next (,C); the block is left out. Write the comma, or begin with C0. if it is an axis [corner-word]
+; 5:9: error: C behind a straight line may mean the corner to the next (,C); the block is left out. Write the comma, or begin with C0. if it is an axis [corner-word]
 %
 O1008
 G21 G90 G54 G0 X0. Y0. Z5. F100

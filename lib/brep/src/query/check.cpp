@@ -536,8 +536,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                     cone && dot(p - cone->apex, cone->axis) < -tolerance_mm) {
                     tell("an edge is beyond the apex");
                 }
-                if (passes_beside_apex(face.surface.form, last, p))
-                    tell("an edge passes beside the apex");
+                if (passes_beside_apex(face.surface.form, last, p)) tell("an edge misses the apex");
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
                     segments.push_back({last_place, place.at, last_name, name, &track, last_at, at,

@@ -43,6 +43,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, ArcCentr
     for (const auto& [number, radius] : options.compensation) {
         if (ToolTableEntry* entry = register_of(number))
             entry->diameter = Length::from_mm(2.0 * radius.mm());
+        unread_registers_.insert(number);
     }
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.is_linuxcnc());

@@ -30,6 +30,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -96,6 +97,7 @@ public:
     bool asked_for_places() const { return asked_for_places_; }
     std::optional<ProgramPlace> distance_guess() const;
     double setting_askew() const { return setting_askew_; }
+    const std::set<int>& unread_registers() const { return unread_registers_; }
 
 private:
     void let_out(const Command& command);
@@ -326,6 +328,7 @@ private:
     bool asked_for_places_ = false;
     bool distance_is_stated_ = false;  ///< G90 or G91 came.
     DistanceEvidence distance_;
+    std::set<int> unread_registers_;  ///< Of the specified ones.
     double setting_askew_ = 0.0;
     bool ended_ = false;
     bool stopped_ = false;

@@ -159,6 +159,10 @@ void Runner::o_branch(std::size_t i) {
     else_if_line_ = 0;
     if (here.word != ControlWord::OIf && !jumped_to) {
         // The branch before was run: on to the end.
+        const SourceSpan rest = block_.control.rest;
+        if (rules_.strict && rest.length > 0)
+            return fault(Message::UnreadableText, rest,
+                         {std::string_view(block_.text).substr(rest.column - 1, rest.length)});
         const auto end = marks.next(i, here.label, ControlWord::OEndIf);
         if (!end) return fault(Message::BlockEndMissing, block_.control.span, {"endif"});
         jump(current_, marks[*end].after);

@@ -51,6 +51,7 @@ void Runner::run() {
     result_.uses_length_offsets = machine_.uses_length_offsets();
     result_.asked_for_places = machine_.asked_for_places();
     result_.setting_askew = machine_.setting_askew();
+    result_.unread_registers = machine_.unread_registers();
     result_.distance_guess = machine_.distance_guess();
     result_.inherited_modes = head_modes_.unset(rules_.dialect);
     result_.stopped = ended_ && !result_.ended;
@@ -284,9 +285,23 @@ void Runner::look_for_points() {
     }
 }
 
-/// '%' as the first line opens a program, the next one closes it. Elsewhere it means nothing.
+/// True if the lines before the block are blank.
+bool Runner::is_first_text() const {
+    const std::string_view text = files_[current_].source->text;
+    const std::string_view blank = text.substr(0, text.find_first_not_of(" \t\r\n"));
+    return std::ranges::count(blank, '\n') + 1 == block_.line;
+}
+
+/// '%' as the first line opens a program, the next one closes it. Elsewhere it means nothing, and
+/// LinuxCNC refuses it, as it does with text behind it.
 bool Runner::percent() {
     if (current_ != 0) return true;
+    const std::string_view text = block_.text;
+    const bool bare = text.find_first_not_of(" \t%") == std::string_view::npos;
+    if (rules_.strict && (!bare || (!percent_opened_ && !is_first_text()))) {
+        fault(Message::LetterExpected, {block_.line, 1, 1}, {"%"});
+        return false;
+    }
     if (!something_read_ && !percent_opened_) {
         percent_opened_ = true;
         return true;
@@ -295,8 +310,6 @@ bool Runner::percent() {
     if (!rules_.strict) {
         // "% spindle on": a remark. And what closes a program has nothing to close before its first
         // block.
-        const std::string_view text = block_.text;
-        const bool bare = text.find_first_not_of(" \t%") == std::string_view::npos;
         if (!bare || !something_read_) return true;
     }
     machine_.flush();

@@ -70,6 +70,7 @@ private:
     // One block
     bool step();
     bool percent();
+    bool is_first_text() const;
     bool assign(const Block& block);
     bool assign_number(const Assignment& assignment, double number, double value,
                        const std::string& unknown);

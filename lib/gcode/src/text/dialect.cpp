@@ -583,7 +583,7 @@ private:
         turns_a_or_b_ = turns_a_or_b_ || (words & letters_of("AB")) != 0;
         extrudes_ = extrudes_ || (words & bit_of('E')) != 0;
         if ((words & bit_of('S')) != 0 && (words & kXY) != 0)
-            add(power_, 2, 2, "S beside moves, and no Z", line);
+            add(power_, 2, 2, "S with moves, and no Z", line);
         if ((words & bit_of('C')) != 0) look_at_c(words);
         if ((words & letters_of("MT")) == 0) return;
         changes_tools_ =

@@ -140,6 +140,7 @@ bool LineParser::read_o_word() {
         return false;
     }
     block_.control.span = span(start, end);
+    if (!rest.empty()) block_.control.rest = span(at_, text_.size());
     return true;
 }
 

@@ -29,7 +29,7 @@ Budget::Budget(double memory_gb, double seconds)
     : memory_gb_(memory_gb), seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
 
 std::optional<std::string> Budget::exceeded() {
-    if (stop_.stop_requested()) return "nobody waits for the result any more";
+    if (stop_.stop_requested()) return "the caller has stopped the work";
     if (memory_gb_ <= 0.0 && seconds_ <= 0.0) return std::nullopt;
     if (asked_++ % kPatience != 0) return std::nullopt;
     if (memory_gb_ > 0.0) {

@@ -521,7 +521,7 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     }
     for (const auto& [number, line] : remarks.unknown_tools) {
         out << '\n'
-            << remark(fmt::format("tool {} moves from line {} on and nobody describes it: fill in",
+            << remark(fmt::format("tool {} moves from line {} on and is not described: fill in",
                                   number, line))
             << "#[[tool]]\n#number = " << number << "\n#kind = \"flat\"\n#diameter = 10.0\n";
     }

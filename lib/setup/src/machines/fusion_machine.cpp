@@ -146,7 +146,7 @@ private:
         if (actuator != (turns ? "rotational" : "linear"))
             fail(e, "'actuator': X, Y and Z are linear, A, B and C rotational");
         if (link != "head" && link != "table") fail(e, "'link': expected head or table");
-        if (find(letter)) fail(e, fmt::format("axis {} is told twice", letter));
+        if (find(letter)) fail(e, fmt::format("axis {} is specified twice", letter));
         Vec3 own;
         own[letter - (turns ? 'A' : 'X')] = 1.0;
         const Vec3 direction = vector(e, "axis", {}, own);

@@ -331,7 +331,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
             r_.fail(node, fmt::format("axis {} moves straight: no through, no positive", *letter));
         if (std::ranges::any_of(
                 links_, [&](const Link& l) { return l.joint && l.joint->letter == *letter; })) {
-            r_.fail(node, fmt::format("axis {} is told twice", *letter));
+            r_.fail(node, fmt::format("axis {} is specified twice", *letter));
         }
         const auto positive =
             turns_part.value_or(false) ? machine::Positive::Part : machine::Positive::Tool;
@@ -509,7 +509,8 @@ std::vector<MachineBody> KinematicsReader::other_links() const {
 
 std::optional<ToldKinematics> KinematicsReader::kinematics() const {
     if (preset_ && !links_.empty())
-        r_.fail(*preset_->node, "a machine is told by its preset or by its links, not both");
+        r_.fail(*preset_->node,
+                "a machine is specified by its preset or by its links, not by both");
     if (pivots_node_ && !preset_) r_.fail(*pivots_node_, "'pivot' belongs to a preset");
     if (links_.empty()) {
         for (const auto& name : {part_, tool_}) {

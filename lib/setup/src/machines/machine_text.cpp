@@ -170,7 +170,7 @@ std::string machine_sheet(const MachineFile& file) {
     std::string text =
         fmt::format("{}\n", file.machine.name.empty() ? "a machine" : file.machine.name);
     if (!file.kinematics) {
-        text += "  nobody tells how it turns: A, B and C turn about the program zero\n";
+        text += "  rotary axes not specified: A, B and C turn about the program zero\n";
     } else {
         text += "  from the part to the tool:\n";
         const std::size_t of_part = count_of_part(file.kinematics->chain);
@@ -196,7 +196,7 @@ std::string machine_sheet(const MachineFile& file) {
                 fmt::format("turns the {} about {}", carries_part ? "part" : "tool", vector(about));
             const bool is_untold =
                 file.kinematics->untold_pivots.find(joint.letter) != std::string::npos;
-            text += is_untold ? ", where is not told: through the program zero"
+            text += is_untold ? ", pivot not specified: through the program zero"
                               : " through " + vector(joint.through);
             const auto travel = file.kinematics->travels.find(joint.letter);
             if (travel != file.kinematics->travels.end()) {

@@ -160,7 +160,7 @@ private:
         link.at = e;
         link.name = text(e, "name");
         if (std::ranges::find(links_, link.name, &UrdfLink::name) != links_.end())
-            fail(e, fmt::format("link '{}' is told twice", link.name));
+            fail(e, fmt::format("link '{}' is specified twice", link.name));
         if (links_.size() >= kMostLinksOfFile)
             fail(e, fmt::format("more than {} links", kMostLinksOfFile));
         const char* kind = e->FirstChildElement("collision") ? "collision" : "visual";
@@ -212,7 +212,8 @@ private:
         constexpr std::string_view kPackage = "package://";
         if (!told.starts_with(kPackage)) {
             if (told.find("://") != std::string_view::npos)
-                fail(e, "'filename': expected a file beside this one, or of its package");
+                fail(e,
+                     "'filename': expected a file in the folder of this file, or of its package");
             return seen_in(folder_, std::string(told));
         }
         told.remove_prefix(kPackage.size());
@@ -298,7 +299,7 @@ private:
             fail(e, fmt::format("joint '{}': X, Y and Z move straight, A, B and C turn", name));
         for (const UrdfLink& other : links_) {
             if (other.joint && other.joint->letter == *letter)
-                fail(e, fmt::format("axis {} is told twice", *letter));
+                fail(e, fmt::format("axis {} is specified twice", *letter));
         }
         const XMLElement* axis = e->FirstChildElement("axis");
         const Vec3 direction = vector(axis, "xyz", {1, 0, 0});

@@ -13,7 +13,7 @@
 namespace ncsim::setup {
 
 void MeshKeys::take_mesh(const toml::node& node, const std::string& key) {
-    if (mesh_at_) r_.fail(node, fmt::format("'{}': a mesh is told already", key));
+    if (mesh_at_) r_.fail(node, fmt::format("'{}': a mesh is specified already", key));
     mesh_at_ = &node;
     const std::string path = seen_in(folder_, r_.text(node, key));
     try {
@@ -40,7 +40,7 @@ std::optional<SurfaceFile> MeshKeys::finish() {
         return std::nullopt;
     }
     if (scale_ && file_.has_unit)
-        r_.fail(*scale_at_, "'scale': the file tells what its lengths are");
+        r_.fail(*scale_at_, "'scale': the file states the unit of its lengths");
     cda::Box box;
     for (cda::Vec3& p : file_.mesh.vertices) {
         p = scale_.value_or(1.0) * p;

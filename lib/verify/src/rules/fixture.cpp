@@ -21,7 +21,7 @@ std::string what_of(const Setup& setup, const Move& move, const FixtureContact& 
 std::optional<std::string> needs_fixtures(const Setup& setup) {
     if (auto reason = needs_simulation(setup)) return reason;
     if (setup.machine.fixtures.empty() && !setup.machine.fixtures_told)
-        return "no fixtures are told";
+        return "no fixtures are specified";
     return std::nullopt;
 }
 

@@ -42,8 +42,8 @@ void judge_none(const Setup& setup, const Move& move, FindingLog& log) {
         // Some controls, and some operators, set the length at each tool change.
         log.doubt(
             "length-offset",
-            "several tools cut, and the program never says G43: who tells the control how long "
-            "they are?",
+            "several tools cut, and the program has no G43: their lengths have to be set at the "
+            "control",
             place);
     }
 }
@@ -64,15 +64,14 @@ void judge_register(const Setup& setup, const Move& move, FindingLog& log) {
     }
     if (h == tool || h == gcode::kStatedLength) return;
     if (h == gcode::kNegatedLength) {
-        log.doubt("length-offset",
-                  "G44 takes the length off, and how long the tool is nobody tells", place);
+        log.doubt("length-offset", "G44 subtracts the length of the tool, which is not specified",
+                  place);
     } else if (setup.tools.contains(h) || setup.cutting_tools.contains(h) || move.tool_length) {
         tell(setup, move, log, "wrong-length-offset",
              fmt::format("T{} moves with the length of T{} (H{})", tool, h, h), std::nullopt);
     } else {
         log.doubt("length-offset",
-                  fmt::format("T{} moves with H{}: whose length that is nobody tells", tool, h),
-                  place);
+                  fmt::format("T{} moves with H{}, a length of no known tool", tool, h), place);
     }
 }
 

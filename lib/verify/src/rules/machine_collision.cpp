@@ -62,7 +62,7 @@ Sighting sighting_of(const Setup& setup, const Move& move, const MachineContact&
     });
     s.assumptions.insert(s.assumptions.end(), contact.hulls.begin(), contact.hulls.end());
     if (contact.assumed)
-        s.assumptions.emplace_back("tool: nobody says all of what is above its flutes");
+        s.assumptions.emplace_back("tool: not all of its shape above the flutes is specified");
     return s;
 }
 
@@ -70,9 +70,9 @@ Sighting sighting_of(const Setup& setup, const Move& move, const MachineContact&
 
 std::optional<std::string> needs_links(const Setup& setup) {
     if (!setup.bodies || !setup.bodies->has_meshes())
-        return "no mesh of a link is told (machine.toml, [[link]] mesh)";
+        return "no mesh of a link is specified (machine.toml, [[link]] mesh)";
     if (!setup.machine.work_zero)
-        return "where the work zero (G54) lies in the machine is not told";
+        return "the position of the work zero (G54) in the machine is not specified";
     std::string without;
     std::size_t count = 0;
     const LinkBodies& told = setup.bodies->told();
@@ -82,7 +82,7 @@ std::optional<std::string> needs_links(const Setup& setup) {
         ++count;
     }
     if (count == 0) return std::nullopt;
-    return fmt::format("no mesh is told of the link{} {}; the others were asked",
+    return fmt::format("no mesh is specified for the link{} {}; the others were verified",
                        count == 1 ? "" : "s", without);
 }
 
@@ -91,7 +91,7 @@ std::optional<std::string> needs_clearance(const Setup& setup) {
     const auto& links = setup.bodies->told().links;
     if (std::ranges::any_of(links, [](const LinkBody& l) { return l.clearance_mm > 0.0; }))
         return std::nullopt;
-    return "no clearance of a link is told (machine.toml, [[link]] clearance)";
+    return "no clearance of a link is specified (machine.toml, [[link]] clearance)";
 }
 
 void judge_machine_collision(const Setup& setup, const Move& move, FindingLog& log) {

@@ -33,9 +33,10 @@ std::optional<std::string> needs_bodies(const Setup& setup) {
     }
     if (neither.empty() && no_holder.empty()) return std::nullopt;
     std::string reason;
-    if (!neither.empty()) reason = "neither flute length, shank nor holder is told of " + neither;
+    if (!neither.empty())
+        reason = "neither flute length, shank nor holder is specified for " + neither;
     if (!no_holder.empty()) {
-        reason += fmt::format("{}no holder is told of {}; the rest of {} was verified",
+        reason += fmt::format("{}no holder is specified for {}; the rest of {} was verified",
                               reason.empty() ? "" : "; ", no_holder,
                               no_holder.find(',') == std::string::npos ? "it" : "them");
     }
@@ -68,7 +69,7 @@ void judge_non_cutting(const Setup& setup, const Move& move, FindingLog& log) {
         s.box = contact.box;
         s.assumptions = assumptions_of(setup, move);
         if (piece.assumed)
-            s.assumptions.emplace_back("tool: nobody says all of what is above its flutes");
+            s.assumptions.emplace_back("tool: not all of its shape above the flutes is specified");
         log.add("non-cutting-contact", move, std::move(s));
     }
 }

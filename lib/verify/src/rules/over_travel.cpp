@@ -15,11 +15,11 @@ namespace ncsim::verify {
 std::optional<std::string> needs_travel(const Setup& setup) {
     const auto& travel = setup.machine.travel;
     if (std::ranges::none_of(travel, [](const auto& t) { return t.has_value(); })) {
-        return "no travels are told (machine.toml, [travel])";
+        return "no travels are specified (machine.toml, [travel])";
     }
     if (!setup.machine.work_zero) {
-        return "where the work zero (G54) lies in the machine is not told; only the length of the "
-               "way was compared with the travels";
+        return "the position of the work zero (G54) in the machine is not specified; only the "
+               "length of the path was compared with the travels";
     }
     return std::nullopt;
 }
@@ -100,7 +100,7 @@ std::optional<std::string> needs_rotary_travel(const Setup& setup) {
             letters.append(letters.empty() ? "" : ", ").append(1, "ABC"[i]);
     }
     if (letters.empty()) return std::nullopt;
-    return fmt::format("no travel of {} is told (machine.toml, [travel])", letters);
+    return fmt::format("no travel of {} is specified (machine.toml, [travel])", letters);
 }
 
 void judge_rotary_over_travel(const Setup& setup, const Move& move, FindingLog& log) {

@@ -52,10 +52,10 @@ std::string kinematics_guess(const Setup& setup, const Move& move) {
     };
     const bool has_length = move.length_register != gcode::kNoLength && move.length_told;
     if (!of_tip && setup.kinematics && setup.kinematics->chain.has_head() && !has_length) {
-        add(
-            fmt::format("the head turns a tool of {:g} mm, a length that nobody told (G43, tool "
-                        "table)",
-                        motion.length.mm()));
+        add(fmt::format(
+            "the head turns a tool of {:g} mm, a length that is not specified (G43, tool "
+            "table)",
+            motion.length.mm()));
     }
     if (of_tip && setup.rapid.dog_leg && motion.kind == gcode::MoveKind::Rapid)
         add("under tip control rapid moves are straight");

@@ -19,7 +19,7 @@ std::optional<std::string> needs_limit(const Setup& setup, std::optional<double>
                             [limit](const auto& t) { return (t.second.*limit).has_value(); })) {
         return std::nullopt;
     }
-    return fmt::format("no tool tells a limit of its {}", what);
+    return fmt::format("no tool has a limit of its {}", what);
 }
 
 Sighting over(const Setup& setup, const Move& move, std::string message, Quantity quantity) {

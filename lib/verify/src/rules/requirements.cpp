@@ -18,7 +18,7 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
                 without += fmt::format("{}T{}", without.empty() ? "" : ", ", number);
         }
         if (without.empty()) return std::nullopt;
-        return "holder: not told of " + without;
+        return "holder: not specified for " + without;
     }
     if (requirement == "lengths") {
         std::string without;
@@ -38,21 +38,21 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
     if (requirement == "fixtures") {
         const bool told = setup.machine.fixtures_told || !setup.machine.fixtures.empty();
         if (told) return std::nullopt;
-        return "fixtures: not told; fixture = [] says that there are none";
+        return "fixtures: not specified; fixture = [] says that there are none";
     }
     if (requirement == "travels") {
         const bool all =
             std::ranges::all_of(setup.machine.travel, [](const auto& t) { return t.has_value(); });
         if (all && setup.machine.work_zero) return std::nullopt;
-        return all ? "travels: where the workpiece lies in the machine is not told"
-                   : "travels: not told of every axis";
+        return all ? "travels: the position of the workpiece in the machine is not specified"
+                   : "travels: not specified for every axis";
     }
     if (requirement == "links") {
         if (auto missing = needs_links(setup)) return "links: " + *missing;
         return std::nullopt;
     }
     if (setup.machine.work_zero) return std::nullopt;
-    return "offsets: where the workpiece lies in the machine is not told";
+    return "offsets: the position of the workpiece in the machine is not specified";
 }
 
 bool needs_part(const Setup& setup) {

@@ -82,7 +82,7 @@ void judge_spindle_reversed(const Setup& setup, const Move& move, FindingLog& lo
                              left ? "left-handed tool cuts with the spindle clockwise (M3)"
                                   : "right-handed tool cuts with the spindle counter-clockwise "
                                     "(M4)");
-    if (!left) s.assumptions.emplace_back("tool: right-handed, unless a job tells otherwise");
+    if (!left) s.assumptions.emplace_back("tool: right-handed, unless a job specifies otherwise");
     log.add("spindle-reversed", move, std::move(s));
 }
 
@@ -91,7 +91,7 @@ std::optional<std::string> needs_speed_limit(const Setup& setup) {
         any_tool_tells(setup, &ToolFacts::max_rpm)) {
         return std::nullopt;
     }
-    return "neither the machine nor a tool tells a limit of the spindle speed";
+    return "neither the machine nor a tool has a limit of the spindle speed";
 }
 
 void judge_spindle_limit(const Setup& setup, const Move& move, FindingLog& log) {
@@ -120,7 +120,7 @@ void judge_spindle_limit(const Setup& setup, const Move& move, FindingLog& log) 
 
 std::optional<std::string> needs_feed_limit(const Setup& setup) {
     if (setup.machine.max_feed || any_tool_tells(setup, &ToolFacts::max_feed)) return std::nullopt;
-    return "neither the machine nor a tool tells a limit of the feed";
+    return "neither the machine nor a tool has a limit of the feed";
 }
 
 void judge_feed_limit(const Setup& setup, const Move& move, FindingLog& log) {

@@ -9,10 +9,9 @@ namespace ncsim::verify {
 void judge_start_unknown(const Setup&, const Move& move, FindingLog& log) {
     if (!move.is_move || move.passes_above || toolpath::has_known_start(*move.motion)) return;
     const bool rapid = move.motion->kind == gcode::MoveKind::Rapid;
-    Sighting s{rapid ? "this rapid move starts at a place that the program does not tell; it was "
-                       "not verified"
-                     : "this feed move starts at a place that the program does not tell; it leaves "
-                       "no trace and was not verified"};
+    Sighting s{rapid ? "this rapid move starts at an unknown position; it was not verified"
+                     : "this feed move starts at an unknown position; it cuts nothing and was not "
+                       "verified"};
     // Every program begins somewhere: only cutting from there is worth a warning.
     s.is_note = rapid;
     log.add("start-unknown", move, std::move(s));

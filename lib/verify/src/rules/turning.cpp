@@ -50,7 +50,8 @@ void judge_singular_pose(const Setup& setup, const Move& move, FindingLog& log) 
 
 std::optional<std::string> needs_path_deviation(const Setup& setup) {
     if (!setup.kinematics || setup.machine.path_deviation) return std::nullopt;
-    return "nobody tells how far the tip may leave its line (machine.toml, path_deviation)";
+    return "the allowed deviation of the tip from its line is not specified (machine.toml, "
+           "path_deviation)";
 }
 
 // Every quarter of a degree: between them it is out by 2.4 um a metre from the axis.

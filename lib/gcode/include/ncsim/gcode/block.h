@@ -71,6 +71,7 @@ struct Control {
     /// The condition, or the arguments of a call: "[1][2]". Empty if there is none.
     std::string_view expression;
     SourceSpan span;
+    SourceSpan rest;  ///< What is behind it, where the language does not read it; length 0: none.
 };
 
 enum class BlockKind : std::uint8_t {

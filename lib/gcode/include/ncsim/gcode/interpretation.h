@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -191,6 +192,8 @@ struct Interpretation {
     /// The first move before G90 and G91, unless the control starts with G90 or the values of the
     /// program make sense only with one of them.
     std::optional<ProgramPlace> distance_guess;
+    /// Of InterpreterOptions::compensation, those that no G41 and no G42 reads.
+    std::set<int> unread_registers;
     /// Modes that the program does not set before its first move, with the codes that set them:
     /// "units (G20, G21)". In them the program goes on from the one before.
     std::vector<std::string> inherited_modes;

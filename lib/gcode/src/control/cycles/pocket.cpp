@@ -51,7 +51,8 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     const double passes = command.get('L', 1.0);
     if (first <= 0.0) return needs("a radius (I) above 0");
     if (last < first) return needs("a finished radius (K) that is not below the first (I)");
-    if (command.has('Q') && !command.has('K')) return needs("a finished radius (K) beside Q");
+    if (command.has('Q') && !command.has('K'))
+        return needs("a finished radius (K) together with Q");
     if (last > first && step <= 0.0) return needs("an increment of the radius (Q) above 0");
     if (passes < 1.0 || passes != std::round(passes)) {
         return needs("a number of passes (L), whole, 1 or more");

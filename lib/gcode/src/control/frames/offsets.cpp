@@ -562,6 +562,7 @@ bool Machine::set_tool_length(const Command& command) {
 double Machine::radius_of_register(const Command& command, SourceSpan span) {
     int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
     if (d == 0 && rules_.is_linuxcnc()) d = state_.tool;
+    unread_registers_.erase(d);
     const auto entry = std::ranges::find(control_.store->tools, d, &ToolTableEntry::number);
     if (entry != control_.store->tools.end() && entry->diameter) {
         return entry->diameter->mm() / 2.0 / state_.unit_mm();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "control/paths/distance_evidence.h"
 
+#include "ncsim/trig/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,7 @@ void DistanceEvidence::take(const Command& command, const MachineState& state,
     if (!names_axis || command.group(Group::OneShot) == Code::G53) return;
     if (!first) first = place;
     if (is_cycle(state.motion)) return;
+    if (state.motion == Code::G2 || state.motion == Code::G3) take_arc(command, state);
     ++moves;
     bool rest = true;
     for (std::size_t i = 0; i < kLetters.size(); ++i) {
@@ -25,7 +28,37 @@ void DistanceEvidence::take(const Command& command, const MachineState& state,
     if (rest) ++rests;
 }
 
+void DistanceEvidence::take_arc(const Command& command, const MachineState& state) {
+    const PlaneAxes axes = axes_of(state.plane);
+    if (state.absolute_centres || state.programmed.rotated || state.programmed.scaled) return;
+    const std::array in_plane{axes.first, axes.second};
+    std::array<double, 2> place{}, step{}, centre{};  // relative to the start of the arc
+    for (std::size_t i = 0; i < in_plane.size(); ++i) {
+        const std::size_t axis = in_plane[i];
+        if (axis > kZ) return;  // of U, V, W
+        if (command.has("XYZ"[axis])) {
+            step[i] = command["XYZ"[axis]];
+            place[i] = step[i] - state.position[axis];
+        }
+        centre[i] = command.get("IJK"[axis], 0.0);
+    }
+    const double radius = trig::length_of(centre[0], centre[1]);
+    const bool by_radius = command.has('R') && radius == 0.0;
+    // By how much of its radius the end is off the circle, or the chord longer than the diameter.
+    const auto misfit = [&](const std::array<double, 2>& end) {
+        if (by_radius)
+            return trig::length_of(end[0], end[1]) / (2.0 * std::abs(command['R'])) - 1.0;
+        return std::abs(trig::length_of(end[0] - centre[0], end[1] - centre[1]) / radius - 1.0);
+    };
+    constexpr double kFits = 0.002, kMisses = 0.05;
+    const double of_place = misfit(place), of_step = misfit(step);
+    if (of_place < kFits && of_step > kMisses) ++arcs_of_places;
+    if (of_step < kFits && of_place > kMisses) ++arcs_of_steps;
+}
+
 bool DistanceEvidence::are_places() const {
+    if (arcs_of_steps > 0) return false;
+    if (arcs_of_places > 0) return true;
     // A closed contour of steps ends where it began; steps of one direction are repeated values,
     // which are rests if they are places.
     constexpr double kFar = 4.0;

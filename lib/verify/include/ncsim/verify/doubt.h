@@ -17,8 +17,8 @@ namespace ncsim::verify {
 /// What people are told about a reason. The texts are static; ids are stable and kebab-case.
 struct ReasonInfo {
     std::string_view id;
-    std::string_view why;   ///< One sentence.
-    std::string_view tell;  ///< How to settle it.
+    std::string_view why;  ///< One sentence.
+    std::string_view fix;  ///< What to specify or to change, as an imperative.
 };
 
 /// All reasons; the order never depends on anything.
