@@ -3,7 +3,7 @@
 
 namespace ncsim::cda {
 
-/// An extension of the compilers; what it lacks stands in src/wide.h.
+/// A compiler extension; missing operations are in src/exact/wide.h.
 __extension__ using Int128 = __int128;
 
 }  // namespace ncsim::cda
