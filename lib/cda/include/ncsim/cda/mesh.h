@@ -26,7 +26,7 @@ struct TriangleMesh {
 /// where
 /// edges of a face cross by rounding, and at the middle of diagonals that would otherwise occur
 /// twice.
-/// `threads`: 0 means one per core; the mesh does not depend on the number.
+/// `threads`: 0 means one per hardware thread; the mesh does not depend on the number.
 /// Cost: expected O(n log n) per face.
 TriangleMesh triangulate(const Boundary& boundary, std::size_t threads = 1);
 

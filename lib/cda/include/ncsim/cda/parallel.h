@@ -37,7 +37,7 @@ private:
     std::unique_ptr<Shared> shared_;
 };
 
-/// Calls work(i) once for each i below `tasks`, in any order. `threads`: 0 means one per core.
+/// Calls work(i) once for each i below `tasks`, in any order. `threads`: 0 means one per hardware thread.
 /// Throws: the exception of a task, after all threads are done; no task begins after an exception.
 void in_parallel(std::size_t threads, std::size_t tasks,
                  const std::function<void(std::size_t)>& work);

@@ -7,7 +7,7 @@
 //
 // Most predicates have two forms: a filter in doubles, which may be undecided, and an integer form,
 // which always decides. The predicate calls the filter first and the integer form if the filter is
-// undecided. docs/cda.md, "How often doubles cannot tell", has figures.
+// undecided. docs/cda.md states how often the filter is undecided.
 //
 // Bits, for normals with N = kNormalBits and coordinates with B = kCoordinateBits:
 //
