@@ -44,19 +44,15 @@ struct Cell {
     Origin origin = kStockOrigin;
     /// Decides which cell owns a wall where several cells have facets in one plane: the cell with
     /// the lowest rank, then with the earliest origin, then with the lowest number. Any ranks give
-    /// the
-    /// same part. The fewest cells are kept if cells that reach farther have lower ranks.
+    /// the same part. The fewest cells are kept if cells that reach farther have lower ranks.
     std::int32_t rank = kFirstRank;
     static constexpr std::int32_t kFirstRank = std::numeric_limits<std::int32_t>::min();
     /// Normals of the first planes, in the order of the planes; null if the cell shares normals
-    /// with
-    /// no other cell. Code that changes `planes` must reset this pointer.
+    /// with no other cell. Code that changes `planes` must reset this pointer.
     std::shared_ptr<const FacetNormals> normals;
     /// Steps of a body that moved along a straight line, for the account of removed volume. The
-    /// first
-    /// planes of the cell are the body's; the remaining planes are parallel to the way. Null: the
-    /// whole
-    /// removed volume belongs to `origin`.
+    /// first planes of the cell are the body's; the remaining planes are parallel to the way. Null:
+    /// the whole removed volume belongs to `origin`.
     std::shared_ptr<const StraightSteps> steps = nullptr;
 };
 

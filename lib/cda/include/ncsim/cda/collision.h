@@ -2,8 +2,7 @@
 //
 // Collision of a body with the material. A body collides if the body meets the stock and is not
 // within the removed space, whether or not the body meets removed space as well. Source: thesis
-// 5.2,
-// corrected.
+// 5.2, corrected.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -20,12 +19,9 @@ namespace ncsim::cda {
 std::optional<Vec3> collision(const FlatCda& part, const Cell& body);
 
 /// The same for a body of any shape, given by a closed, oriented surface. Corners are rounded to
-/// the
-/// lattice. The convex hull of the body is tested first. If the hull meets material, two tests
-/// decide:
-/// the surface passes through that piece of material, or a ray from the piece shows that the piece
-/// lies
-/// inside the body.
+/// the lattice. The convex hull of the body is tested first. If the hull meets material, two tests
+/// decide: the surface passes through that piece of material, or a ray from the piece shows that
+/// the piece lies inside the body.
 /// Returns: a point (mm) in the material and in the body or on the body's surface.
 std::optional<Vec3> collision(const FlatCda& part, const TriangleMesh& body);
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// A union-find structure.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,7 @@
 //
 // The flat Convex Difference Aggregate of the thesis: C = P \ (N1 ∪ … ∪ Nn). It has one positive
 // cell (the stock), negative cells (removed volume), and zero cells (overlaps of two negative
-// cells)
-// that mask hidden parts of facets.
+// cells) that mask hidden parts of facets.
 // Source: Schüppel, Using Boolean Operations to Simulate CNC-Milling, 2001, chapters 3 to 5, with
 // errors corrected as listed in docs/cda.md.
 //
@@ -41,8 +40,7 @@ struct FacetRef {
 };
 
 /// Bindings of a facet (thesis 3.1): `up` is the facet in which this facet is a hole, `down` are
-/// the
-/// facets that are holes in this facet. All lie in one plane.
+/// the facets that are holes in this facet. All lie in one plane.
 struct FacetBinding {
     std::optional<FacetRef> up;
     std::vector<FacetRef> down;

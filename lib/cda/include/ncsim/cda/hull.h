@@ -18,9 +18,8 @@ namespace ncsim::cda {
 
 /// Side of the true hull on which the quantised hull errs. A normal has kNormalBits, so a facet may
 /// turn by 2^-24 (6 nm over 100 mm). Outward: the result contains the hull. Inward: the hull
-/// contains
-/// the result. Facets whose normals fit kNormalBits (axis-parallel facets and most facets that NC
-/// programs make) are exact in both cases.
+/// contains the result. Facets whose normals fit kNormalBits (axis-parallel facets and most facets
+/// that NC programs make) are exact in both cases.
 enum class Rounding : std::uint8_t { Outward, Inward };
 
 /// Returns the convex hull of `points` by Quickhull in integers, or by qhull if the integer
@@ -47,17 +46,14 @@ std::optional<Plane> plane_above(const std::array<LatticePoint, 3>& triangle,
 class TranslationSweep {
 public:
     /// Returns the sweep of the hull of `points`, in the frame of the body; empty if the points lie
-    /// in
-    /// a plane.
+    /// in a plane.
     static std::optional<TranslationSweep> of(std::span<const LatticePoint> points,
                                               const Lattice& lattice,
                                               Rounding rounding = Rounding::Outward);
 
     /// Returns the convex hull of the body at `from` and at `to` (which may be equal). The error is
-    /// on
-    /// the side given by `rounding`, at most 2^-kNormalBits times the extent of the hull; exact
-    /// where the
-    /// side normals fit kNormalBits.
+    /// on the side given by `rounding`, at most 2^-kNormalBits times the extent of the hull; exact
+    /// where the side normals fit kNormalBits.
     /// Cost: O(edges of the body · vertices of the body); allocates only the result.
     Cell operator()(LatticePoint from, LatticePoint to, Origin origin) const;
     /// Returns the bounds (mm) of the hull that operator() returns, without the hull.
@@ -65,15 +61,11 @@ public:
 
     /// Returns a cell that an upright body certainly removes on a closed path around a centre that
     /// the body always covers, so no core remains. The cell is the convex hull of the path's
-    /// corners,
-    /// from the highest position of the body's lower end to the lowest position of the upper end.
-    /// The
-    /// hulls of the steps contain the cell. `turn`: corners of the path at any height, the first
-    /// corner
-    /// repeated at the end. Exact.
+    /// corners, from the highest position of the body's lower end to the lowest position of the
+    /// upper end. The hulls of the steps contain the cell. `turn`: corners of the path at any
+    /// height, the first corner repeated at the end. Exact.
     /// Returns: empty if the path is not convex, if a core may remain, or if the body has facets
-    /// that
-    /// are neither upright nor level.
+    /// that are neither upright nor level.
     /// Cost: O(corners of the body · corners of the path).
     std::optional<Cell> around(std::span<const LatticePoint> turn, Origin origin) const;
 

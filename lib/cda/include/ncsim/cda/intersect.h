@@ -3,8 +3,7 @@
 // Intersection of two convex polytopes as in the thesis (chapter 4): the union of the halfspaces, a
 // linear program for an interior point, the polar dual about this point, Quickhull, and the dual of
 // the result. Each corner of the result is then checked exactly. If doubles were not sufficient,
-// the
-// polytope is cut plane by plane in integers instead.
+// the polytope is cut plane by plane in integers instead.
 #pragma once
 
 #include "ncsim/cda/polytope.h"

@@ -25,9 +25,8 @@ struct LatticePoint {
 };
 
 /// Bits of a stock coordinate (without sign) and of a component of a plane's normal. A vertex is
-/// the
-/// intersection of three planes, so the two numbers bound every integer in predicates.h, where a
-/// static_assert adds the bits up.
+/// the intersection of three planes, so the two numbers bound every integer in predicates.h, where
+/// a static_assert adds the bits up.
 inline constexpr int kCoordinateBits = 25;
 inline constexpr int kNormalBits = 24;
 
@@ -50,8 +49,7 @@ struct Lattice {
     LatticePoint round(Vec3 p_mm) const;
     Vec3 to_mm(LatticePoint p) const;
     /// Converts points between lattice points as well. If a unit is at most 1 mm, divides by the
-    /// number
-    /// of units per millimetre, an integer, so that whole millimetres stay whole.
+    /// number of units per millimetre, an integer, so that whole millimetres stay whole.
     Vec3 to_mm(Vec3 p_units) const;
     double cubic_unit_mm3() const { return unit_mm * unit_mm * unit_mm; }
 };

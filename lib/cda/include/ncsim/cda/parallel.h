@@ -37,15 +37,15 @@ private:
     std::unique_ptr<Shared> shared_;
 };
 
-/// Calls work(i) once for each i below `tasks`, in any order. `threads`: 0 means one per hardware thread.
+/// Calls work(i) once for each i below `tasks`, in any order. `threads`: 0 means one per hardware
+/// thread.
 /// Throws: the exception of a task, after all threads are done; no task begins after an exception.
 void in_parallel(std::size_t threads, std::size_t tasks,
                  const std::function<void(std::size_t)>& work);
 
 /// Calls take(i, make(i)) for each i below `tasks`. All threads call make(). take() is called in
 /// order and by one thread at a time: by any thread that finds the next result ready. So few
-/// results
-/// are stored at a time.
+/// results are stored at a time.
 template <class Make, class Take>
 void make_in_parallel(std::size_t threads, std::size_t tasks, const Make& make, const Take& take) {
     using Made = decltype(make(std::size_t{}));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Oriented planes with integer coefficients, the input of the kernel. A cell is a set of
-// halfspaces,
-// and a vertex is the intersection of three planes; no other geometry is stored.
+// halfspaces, and a vertex is the intersection of three planes; no other geometry is stored.
 #pragma once
 
 #include "ncsim/cda/lattice.h"

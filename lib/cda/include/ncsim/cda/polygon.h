@@ -14,8 +14,7 @@
 namespace ncsim::cda {
 
 /// A convex polygon with area. The corners are counter-clockwise seen from above `plane`. edges[i]
-/// is
-/// the plane that bounds the polygon along corners[i] → corners[i+1]; the polygon lies below
+/// is the plane that bounds the polygon along corners[i] → corners[i+1]; the polygon lies below
 /// edges[i].
 struct ConvexPolygon {
     Plane plane;
@@ -40,15 +39,13 @@ enum class Overlap : std::uint8_t {
 };
 
 /// Decides how `polygon` lies to the cuts. If Undecided, `crossing` receives the cuts that have
-/// parts
-/// of the polygon on both sides.
+/// parts of the polygon on both sides.
 /// Cost: O(cuts · corners).
 Overlap overlap(const ConvexPolygon& polygon, std::span<const Plane> cuts,
                 std::vector<Plane>& crossing);
 
 /// Appends polygon \ {points below all of `cuts`} to `rest`, as convex polygons without common
-/// inner
-/// points. A polygon that loses no area is appended whole.
+/// inner points. A polygon that loses no area is appended whole.
 /// Cost: O(cuts · corners).
 void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
               std::vector<ConvexPolygon>& rest);

@@ -47,8 +47,7 @@ public:
     std::optional<ConvexPolytope> clip(const std::vector<Plane>& planes) const;
 
     /// Returns the volume in cubic lattice units. The relative error is a few 2^-53 times the
-    /// number of
-    /// facets.
+    /// number of facets.
     double volume() const;
 
     /// True if every corner is below or on every facet's plane and exactly on the planes of the

@@ -59,8 +59,7 @@ struct ExactPoint {
 ///  (2) empty if and only if turn(p, q, r) is 0
 ///
 /// Not true: that equal points have equal numbers. Other planes through the same point give a
-/// multiple
-/// of the numbers, and `approx` may differ in the last bits: see reduced().
+/// multiple of the numbers, and `approx` may differ in the last bits: see reduced().
 std::optional<ExactPoint> meet(const Plane& p, const Plane& q, const Plane& r);
 
 /// The same without `approx`, which costs a third of meet().
@@ -98,8 +97,7 @@ int compare_coordinate_exact(const ExactPoint& a, const ExactPoint& b, int axis)
 /// Not true: that points whose `approx` lies on a plane are On the plane, or the converse.
 ///
 /// Requires: a plane that meets the range of the lattice (|d| < 2^52). For other planes classify
-/// the
-/// box, see polytope.h.
+/// the box, see polytope.h.
 Side classify(const ExactPoint& p, const Plane& plane);
 
 /// Decides from doubles alone: never On; empty if undecided.
@@ -110,8 +108,7 @@ Side classify_exact(const ExactPoint& p, const Plane& plane);
 
 /// Returns classify() of the meeting point of p, q and r, which is known to lie within `most` of
 /// `plane`, in units of the plane's normal: |n·x − d| <= `most`. A small `most` makes the
-/// determinant
-/// small, mostly below 2^63, so that 64 bits decide.
+/// determinant small, mostly below 2^63, so that 64 bits decide.
 /// Requires: p, q and r meet in one point.
 ///
 ///  (1) classify_near(p, q, r, h, most) == classify_exact(*meet(p, q, r), h), for each true `most`
@@ -149,15 +146,13 @@ constexpr bool same_direction(const Plane& a, const Plane& b) {
 }
 
 /// Returns, for parallel planes with the same orientation, the sign of the distance of `b` minus
-/// the
-/// distance of `a`.
+/// the distance of `a`.
 ///
 ///  (1) compare_distances(a, b) == −compare_distances(b, a); 0 if and only if a == b
 ///  (2) a < b and b < c: a < c
 ///
 /// Not true of planes with opposite orientation, see distance_beyond(); nor that the result is the
-/// sign
-/// of b.d − a.d: normals of parallel planes may differ in length, as in 2x <= 3 and x <= 1.
+/// sign of b.d − a.d: normals of parallel planes may differ in length, as in 2x <= 3 and x <= 1.
 int compare_distances(const Plane& a, const Plane& b);
 
 /// Compares a facet with a parallel plane, whose orientation is the facet's (`same`) or opposite:

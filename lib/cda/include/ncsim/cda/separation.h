@@ -21,8 +21,7 @@ struct Nearness {
     /// Proven: a slab of the requested width lies between the bodies.
     bool is_apart = false;
     /// Upper bound of the distance: the distance of two points, one per body. Unless `is_apart`,
-    /// this
-    /// is the distance of the bodies up to rounding of doubles; 0 if the bodies meet.
+    /// this is the distance of the bodies up to rounding of doubles; 0 if the bodies meet.
     double distance = 0.0;
     Vec3
         way;  ///< Vector of any length from the first body to the second; a hint for the next call.
@@ -33,15 +32,13 @@ struct Nearness {
 /// Requires: coordinates up to 2^36 units; `width` is not negative.
 /// Cost: a few passes over all points.
 /// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between
-/// complex
-/// objects in three-dimensional space", IEEE Journal of Robotics and Automation 4, 1988.
+/// complex objects in three-dimensional space", IEEE Journal of Robotics and Automation 4, 1988.
 Nearness nearness(std::span<const LatticePoint> a, std::span<const LatticePoint> b,
                   std::int64_t width, Vec3 hint = {});
 
 /// Returns a point (in units) that is exactly strictly inside both hulls and at least `margin`
-/// units
-/// inside of their facets; empty if no such point exists, or if the space for one is below the
-/// resolution of 24-bit normals.
+/// units inside of their facets; empty if no such point exists, or if the space for one is below
+/// the resolution of 24-bit normals.
 /// Requires: each hull extends over less than 2^24 units per axis.
 std::optional<Vec3> common_point(std::span<const LatticePoint> a, std::span<const LatticePoint> b,
                                  std::int64_t margin);
@@ -55,8 +52,7 @@ Directions directions_of(const ConvexPolytope& body);
 
 /// Returns the length of the shortest translation after which two convex bodies touch at most: the
 /// minimum over all facets of the Minkowski difference. In doubles, in the unit of the corners; 0
-/// if
-/// the bodies do not meet.
+/// if the bodies do not meet.
 /// Cost: O(edges of a · edges of b · corners).
 /// Source: Gottschalk, "Separating axis theorem", TR96-024, University of North Carolina, 1996.
 double depth(std::span<const Vec3> a, const Directions& of_a, std::span<const Vec3> b,

@@ -34,10 +34,9 @@ struct Shape {
 };
 
 /// Returns the inside of a closed surface. Corners are rounded to the lattice. Triangles that lie
-/// in a
-/// plane within two units share the plane, quantised outwards as for hulls. So the shape differs
-/// from
-/// the inside by at most two units, 20 nm on the finest lattice. A convex surface becomes one cell.
+/// in a plane within two units share the plane, quantised outwards as for hulls. So the shape
+/// differs from the inside by at most two units, 20 nm on the finest lattice. A convex surface
+/// becomes one cell.
 /// Requires: a mesh that check() finds closed, oriented outwards, within the range of the lattice.
 /// Throws: std::invalid_argument if the surface encloses no volume, crosses itself, or consists of
 /// bodies that overlap.
@@ -47,13 +46,10 @@ struct Shape {
 Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice);
 
 /// Divides the inside of a closed surface, as in shape_of(), into convex pieces. The pieces fill
-/// the
-/// inside without gap or overlap, up to two units at the surface. A convex surface is one piece.
-/// Bodies
-/// may overlap, and then pieces overlap as well. Otherwise requires and throws the same as
-/// shape_of().
-/// The number of pieces is at most the number of cells into which the planes of the surface divide
-/// space; in parts with few curves, far below the number of triangles.
+/// the inside without gap or overlap, up to two units at the surface. A convex surface is one
+/// piece. Bodies may overlap, and then pieces overlap as well. Otherwise requires and throws the
+/// same as shape_of(). The number of pieces is at most the number of cells into which the planes of
+/// the surface divide space; in parts with few curves, far below the number of triangles.
 std::vector<ConvexPolytope> convex_pieces(const TriangleMesh& mesh, const Lattice& lattice);
 
 /// Creates a workpiece of the prototype's model with this shape.
@@ -71,8 +67,7 @@ struct Placement {
 };
 
 /// Returns the placed shape, exactly. Throws: std::invalid_argument if the result leaves the range
-/// of
-/// the lattice.
+/// of the lattice.
 Shape placed(const Shape& shape, const Placement& placement);
 
 /// Writes a shape as text, cell by cell in the order of carve() calls:
@@ -103,8 +98,7 @@ private:
 /// Reads a file written by ShapeWriter, also version 1 of the format, which did not record
 /// assumptions; Shape::assumed then states this.
 /// Throws: std::runtime_error, "LINE: why", for numbers out of range, unbounded cells, truncated
-/// files,
-/// and all other text.
+/// files, and all other text.
 Shape read_shape(std::istream& in);
 
 }  // namespace ncsim::cda
