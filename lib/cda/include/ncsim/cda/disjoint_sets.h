@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A union-find structure.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The 128-bit integer type of the kernel.
 #pragma once
 
 namespace ncsim::cda {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Hash mixing and a random generator that give the same numbers on every machine.
 #pragma once
 
 #include <cstdint>

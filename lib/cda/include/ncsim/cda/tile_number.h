@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers of tiles and limits on tiles.
 #pragma once
 
 #include <cstdint>

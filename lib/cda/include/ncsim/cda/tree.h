@@ -54,18 +54,15 @@ struct TreeParameters {
     /// seams. The value may change the last bits of summed volumes.
     int halvings = 6;
     /// Restricts the tree to the blocks of a tile. Volumes are then shares of the part's, the
-    /// result
-    /// is written by write_tile(), and no other query is valid.
+    /// result is written by write_tile(), and no other query is valid.
     std::optional<TileNumber> tile = std::nullopt;
 };
 
 /// Workpiece model with a tree of cells. Subtracted cells may wait until a query concerns their
 /// place, because many cells at a time are cheaper, and cells covered by a later cell are skipped.
 /// Background threads insert waiting cells while more cells arrive. So a query changes the tree,
-/// though
-/// not the part; queries of one part exclude each other. Several threads may query and copy a part
-/// that
-/// no thread cuts.
+/// though not the part; queries of one part exclude each other. Several threads may query and copy
+/// a part that no thread cuts.
 class TreeCda final : public WorkpieceModel {
 public:
     static constexpr std::string_view kName = kTiledModel;
@@ -83,8 +80,7 @@ public:
     std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                            const Lattice& lattice) const override;
     /// Cost: expected O(surface of the cell), independent of previous cuts, plus the evaluation of
-    /// the
-    /// volume within the cell.
+    /// the volume within the cell.
     double subtract(const Cell& cell) override;
     using WorkpieceModel::subtract_unmeasured;
     /// The same without the volume. Threads share the insertion of many cells.

@@ -22,8 +22,7 @@ Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle);
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b);
 
 /// Returns the distance of a point and a triangle including border, mm. Triangles without area
-/// count
-/// as segments.
+/// count as segments.
 double distance(Vec3 p, const Corners& triangle);
 
 class TriangleTree {
@@ -46,8 +45,7 @@ public:
     bool contains(Vec3 p) const;
 
     /// Calls `take` for every triangle in a box that `wants` accepts, in an order that depends only
-    /// on
-    /// the mesh.
+    /// on the mesh.
     template <class Wants, class Take>
     void visit(const Wants& wants, const Take& take) const {
         if (nodes_.empty()) return;

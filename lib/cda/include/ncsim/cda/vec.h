@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Vectors and boxes of doubles. In lib/cda a double is a length in millimetres in the workpiece
-// frame,
-// right-handed, unless the name states otherwise.
+// frame, right-handed, unless the name states otherwise.
 #pragma once
 
 #include <algorithm>

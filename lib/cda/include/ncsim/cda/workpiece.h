@@ -25,8 +25,7 @@
 namespace ncsim::cda {
 
 /// A facet to be drawn and the regions to be left out: convex polygons in the facet's plane,
-/// corners
-/// counter-clockwise seen from outside the material, in mm.
+/// corners counter-clockwise seen from outside the material, in mm.
 struct MaskedFacet {
     Vec3 normal;  ///< Unit vector out of the material.
     Origin origin = kStockOrigin;
@@ -67,19 +66,17 @@ struct Aliasing {
 /// Thrown if a model does not support a query; models.h lists the abilities of each model.
 class CannotAnswer : public std::logic_error {
 public:
-    /// Message: "the model cda-flat does not tell `what`".
+    /// Builds the message from the name of the model and the missing answer.
     CannotAnswer(std::string_view model, std::string_view what)
         : std::logic_error("the model " + std::string(model) + " does not tell " +
                            std::string(what)) {}
 };
 
 /// A workpiece being machined. The only abstract class of the data flow: the user selects the model
-/// by
-/// name (models.h). A prototype: `create` makes a new workpiece of the same model.
+/// by name (models.h). A prototype: `create` makes a new workpiece of the same model.
 ///
 /// Callers do not depend on the dynamic type. Queries that not every model supports throw
-/// CannotAnswer
-/// by default.
+/// CannotAnswer by default.
 class WorkpieceModel {
 public:
     virtual ~WorkpieceModel() = default;
@@ -89,14 +86,13 @@ public:
     virtual const Lattice& lattice() const = 0;
 
     /// Returns a new, uncut workpiece of this model. Throws: std::invalid_argument if `stock` has
-    /// no
-    /// volume.
+    /// no volume.
     virtual std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                                    const Lattice& lattice) const = 0;
     /// Removes `cell` and returns the removed volume of the part in mm³; exactly 0 if the part lost
     /// none. Flat cells, and cells that only touch the part, change nothing. For a tile the result
-    /// is
-    /// the tile's summand of the volume and may be negative; the sum over all tiles is the volume.
+    /// is the tile's summand of the volume and may be negative; the sum over all tiles is the
+    /// volume.
     virtual double subtract(const Cell& cell) = 0;
     /// The same without the volume; many cells at a time are removed faster.
     virtual void subtract_unmeasured(std::span<const Cell> cells) {
@@ -105,8 +101,7 @@ public:
     }
     void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
     /// True if the model subtracts round tools directly. Callers then pass sweeps for upright tools
-    /// on
-    /// straight motions, and cells otherwise.
+    /// on straight motions, and cells otherwise.
     virtual bool takes_sweeps() const { return false; }
     virtual void subtract_sweep(const RoundSweep&) {
         throw CannotAnswer(name(), "what a round tool takes away");
@@ -129,8 +124,7 @@ public:
     /// Returns the surface of the part.
     virtual Boundary boundary() const = 0;
     /// True if the point is in the part or on the surface. Exact for the point rounded to 2^-16 of
-    /// a
-    /// lattice unit.
+    /// a lattice unit.
     virtual bool contains(Vec3 point) const = 0;
 
     // Queries of models that support verification.
@@ -141,8 +135,7 @@ public:
         throw CannotAnswer(name(), "where a body meets the part");
     }
     /// Returns the common volume (mm³) of the cell and the part; exactly 0 if the two touch at
-    /// most.
-    /// For a tile: a summand, as in subtract().
+    /// most. For a tile: a summand, as in subtract().
     virtual double common_volume(const Cell&) const {
         throw CannotAnswer(name(), "what a body has in common with the part");
     }
@@ -151,12 +144,9 @@ public:
 
     /// Removes the cells of one step of a tool near the stock: all cells near wanted(), and perhaps
     /// more. Waiting cells are inserted after a fixed number of steps, not cells, so that a tile
-    /// that
-    /// receives fewer cells produces bit-identical results.
-    /// `covering`: cells within the space removed by `cells`. If the model inserts `covering`, the
-    /// model
-    /// may drop cells that `covering` contains. `before`: the same, within the space removed by
-    /// previous steps.
+    /// that receives fewer cells produces bit-identical results. `covering`: cells within the space
+    /// removed by `cells`. If the model inserts `covering`, the model may drop cells that
+    /// `covering` contains. `before`: the same, within the space removed by previous steps.
     virtual void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {},
                                std::span<const Cell> before = {}) {
         subtract_unmeasured(before);
