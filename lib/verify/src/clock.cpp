@@ -50,7 +50,7 @@ std::optional<double> Clock::speed_of(const Move& move) const {
 
 void Clock::take(const Move& move, std::size_t row) {
     if (move.length_mm <= 0.0) {
-        // From an unknown start: the row has no time. The sums contain the remaining moves.
+        // If the start is unknown, the row has no time. The sums contain the remaining moves.
         if (!toolpath::has_known_start(*move.motion)) add(row, std::nullopt);
         return;
     }

@@ -53,7 +53,7 @@ public:
     /// error rests on reasons for doubt, it becomes a warning, and each reason a doubt.
     void add(Finding finding, std::vector<std::string_view> rests_on = {});
 
-    /// Moves everything into `verdict`, sorted by file, line, column and rule.
+    /// Moves everything into `verdict`, sorted by file, line and column.
     void finish(Verdict& verdict);
 
 private:

@@ -123,7 +123,7 @@ private:
     // Tools by number, gauge length, and factor of finer accuracy.
     std::map<std::tuple<int, double, double>, std::unique_ptr<const RigidBody>> tools_;
     bool misses_length_ = false;
-    // Parts of links beside the cutter of a tool; never iterated, because keys are pointers.
+    // Parts of links outside the cylinder of a cutter; never iterated, because keys are pointers.
     std::map<std::pair<const RigidBody*, int>, std::unique_ptr<const RigidBody>> beside_;
     // State of the current motion.
     std::vector<Leg> legs_;

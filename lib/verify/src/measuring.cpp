@@ -337,10 +337,9 @@ void Measuring::meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
 // Follows the core of the tool. A tool that does not cut at the centre leaves a button there until
 // it has moved aside by the radius of the core.
 //
-// Limits of the descent before that: on a ramp no steeper than permitted, no button is left. Twice
-// the height of the ramp over the radius is left where the ramp reverses, and twice that is
-// permitted. A steeper descent is permitted up to the height by which the ramp falls over the
-// radius.
+// Limits of the descent before that, with the slope s of the steepest permitted ramp and the radius
+// r of the core: a ramp of slope s leaves no button, but 2 s r where it reverses; 4 s r is
+// permitted. A steeper descent is permitted up to s r.
 void Measuring::follow_core(const Step& step,
                             const std::function<double(double fall, double allowed)>& on_material) {
     Watched& w = *now_;

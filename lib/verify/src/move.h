@@ -51,7 +51,7 @@ struct MachineContact {
 
 struct Move {
     const gcode::Motion* motion = nullptr;
-    std::uint64_t number = 0;  ///< From 1, in the order of execution.
+    std::uint64_t number = 0;  ///< Number from 1, in the order of execution.
     bool is_move = false;      ///< Otherwise a dwell or a tool change.
     bool is_traced = false;    ///< The tool and the start are known, so the motion was simulated.
     /// The motion meets no body, whatever its unknown start.

@@ -34,8 +34,8 @@ ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& la
 /// Returns a body with the surface `mesh`, within `deflection_mm`, divided by convex_pieces().
 /// Throws: as convex_pieces().
 RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm = 0.0);
-/// Returns the reason why the hull replaces a mesh; empty: it does not. `told`: the user requested
-/// the hull.
+/// Returns the reason why the hull replaces a mesh: a request of the user, or a large mesh; empty:
+/// it does not.
 std::string why_as_hull(const cda::TriangleMesh& mesh, bool told);
 /// Returns the convex hull of the corners as a body without inner pieces.
 RigidBody hull_of(const cda::TriangleMesh& mesh, double deflection_mm);

@@ -11,7 +11,7 @@
 
 namespace ncsim::verify {
 
-/// Returns all rules, sorted by category, always in the same order.
+/// Returns all rules, always in the same order.
 std::span<const RuleInfo> rules();
 
 /// Returns the rule with this id; null if there is none.

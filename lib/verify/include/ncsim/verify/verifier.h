@@ -26,7 +26,7 @@
 
 namespace ncsim::verify {
 
-/// Returns the parts of a tool that a walk must trace for a Verifier with this setup.
+/// Returns the places and parts of tools that a walk must follow for a Verifier with this setup.
 toolpath::Watch watch_of(const Setup& setup);
 
 class Verifier {
