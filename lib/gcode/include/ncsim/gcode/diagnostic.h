@@ -91,11 +91,8 @@ inline constexpr std::string_view kQuoteMark = "  | ";
 /// Returns `diagnostic` as text, with the quoted line and a caret, ending in a newline:
 ///
 ///     pocket.nc:3:5: error: G2 needs a centre (I J) or a radius (R) [arc-without-centre]
-///
 ///       | N30 G2 X10 Y0
-///
 ///       |     ^~
-///
 ///
 /// A file name that begins like a command ("::", "##") gets the prefix "./".
 std::string render(const Diagnostic& diagnostic, const SourceFile& file);

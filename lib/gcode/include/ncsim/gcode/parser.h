@@ -24,9 +24,7 @@ namespace ncsim::gcode {
 /// BlockKind::Unreadable. Memory does not grow with the program.
 ///
 ///     BlockReader reader(file);
-///
 ///     Block block;
-///
 ///     while (reader.next(block, log)) { … }
 class BlockReader {
 public:

@@ -20,7 +20,6 @@ void print(std::string& out, const Block& block);
 ///
 ///     L12 feed X10 Y0 Z-1 F300 T1
 ///
-///
 /// Default values are omitted: rotary axes at 0, a known start, feed per minute. Lengths are
 /// rounded to 1e-9 mm.
 void print(std::string& out, const Motion& motion);

@@ -6,9 +6,7 @@
 // active units, so the numbers stay exact until motions are made:
 //
 //     machine = rotate_z(rotation) * (plane * (position + offset_92) + outer_92) + work_offset +
-//
 //               tool_offset
-//
 //               + carried
 #pragma once
 
