@@ -141,7 +141,7 @@ std::optional<Ball> JointPath::tip(double t0, double t1) const {
 
 // Under tip control, with X, Y and Z in a row between L next to the part and R next to the tool,
 //
-//    L(t) · (x u + y v + z w + R(t) o) = p(t)   so   x u + y v + z w = L(t)⁻¹ p(t) - R(t) o
+//     L(t) · (x u + y v + z w + R(t) o) = p(t)   so   x u + y v + z w = L(t)⁻¹ p(t) - R(t) o
 //
 // The directions u, v, w are perpendicular, so the speed of each of x, y and z is at most the sum
 // of both terms' speeds.

@@ -15,10 +15,10 @@ namespace ncsim::toolpath {
 /// comments about stock, holes or offsets, and comments in which the size is ambiguous: a missing
 /// description is better than a wrong description.
 ///
-///    description = { part }          in any order
-///    part   = number | size | kind | key value | value key | attribute | name
-///    number = (T | TOOL [NO]) integer | integer "=" ...
-///    size   = value [unit] | fraction | # integer | LETTER letter | M value [X pitch]
+///     description = { part }          in any order
+///     part   = number | size | kind | key value | value key | attribute | name
+///     number = (T | TOOL [NO]) integer | integer "=" ...
+///     size   = value [unit] | fraction | # integer | LETTER letter | M value [X pitch]
 ///
 /// A size is before or after a kind, or next to a key such as DIA. A comment with words that occur
 /// in no tool description, such as HOLES or DEPTH, or with several unknown words, is not a

@@ -13,7 +13,7 @@ namespace ncsim::toolpath {
 
 /// Returns X_WT of machine::default_chain(), whose rotary axes pass through the origin of W:
 ///
-///    X_WT = Rz(C) · Ry(B) · Rx(A) · translation(X+U, Y+V, Z+W)
+///     X_WT = Rz(C) · Ry(B) · Rx(A) · translation(X+U, Y+V, Z+W)
 ///
 /// A, B and C rotate the tool, including its tip, about the X, Y and Z axis of W, counter-clockwise
 /// seen from the positive end. This is the motion of a rotary table under the part, seen from the

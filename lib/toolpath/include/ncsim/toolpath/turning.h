@@ -10,7 +10,7 @@
 // tool at height z above the tip and at u along the direction in which the axis leans moves by
 // exactly
 //
-//    V = D + s (z w - u m),    D = T_B - T_A.
+//     V = D + s (z w - u m),    D = T_B - T_A.
 //
 // **Missed.** The point of a hull that belongs to a point q of the tool at time t lies on the chord
 // of q. Its distance from q is at most an eighth of the largest acceleration of q.
