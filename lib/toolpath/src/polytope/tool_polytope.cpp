@@ -2,12 +2,12 @@
 //
 // Approximation of round tools by polytopes, in three steps:
 // 1. Polygons with integer corners around (or in) the circle of integer radius b, and coarser
-//   polygons with parallel sides: ring_polygon.h.
+//    polygons with parallel sides: ring_polygon.h.
 // 2. Rings: each ring of the polytope is a multiple of such a polygon at an integer height. Strips
-//   between two rings then are trapezoids with parallel sides, exactly planar, and triangles. The
-//   sequence of rings: ring_walk.h.
+//    between two rings then are trapezoids with parallel sides, exactly planar, and triangles. The
+//    sequence of rings: ring_walk.h.
 // 3. The choice of the number of sides and of b for the fewest facets within the tolerance: this
-//   file.
+//    file.
 #include "ncsim/toolpath/tool_polytope.h"
 
 #include "polytope/half_plane.h"

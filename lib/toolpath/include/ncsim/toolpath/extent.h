@@ -19,8 +19,7 @@ namespace ncsim::toolpath {
 /// - the box of the control points for splines, which contains the curve,
 /// - the box of two balls about the centre, at start and end, for arcs in tilted planes,
 /// - enlarged by the reach of U, V and W under tip control, if these axes move the tip on an arc,
-///   on a spline or during
-/// a rotary move.
+///   on a spline or during a rotary move.
 cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses);
 
 /// Returns the box of the machine's X, Y and Z (mm, relative to the program zero) during `motion`,

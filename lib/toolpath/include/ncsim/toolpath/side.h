@@ -11,12 +11,10 @@ namespace ncsim::toolpath {
 /// - Circumscribed: the polytope contains the tool, so a simulation removes all that the tool
 ///   removes, and a little more.
 /// - Inscribed: the tool contains the polytope, except for less than a unit at the rim of a cone
-///   that ends between two
-/// lattice heights.
+///   that ends between two lattice heights.
 /// - Fair: as Circumscribed, except on balls and rounded corners. There the facets lie within the
-///   tool and the
-/// corners outside, so a finishing cut leaves neither too much nor too little on average. The lower
-/// end, and the transition to a cylinder, cone or disc, are exact.
+///   tool and the corners outside, so a finishing cut leaves neither too much nor too little on
+///   average. The lower end, and the transition to a cylinder, cone or disc, are exact.
 enum class Side : std::uint8_t { Circumscribed, Inscribed, Fair };
 
 }  // namespace ncsim::toolpath

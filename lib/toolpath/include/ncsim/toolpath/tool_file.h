@@ -25,11 +25,11 @@ struct ToolFile {
 
 /// Reads the tools of
 ///
-/// - LinuxCNC's tool.tbl: diameters and offsets are in the units of
-/// the machine, inches if `machine_inches`; the kind of a tool is in its remark, if given;
+/// - LinuxCNC's tool.tbl: diameters and offsets are in the units of the machine, inches if
+///   `machine_inches`; the kind of a tool is in its remark, if given;
 /// - CAMotics projects (.camotics, JSON) with their workpiece, whose bounds are in mm;
 /// - tool libraries of Fusion 360 and related programs (JSON): the tools that have a number
-/// (post-process.number);
+///   (post-process.number);
 /// - tools of Kiri:Moto (JSON).
 ///
 /// The content decides the format, not the file name. Any byte sequence gives a result. A tool

@@ -65,8 +65,7 @@ bool is_complete(const ToolSpec& spec);
 /// - a V-cutter with only a tip diameter has a shank of 3.175 mm, or twice the tip;
 /// - the length is `assumed_length`, which should exceed the depth of any cut;
 /// - a shank of unknown length reaches to the holder; if the stick-out is unknown, too, the holder
-///   begins directly
-/// above, as low as possible; without a holder the shank is three diameters long.
+///   begins directly above, as low as possible; without a holder the shank is three diameters long.
 ///
 /// Flutes longer than the stick-out extend into the holder.
 ///
