@@ -311,8 +311,7 @@ BlockTree::Descent::Cut BlockTree::Descent::best_cut(const HalfBox& box, std::si
             static_cast<double>(total) / static_cast<double>(items.size()) - kShortAxis * shape;
         if (cost < best_cost) {
             best_cost = cost;
-            // Less than half of the cells are in both halves; a total near the number of items
-            // means that one half has no cell.
+            // `parts`: at most half of the cells are in both halves, or a cell covers a half.
             best = {axis, 2 * total <= 3 * items.size()};
         }
     }

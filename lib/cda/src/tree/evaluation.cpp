@@ -184,7 +184,8 @@ private:
                     !clip_strictly_to(stock_range_) || !clip_strictly_to(window_range_)) {
                     continue;
                 }
-                // Of two opposite walls both disappear; of two equal walls the first stays.
+                // If two walls are opposite, both disappear; if two walls are equal, the first
+                // stays.
                 finish(input_.cells.origin(local.cell), true, &local,
                        [&](const Local& other, bool same) {
                            return !same || input_.cells.comes_before(other.cell, local.cell);
@@ -376,7 +377,7 @@ private:
                 if (std::find(planes.begin(), planes.end(), &area.edge_plane(i)) == planes.end())
                     continue;
                 remaining_.assign(1, area.edge(i));
-                // Where two sections have an edge on the same side, the first section keeps the
+                // If two sections have an edge on the same side, the first section keeps the
                 // edge.
                 for (std::size_t j = 0; j < sections.size() && !remaining_.empty(); ++j) {
                     if (j != k) subtract(sections[j], j < k);

@@ -58,8 +58,8 @@ void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate&
     for (const Facet& facet : facets_of(item)) {
         const double low = low_[facet.direction];
         const double high = high_[facet.direction];
-        // If two planes had one normal, the float of the farther distance would not be below the
-        // nearer.
+        // The conversion is monotone: of two planes with one normal, the farther plane never gets
+        // the smaller value.
         own[column_of_[facet.direction]] =
             static_cast<float>((facet.d2 - 0.5 * (low + high)) / (0.5 * (high - low)));
     }
