@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ncsim-step <deflection>: converts STEP on the standard input into triangles on the standard
-// output, within <deflection> mm of the surfaces. Only this program uses OpenCASCADE. ncsim runs it
-// (lib/setup/src/step_file.cpp, which reads the format below).
+// output, within <deflection> mm of the surfaces. Only this program uses OpenCASCADE. ncsim runs
+// ncsim-step from lib/setup/src/meshes/step_file.cpp, which reads this format:
 //
 //     NCSIM-STEP 1
-//     unit <of length in the file, as it calls it>
-//     solids <n>  vertices <n>  triangles <n>  faces <n>       each on a line of its own
-//     <name of a face>                                         for each of them
+//     unit <name of the unit of length in the file>
+//     solids <n>  vertices <n>  triangles <n>  faces <n>       each on a separate line
+//     <name of a face>                                         a line for each face
 //     then 3 doubles for each vertex (mm), 4 uint32 for each triangle: corners, face
 //
-// or "error <reason>" and exit code 1. Corners are joined along common edges and vertices of faces,
-// so the surface is closed wherever the solid is closed.
+// or "error <reason>" with exit code 1. Corners are joined along common edges and vertices of
+// faces, so the surface is closed wherever the solid is closed.
 #include <unistd.h>
 
 #include <BRepBuilderAPI_MakeSolid.hxx>
@@ -226,7 +226,7 @@ std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
         if (!BRep_Tool::IsClosed(e.Current()))
             throw Refused{"a surface of it is not closed: what is inside of it?"};
         TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(e.Current()));
-        // A shell does not specify its inner side.
+        // A shell does not specify the inner side.
         BRepClass3d_SolidClassifier outside(solid);
         outside.PerformInfinitePoint(1e-6);
         if (outside.State() == TopAbs_IN) solid.Reverse();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the path of a program to a verdict, whatever the faults of the program.
+// Verification of one program: from a path to a verdict, whatever the faults of the program.
 #pragma once
 
 #include "ncsim/report/checked.h"

@@ -7,8 +7,8 @@
 
 namespace ncsim::app {
 
-/// Observes one tile and writes the result to a folder; does nothing if the result exists. Returns
-/// the exit code, which reports environment failures only.
+/// Observes a tile and writes the result to a folder, unless the result exists. Returns the exit
+/// code, which reports environment failures only.
 /// Throws: std::runtime_error as run() does.
 int check_tile(CheckOptions options);
 

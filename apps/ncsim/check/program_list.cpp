@@ -29,7 +29,7 @@ bool is_digest(const std::string& name) {
     return name.size() == 62 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Files that this run, or a run with the same options, writes.
+/// Files that this run writes, and further runs with the same output folders.
 class Written {
 public:
     explicit Written(const CheckOptions& options)

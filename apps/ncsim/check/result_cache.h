@@ -31,7 +31,7 @@ public:
     /// changed. `about`: text of baselines about the program. Files are read through `inputs`.
     std::optional<report::Entry> find(const std::string& program, const std::string& about,
                                       setup::InputSet& inputs) const;
-    /// Stores `entry`, unless it is no verdict; `read`: all files on which it depends.
+    /// Stores `entry` if it is a verdict; `read`: all files on which the verdict depends.
     void keep(const std::string& program, const std::string& about, const report::Entry& entry,
               const setup::ReadFiles& read);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `ncsim diff`, which compares the parts of two programs. It checks changes of a
-// post-processor.
+// The command `ncsim diff`, which compares the parts of two programs, for example after a change of
+// a post-processor.
 #pragma once
 
 #include "options/program_options.h"

@@ -15,8 +15,8 @@ struct ToolsOptions : ProgramOptions {
 /// Requires: `options` outlives `app`.
 cli::App* add_tools(cli::App& app, ToolsOptions& options);
 
-/// Prints the sheet to the standard output: each tool that is called or described, its shape, the
-/// source of its description, its work. Prints findings to stderr.
+/// Prints the sheet to the standard output: each tool that is called or described, with shape,
+/// source of the description and work. Prints findings to stderr.
 /// Throws: std::runtime_error on an environment failure.
 int run(const ToolsOptions& options);
 

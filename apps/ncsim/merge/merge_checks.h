@@ -14,9 +14,9 @@
 
 namespace ncsim::app {
 
-/// Reports the verdict from the observations of all tiles. `files[order[i]]` is tile i; its
-/// TileFile::tile may be empty, and `read(i)` then reads it. `has_part`: a tile has one. Returns
-/// the exit code.
+/// Reports the verdict from the observations of all tiles. `files[order[i]]` is tile i;
+/// TileFile::tile may be absent there, and `read(i)` returns the text. `has_part`: a tile has a
+/// part. Returns the exit code.
 /// Throws: std::runtime_error as run() does.
 int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>& files,
                  const std::vector<std::size_t>& order, bool has_part,

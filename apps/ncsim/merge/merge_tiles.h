@@ -21,8 +21,8 @@ namespace ncsim::app {
 ///   made from tiles.
 int merge_tiles(const MergeOptions& options, std::vector<std::string> files);
 
-/// Makes the outputs that `options` request from all tiles. Tile i is files[order[i]]; its
-/// TileFile::tile may be empty, and `read` then reads it. Returns the exit code.
+/// Makes the outputs that `options` request from all tiles. Tile i is files[order[i]];
+/// TileFile::tile may be absent there, and `read` returns the text. Returns the exit code.
 /// Throws: std::runtime_error as merge_tiles() does.
 int run_of_tiles(Options options, const std::vector<report::TileFile>& files,
                  const std::vector<std::size_t>& order, const cda::Tiles::Read& read);

@@ -96,7 +96,7 @@ std::string long_name(const cli::Option& option) {
 }
 
 // True if the option determines verdicts; the remaining options specify outputs, the division of
-// work or its limits.
+// work, or limits.
 bool decides_verdicts(const std::string& name) {
     static const std::set<std::string, std::less<>> others{
         "programs",  "list",       "shard",          "shards",  "out",     "redo",

@@ -27,7 +27,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> programs;
     std::string list;          ///< File with further programs, a path a line.
     std::string shard;         ///< "3/200", "auto"; empty: all programs.
-    std::uint32_t shards = 0;  ///< Number of shards if "auto" cannot determine it.
+    std::uint32_t shards = 0;  ///< Number of shards if "auto" cannot determine the number.
     ShardNumber number;        ///< Value of `shard` with `shards`, or of `tile`.
     std::string out;           ///< Folder for the results of a shard.
     bool isolate = false;      ///< Each program runs in a separate process.

@@ -200,7 +200,7 @@ std::size_t App::count(const std::string& name) const {
     return app_->count(name);
 }
 
-/// True if `word` is a switch of this command or of one of its commands.
+/// True if `word` is a switch of this command or of a subcommand.
 bool App::is_switch(const std::string& word) const {
     return std::ranges::find(switches_, word) != switches_.end() ||
            std::ranges::any_of(commands_, [&](const auto& c) { return c->is_switch(word); });

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): of CLI11
+namespace CLI {  // NOLINT(readability-identifier-naming): namespace of CLI11
 class App;
 class Option;
 }  // namespace CLI

@@ -50,8 +50,7 @@ struct Options : ProgramOptions, SimulationOptions {
     /// Number of moves between two pictures; 0: about a hundred pictures.
     std::uint64_t every = 0;
     std::uint32_t width = 1280, height = 960;  ///< Size of each view in pixels.
-    /// Tolerance in mm. Default: glTF and STL are exact, all other formats are within
-    /// kFlatTolerance.
+    /// Tolerance in mm. Default: glTF and STL are exact, further formats are within kFlatTolerance.
     std::optional<double> simplify;
     StepSurfaces step_surfaces = StepSurfaces::Analytic;
     int step_refine = 6;       ///< Largest number of further cuts that are tried for STEP.
@@ -79,7 +78,7 @@ struct Options : ProgramOptions, SimulationOptions {
     /// in this run.
     std::shared_ptr<const simulation::CutTiles> tiles;
     report::FileDigests tile_files;
-    std::string mesh_folder;  ///< Folder for one mesh a tile.
+    std::string mesh_folder;  ///< Folder with a mesh for each tile.
 };
 
 /// True if an output needs the surface of the part as faces.

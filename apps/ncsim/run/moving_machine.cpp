@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    // Adds a link after its parent; returns the number of its node.
+    // Adds a link after the parent; returns the number of the node.
     std::size_t add_link(const setup::MachineBody& link) {
         const auto known = numbers_.find(link.link);
         if (known != numbers_.end()) return known->second;

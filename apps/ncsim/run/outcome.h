@@ -27,7 +27,7 @@
 namespace ncsim::app {
 
 /// Result of a run. `simulation` is null if the program could not be simulated, `boundary` if no
-/// output needs it.
+/// output needs the surface.
 struct Outcome {
     const Options& options;
     const simulation::Plan& plan;
@@ -41,7 +41,7 @@ struct Outcome {
     /// Solid for --step; null: no output.
     const simulation::Solid* solid = nullptr;
     std::optional<brep::Mass> solid_mass{};  ///< Mass of `solid`.
-    /// Part with true surfaces, as the tools left it; null if no output needs it.
+    /// Part with true surfaces, as the tools left them; null if no output needs the solid.
     const simulation::Solid* true_solid = nullptr;
     /// Sections in the order of the options.
     std::vector<simulation::CutOpen> sections{};

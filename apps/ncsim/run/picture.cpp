@@ -168,7 +168,7 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view) {
                                      outcome.shading ? *outcome.shading : brep::Shading());
 }
 
-// Returns the text of the line; empty if several files could contain it.
+// Returns the text of the line; empty if the program has several files.
 std::string line_at(const Outcome& outcome) {
     if (outcome.survey.interpretation.files.size() > 1) return {};
     return std::string(gcode::line_text(outcome.plan.job.program, outcome.simulation->line));

@@ -190,7 +190,7 @@ simulation::Solid facets_of(const Outcome& outcome) {
     return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
 }
 
-// Returns the part as the tools left it, if an output needs it.
+// Returns the part with true surfaces if an output needs the solid.
 std::optional<simulation::Solid> true_solid(const Outcome& outcome) {
     const Options& o = outcome.options;
     const bool is_written = !o.step.empty() && o.step_surfaces == StepSurfaces::Analytic;

@@ -19,8 +19,7 @@
 
 namespace ncsim::app {
 
-/// Cuts one tile and writes the result to a folder; does nothing if the result exists. Returns the
-/// exit code.
+/// Cuts a tile and writes the result to a folder, unless the result exists. Returns the exit code.
 /// Throws: std::runtime_error as run() does.
 int run_tile(Options options);
 
@@ -35,7 +34,7 @@ class TilePlace {
 public:
     /// Creates the place for `head` (without files) in `folder`.
     TilePlace(report::TileHead head, std::string folder);
-    /// True if the result exists and its input files are unchanged.
+    /// True if the result exists and the input files are unchanged.
     bool is_done(setup::InputSet& inputs) const;
     /// Creates the folder, and ensures that the file is no input.
     void reserve(OutputSet& outputs) const;
@@ -48,7 +47,7 @@ private:
     std::string folder_, path_;
 };
 
-/// Combines all tiles. `files[order[i]]` is tile i; `read(i)` reads its TileFile::tile.
+/// Combines all tiles. `files[order[i]]` is tile i; `read(i)` returns TileFile::tile.
 /// Throws: std::runtime_error if the tiles do not fit together.
 std::shared_ptr<const simulation::CutTiles> tiles_in_order(
     const std::vector<report::TileFile>& files, const std::vector<std::size_t>& order,

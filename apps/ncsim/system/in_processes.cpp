@@ -46,8 +46,8 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-// Sets up a child process: it ends with its parent, is the first to be killed if memory runs out,
-// and ignores the parent's temporary files and the keys of the terminal.
+// Sets up a child process. The child ends with the parent, is killed first if memory runs out, and
+// leaves temporary files and signals of the terminal to the parent.
 void be_a_child([[maybe_unused]] pid_t parent) {
     ::signal(SIGTERM, SIG_DFL);
     for (const int by_terminal : {SIGINT, SIGHUP})
@@ -78,7 +78,7 @@ public:
             int code = 1;
             try {
                 code = write_all(ends[1], pieces.work(piece)) ? 0 : 1;
-            } catch (...) {  // NOLINT(bugprone-empty-catch): its code tells
+            } catch (...) {  // NOLINT(bugprone-empty-catch): the exit code reports the fault
             }
             ::_exit(code);
         }

@@ -9,8 +9,8 @@
 
 namespace ncsim::app {
 
-/// Scope in which the first of the signals is noted; the next signal has its former effect. Ignored
-/// signals stay ignored. At most one object exists at a time.
+/// Scope in which the first of the signals is noted; the next signal has the effect from before the
+/// scope. Ignored signals stay ignored. Scopes do not overlap.
 class Interruption {
 public:
     Interruption();

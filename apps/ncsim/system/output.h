@@ -41,7 +41,7 @@ public:
     /// True if a file is written to the standard output; text for people then goes to stderr.
     bool takes_standard_output() const { return takes_standard_output_; }
 
-    /// Fills a reserved file and flushes it to the disk. Does nothing if `path` is empty.
+    /// Fills a reserved file and flushes the contents to the disk. Does nothing if `path` is empty.
     void write(const std::string& path, const std::function<void(std::ostream&)>& writer);
     /// Renames the written files; removes the remaining files.
     void commit();

@@ -11,8 +11,8 @@ namespace ncsim::app {
 
 class Progress {
 public:
-    /// Creates a bar; silent unless `visible`, because only the caller knows whether stderr is a
-    /// terminal. `what`: unit shown with the count, such as "programs"; empty: no count.
+    /// Creates a bar; silent unless `visible`: the caller knows whether stderr is a terminal.
+    /// `what`: unit shown with the count, for example "programs"; empty: no count.
     Progress(std::uint64_t total, bool visible, std::string what = {});
     /// Removes the bar.
     ~Progress();

@@ -12,7 +12,7 @@ namespace ncsim::verify {
 /// Returns the volume (mm³) of the intersection of two bodies with closed, oriented surfaces;
 /// touching is allowed. Every decision is exact, so nearly coplanar faces lose nothing; only the
 /// rounding of corners remains. To avoid coincidences, `b` is shifted by 0.1 nm, which changes the
-/// result by at most its area times the shift. Empty if coincidences remain for a few such shifts.
+/// result by at most its area times the shift. Empty if coincidences remain for all of four shifts.
 ///
 /// Method: divergence theorem over the faces of the intersection, which are not constructed. Each
 /// face is given by the parts of its edges inside the opposite body and by the segments that the

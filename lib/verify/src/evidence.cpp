@@ -46,8 +46,8 @@ bool sums(Subject subject) {
            subject == Subject::Removed;
 }
 
-// True if observations of this subject are not merged: a single tile makes them, or each counts for
-// itself.
+// True if observations of this subject are not merged, because a single tile makes each of the
+// observations or each counts separately.
 bool stands_alone(Subject subject) {
     return subject == Subject::Fixture || subject == Subject::Link;
 }

@@ -26,7 +26,7 @@ struct Sighting {
     /// contains only successive motions.
     bool lasts = false;
     Certainty certainty = Certainty::Certain;
-    bool is_note = false;  ///< The severity is at most a note.
+    bool is_note = false;  ///< The severity is Note.
     /// Reasons for doubt (ids) without which the fault would be certain. An error becomes a warning
     /// and each reason a doubt, except for reasons that the user accepted.
     std::vector<std::string_view> rests_on = {};

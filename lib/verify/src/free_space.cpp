@@ -174,9 +174,9 @@ double most_of(const OfJoints& reach, const JointWays& go) {
 
 }  // namespace
 
-// Proof by contradiction: let a point travel as far as the free distance, and consider the first
-// time. Until then every joint has moved the point by at most its reach, in sum less than the free
-// distance.
+// Proof by contradiction: let t be the first time at which a point has travelled the free distance.
+// Until t every joint has moved the point by at most the joint's reach times its motion; the sum is
+// less than the free distance.
 bool keeps_apart(const FreeSpace& space, const JointWays& go, double needed_mm) {
     const double most = std::min(most_of(space.of_body, go), most_of(space.of_observer, go));
     return most + needed_mm < space.apart_mm;

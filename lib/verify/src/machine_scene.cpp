@@ -69,7 +69,7 @@ RigidBody body_of(const Fixture& fixture, Vec3 shift) {
     return {{piece_of(*polytope, lattice, fixture.box.centre() + shift)}, lattice.unit_mm};
 }
 
-// True if the cutter comes first wherever material is above the cutter: the tool keeps its
+// True if the cutter reaches each place before the bodies above the cutter: the tool keeps its
 // direction and does not ascend. The same argument holds for shanks.
 bool leads(const gcode::Motion& leg, const toolpath::Kinematics& machine) {
     const gcode::Position from = *gcode::start_of(leg), to = *gcode::end_of(leg);

@@ -94,7 +94,7 @@ private:
     };
     struct Open {
         std::size_t pair = 0, leg = 0;
-        bool follows = false;  // the obstacle is where the tool cuts first
+        bool follows = false;  // the tool cuts the obstacle first
     };
     void add_pairs();
     bool is_told(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;

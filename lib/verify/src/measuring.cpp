@@ -373,8 +373,8 @@ void Measuring::follow_core(const Step& step,
     w.fallen_mm = 0.0;
 }
 
-// A tile knows neither the material under the tool in other tiles nor the length of the descent. It
-// records the length of this step above material.
+// A tile knows neither the material under the tool in other tiles nor the length of the descent.
+// The tile records the length of this step above material.
 void Measuring::meet_core(const Step& step, const cda::WorkpieceModel& part) {
     if (!kept_) {
         follow_core(step, [&](double fall, double allowed) {

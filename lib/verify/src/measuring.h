@@ -112,7 +112,7 @@ private:
     bool meets_now_ = false;
     Evidence* kept_ = nullptr;       // of a tile
     std::optional<cda::Box> place_;  // box of the tile
-    // Number of steps of faulty motions whose volume was measured, and the largest such number. A
+    // Number of steps of faulty motions whose volume was measured, and the limit of this number. A
     // measurement costs as much as ten cuts. A single fault gets a number, thousands get "at
     // least".
     std::uint64_t measured_ = 0;

@@ -14,7 +14,7 @@ namespace ncsim::verify {
 
 class Passes {
 public:
-    /// Records a step that was made with the whole cutter reaching out of the stock.
+    /// Records a step in which the upper end of the cutter was above the stock.
     /// Cost: O(log n).
     void add(const toolpath::Step& step);
     /// True if a step along the same path, in either direction, was recorded that was nowhere more

@@ -16,7 +16,7 @@ void absorb(Region& into, Region& from) {
 }
 
 // Adds `row` and merges it with all regions that it touches. A merged box is compared with all
-// regions again, because it may reach boxes that the smaller box did not.
+// regions again, because a larger box may reach further regions.
 void add_row(std::vector<Region>& regions, Region row) {
     for (std::size_t i = 0; i < regions.size();) {
         if (!regions[i].box.overlaps(row.box)) {

@@ -82,8 +82,8 @@ void judge_tap_feed(const Setup&, const Move&, FindingLog&);
 void judge_tap_retract(const Setup&, const Move&, FindingLog&);
 void judge_drill_depth(const Setup&, const Move&, FindingLog&);
 
-/// Returns the rule of a diagnostic with this code; empty: a different rule reports the fault more
-/// precisely.
+/// Returns the rule of a diagnostic with this code; empty: a different rule or a doubt reports the
+/// fault.
 std::string_view rule_of_diagnostic(std::string_view code);
 
 /// Returns the reason for doubt that a warning with this code is; empty: none.
