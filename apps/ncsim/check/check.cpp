@@ -206,7 +206,8 @@ int run(CheckOptions options) {
     if (options.github) outputs.claim_standard_output("--github");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    // Before the outputs are opened, because their temporary files may be in a folder of programs.
+    // The list is made before the outputs are opened, because a folder of programs may contain
+    // temporary files of outputs.
     const ProgramList list = programs_of(options, inputs);
     for (const std::string& path : outputs_of(options)) {
         if (path != options.html) outputs.reserve(path);

@@ -252,7 +252,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     questions.ledger = !options.csv.empty();
     questions.look = !options.html.empty();
     questions.warnings_as_errors = options.warnings_as_errors;
-    // With a single program, all specified tools are meant for it.
+    // With a single program, all specified tools are intended for this program.
     questions.tools_are_meant = !many_;
     made.entries = entries_for(options, many_);
     made.key = key_of(options, read);

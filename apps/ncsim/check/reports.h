@@ -35,7 +35,7 @@ private:
     std::optional<report::Baseline> before_;
 };
 
-/// Returns a baseline that will be overwritten and is read before; empty if the file does not
+/// Reads the baseline at `path` before this run overwrites the file; empty if the file does not
 /// exist.
 std::optional<report::Baseline> overwritten_baseline(const std::string& path);
 

@@ -406,8 +406,9 @@ double Measuring::fall_on_material(const Step& step, const cda::WorkpieceModel& 
     return std::min(fall, needed_raise(*now_->core, step, 0.0, fall, kRaiseStep, part, stock_));
 }
 
-// Returns the raise, at least `known`, at which the cutter above a height no longer cuts material
-// that the cutter below this height has not reached before.
+// Returns the smallest raise, at least `known`, at which the cutter above a height meets no
+// material, except material that the cutter below this height removes in this step or removed on
+// the same path.
 double Measuring::needed_above(Above& above, const Step& step, const cda::WorkpieceModel& part,
                                double known, double raise_step) {
     if (now_->passes.cover(step, above.from_mm + known - now_->straight_from_mm)) return known;

@@ -37,6 +37,7 @@ struct DesignSide {
     std::optional<double> volume_mm3;
 };
 
+/// Result of compare().
 struct DesignComparison {
     DesignSide gouge, excess;
     /// Largest distance (mm) found between a point and the opposite surface, also within the

@@ -12,6 +12,7 @@
 
 namespace ncsim::verify {
 
+/// Path lengths (mm) and times (s) of a tool.
 struct Distances {
     double rapid_mm = 0.0;
     double feed_mm = 0.0;

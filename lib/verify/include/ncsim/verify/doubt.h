@@ -25,6 +25,7 @@ std::span<const ReasonInfo> reasons();
 /// Returns the reason with this id; null if there is none.
 const ReasonInfo* find_reason(std::string_view id);
 
+/// Reason for which the program is not proven safe.
 struct Doubt {
     std::string reason;
     std::string message;  ///< Lower case, no full stop.

@@ -38,6 +38,7 @@ enum class Subject : std::uint8_t {
     Link,
 };
 
+/// Observation of a tile in a step.
 struct Observation {
     /// Value of `step` for the end of the motion.
     static constexpr std::uint64_t kAtEnd = ~std::uint64_t{0};

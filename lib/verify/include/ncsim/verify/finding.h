@@ -24,6 +24,7 @@ namespace ncsim::verify {
 
 using gcode::Severity;
 
+/// Category of a rule.
 enum class Category : std::uint8_t { Program, Collision, Travel, Process, SetUp };
 
 /// Returns "program", "collision", "travel", "process" or "set-up".

@@ -34,6 +34,7 @@ struct LedgerRow {
     }
 };
 
+/// Totals of a program, and the rows on request. Lengths in mm, volumes in mm³, times in s.
 struct Ledger {
     std::vector<LedgerRow> rows;  ///< In the order of execution; only on request.
     double stock_mm3 = 0.0;

@@ -18,6 +18,7 @@ namespace ncsim::verify {
 /// Z0 lead away from the part.
 inline constexpr double kHomeHeight = 300.0;
 
+/// Travel of an axis.
 struct AxisRange {
     double min = 0.0, max = 0.0;
     bool operator==(const AxisRange&) const = default;

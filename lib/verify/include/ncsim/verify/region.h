@@ -22,6 +22,7 @@ struct LineRange {
 /// Returns `lines` sorted, with overlapping and consecutive ranges merged.
 std::vector<LineRange> merged(std::vector<LineRange> lines);
 
+/// Connected region of removed material.
 struct Region {
     double volume_mm3 = 0.0;
     cda::Box box;                  ///< Box that encloses the region; mm, W.

@@ -61,6 +61,7 @@ struct OpenContact {
 /// Decides an open contact with finer tools: Certain, still open (Within), or empty: no contact.
 using SecondLook = std::function<std::optional<Certainty>(const OpenContact&)>;
 
+/// Tools, machine, stock, selection of rules and assumptions of a verification.
 struct Setup {
     std::map<int, ToolFacts> tools;
     MachineDescription machine;

@@ -15,6 +15,7 @@
 
 namespace ncsim::verify {
 
+/// Suppressions of a program, by line.
 class Suppressions {
 public:
     /// Word after "ignore" that names no rule. Without a name: a comment that requests something

@@ -32,6 +32,7 @@ struct Demotion {
     bool operator==(const Demotion&) const = default;
 };
 
+/// Findings, skipped rules, doubts and the ledger of one program.
 struct Verdict {
     std::vector<std::string> files;   ///< [0] is the program; called files follow.
     std::vector<Finding> findings;    ///< In the order of the lines of the program.

@@ -29,6 +29,7 @@ namespace ncsim::verify {
 /// Returns the places and parts of tools that a walk must follow for a Verifier with this setup.
 toolpath::Watch watch_of(const Setup& setup);
 
+/// Verifier of one program, or of one tile of its part.
 class Verifier {
 public:
     /// Starts the verification of a program. `stock` (mm, W) and `lattice` are the part's; `stock`
