@@ -21,8 +21,8 @@
 
 namespace ncsim::app {
 
-/// Options of `ncsim check`. `program`, `save_job` and `model` are not used, because there may be
-/// many programs.
+/// Options of `ncsim check`. `program` and `save_job` are not used, because there may be many
+/// programs.
 struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> programs;
     std::string list;          ///< File with further programs, a path a line.

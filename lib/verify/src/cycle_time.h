@@ -11,7 +11,7 @@
 //   the corner at `junction_deviation` would need the full acceleration: v² = a d s/(1 - s), where
 //   s is the sine of half the angle between the two moves. A straight continuation does not slow
 //   down. Source: Jeon, "Improving Grbl: Cornering Algorithm", 2011.
-// - On an arc of radius r the speed stays below √(a r).
+// - On an arc of radius r the speed is at most √(a r).
 // - The control looks kLookAhead moves ahead and can always stop at the last of them.
 //
 // Without accelerations the duration of a move is its length divided by its speed. Jerk, servo lag,

@@ -49,7 +49,8 @@ void LedgerBook::note_cells(const toolpath::Step& step, double rounding) {
     for (const Cell& cell : step.cells) {
         const Box met = intersection(cell.bounds, stock_);
         if (met.is_empty()) continue;
-        // If the tool is upright, only planes are rounded: by 2^-24 of their length.
+        // If the tool is upright, only planes are rounded, by at most 2^-24 of the extent of the
+        // cell.
         const Vec3 e = met.max - met.min;
         const double thickness =
             is_upright(step) ? std::min(rounding, 0x1p-24 * norm(e)) : rounding;

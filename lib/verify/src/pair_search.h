@@ -17,9 +17,8 @@
 
 namespace ncsim::verify {
 
-/// Length (mm) of the longest path of a point below which a stretch is not halved. Bodies that are
-/// neither separate nor in contact in such a stretch are that near to each other, or subject to
-/// rounding.
+/// Length (mm): a stretch in which no point travels farther is not halved. Bodies that are neither
+/// proven separate nor found in contact there are nearer than this length, up to rounding.
 inline constexpr double kUndecidedMm = 0.001;
 
 enum class Closeness : std::uint8_t { Clear, Open, Certain };
@@ -29,7 +28,7 @@ enum class Closeness : std::uint8_t { Clear, Open, Certain };
 /// open or certain, because bodies that touch by design touch in every motion.
 inline constexpr std::size_t kMostStretches = 4000, kFewStretches = 100;
 
-/// Result of a search. The other values are valid unless the result is clear:
+/// Result of a search. All further values are valid unless `closeness` is Clear.
 struct Encounter {
     Closeness closeness = Closeness::Clear;
     double time = 0.0;         ///< Time in the leg, 0 to 1.

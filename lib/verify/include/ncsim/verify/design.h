@@ -48,7 +48,8 @@ struct DesignComparison {
     /// deeper than the tolerance. The true largest depth exceeds the reported depth by at most this
     /// value and 2 %.
     double resolution_mm = 0.0;
-    /// Regions nearer to each other than this distance (mm) may be reported as one region.
+    /// Size (mm) of the cubes in which findings are gathered. Regions nearer to each other than
+    /// this size are merged; regions less than twice this size apart along each axis may be merged.
     double grain_mm = 0.0;
 };
 
