@@ -164,7 +164,7 @@ private:
     std::vector<std::pair<Plane, Origin>> owners_;
     bool has_outside_ = false;
 
-    // Buffers of one part, members in order to keep their memory.
+    // Buffers for one part, reused for the next part.
     std::vector<Plane> plane_keys_;
     std::vector<PlaneRef> plane_refs_;
     std::vector<PointKey> point_keys_;
