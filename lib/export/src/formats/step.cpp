@@ -446,8 +446,8 @@ private:
             bounds.push_back(
                 add((is_outline ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',") + ref(of) + ",.T.)"));
         }
-        // A vertex loop marks the tip of a cone. Without the loop, readers lose the tip unless the
-        // only edge of the face is a circle.
+        // A vertex loop marks a cone's apex that is inside the face. Without the loop, readers lose
+        // the apex unless the only edge of the face is a circle.
         if (brep::has_tip(part_, from)) {
             const Entity tip = point(std::get<brep::Cone>(from.surface.form).apex);
             const Entity corner = add("VERTEX_POINT(''," + ref(tip) + ")");

@@ -150,7 +150,7 @@ void VrmlScene::append_interpolators(std::string& text) const {
             connect(name, name_of(i), joint.turns ? "rotation" : "translation");
         }
         if (node.shown.empty()) continue;
-        // The scale changes at once, so there are two keys at one time.
+        // The scale changes at once, so there are two keys at the same time.
         std::vector<JointKey> keys;
         for (const JointKey& key : visibility_keys(node)) {
             if (!keys.empty()) keys.push_back({key.seconds, keys.back().value});

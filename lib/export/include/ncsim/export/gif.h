@@ -25,8 +25,8 @@ public:
     GifWriter& operator=(const GifWriter&) = delete;
 
     /// Shows `frame` for `hundredths` of a second.
-    /// Throws: std::runtime_error if the frame has no pixels or differs in size from the first
-    ///     frame.
+    /// Throws: std::runtime_error if the frame has no pixels, has a side of more than 65535 pixels,
+    ///     or differs in size from the first frame.
     void add(const Image& frame, int hundredths);
     /// Ends the file.
     /// Requires: at least one frame was added.
