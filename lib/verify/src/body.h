@@ -29,8 +29,8 @@ cda::Cell shrunk(const cda::Cell& cell, double distance, const cda::Lattice& lat
 /// rounded ends are rounded to the lattice.
 bool is_prism(const toolpath::ToolPiece& piece);
 /// Returns the largest distance (mm) by which rounding displaces the cells of this step: corners of
-/// rotated tools, and planes of tools that are not prisms. 0 for upright prisms, whose cells are
-/// exact, so that a touch has exactly no common volume.
+/// rotated tools, and planes of tools that are not prisms. 0 for prisms whose axis is parallel to
+/// X, Y or Z: their cells are exact, so a touch has exactly no common volume.
 double rounding_of(const toolpath::Step& step, bool prism, const cda::Lattice& lattice);
 /// Returns the part of `cell` in `box` (mm), rounded to the lattice.
 cda::Cell clipped(const cda::Cell& cell, const cda::Box& box, const cda::Lattice& lattice);
@@ -38,10 +38,10 @@ cda::Cell clipped(const cda::Cell& cell, const cda::Box& box, const cda::Lattice
 /// are about 1 mm long, or longer if more than a few would be needed.
 void find_places(const cda::Cell& cell, const cda::WorkpieceModel& part, const cda::Box& stock,
                  std::vector<cda::Box>& places);
-/// True if the tool axis is parallel to Z during the whole step.
+/// True if the tool is not rotated during the whole step: its axis is Z.
 bool is_upright(const toolpath::Step& step);
-/// True if the tool moves towards the spindle. Only then a shank can meet material that the cutter
-/// removes later in the same motion; otherwise the cutter comes first.
+/// True if the tool keeps its direction and moves towards the spindle. Only then a shank can meet
+/// material that the cutter removes later in the same motion; otherwise the cutter comes first.
 bool ascends(const toolpath::Step& step);
 /// Returns the intersection of both boxes; may be empty.
 cda::Box intersection(const cda::Box& a, const cda::Box& b);
