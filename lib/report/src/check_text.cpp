@@ -101,7 +101,7 @@ constexpr std::string_view kSkipped = "  skipped";
 // Start of the reason of a deselected rule.
 constexpr std::string_view kDeselectedBy = "deselected by ";
 
-// Appends the rules that could not be asked, in a line for each reason.
+// Appends the rules that could not be checked, in a line for each reason.
 void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped) {
     std::vector<std::string_view> told;
     for (const verify::Skipped& s : skipped) {
@@ -185,7 +185,7 @@ void put_remedies(std::string& text, const std::string& remedies) {
     if (!ids.empty()) append(text, "  or       --accept {}\n", ids);
 }
 
-// Returns the rules that some program could not be asked, in one line.
+// Returns the rules that some program could not be checked, in one line.
 std::string rules_of(const Lines& skipped) {
     std::string rules;
     std::set<std::string_view> told;

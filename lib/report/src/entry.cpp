@@ -52,8 +52,8 @@ std::size_t character_length(std::string_view text) {
 }
 
 // JSON is UTF-8, but programs need not be. A byte B that is not UTF-8 is stored as the character
-// U+10FFB, that is, F4 8F BC..BF followed by a byte with the low six bits. Each byte of a character
-// in this range is stored the same way.
+// U+10FF00 + B: F4 8F BC..BF, then a byte with the low six bits of B. Each byte of a character in
+// this range is stored the same way.
 constexpr std::string_view kByteMark = "\xf4\x8f";
 
 std::string with_bytes_marked(std::string_view text) {

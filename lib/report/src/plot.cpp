@@ -55,7 +55,7 @@ double decade_below(double x) {
     return 1.0 / parts;
 }
 
-// Returns 1, 2 or 5 times a power of ten, so that about four ticks fit into `range`.
+// Returns 1, 2 or 5 times a power of ten, so about four ticks fit into `range`.
 double tick_for(double range) {
     const double rough = range / 4;
     const double power = decade_below(rough);

@@ -61,7 +61,7 @@ double arctangent(double t) {
 // Requires: `step` is a whole number.
 double remainder_of(double x, double step) {
     if (!(std::abs(x) < 0x1p40)) return std::remainder(x, step);
-    // adding and subtracting this number rounds to a whole number
+    // Adding and subtracting this number rounds to a whole number.
     constexpr double kToWhole = 0x1.8p52;
     const double rest = x - (x / step + kToWhole - kToWhole) * step;
     // The rounded quotient x / step can differ from the nearest whole number by 1.

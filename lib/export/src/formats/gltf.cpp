@@ -162,8 +162,8 @@ void check_size(const std::vector<Primitive>& primitives) {
     }
 }
 
-// Rounds each vertex independently of all others, so that two files round a shared vertex to the
-// same floats. Omits triangles with two equal corners.
+// Rounds each vertex independently of all others, so two files round a shared vertex to the same
+// floats. Omits triangles with two equal corners.
 FloatMesh rounded_alone(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
     FloatMesh result;
     result.points.reserve(mesh.vertices.size());

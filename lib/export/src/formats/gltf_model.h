@@ -153,7 +153,7 @@ tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& proven
 /// Throws: std::runtime_error if the part is too large for the format.
 std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
                             const Provenance& provenance);
-/// Returns the centre of the part rounded to whole mm, so that positions with few decimals keep few
+/// Returns the centre of the part rounded to whole mm, so positions with few decimals keep few
 /// decimals.
 cda::Vec3 whole_centre(const cda::Boundary& boundary);
 /// Returns a material with `colour` (sRGB) and without gloss.

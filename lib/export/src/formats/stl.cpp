@@ -47,8 +47,8 @@ char* put(char* at, const FloatPoint& point) {
 
 using Corners = std::array<FloatPoint, 3>;
 
-// Returns the normal of the corners as written, so that readers that check normals accept the file;
-// zero if the corners are collinear.
+// Returns the normal of the corners as written, so readers that check normals accept the file; zero
+// if the corners are collinear.
 FloatPoint normal_of(const Corners& corners) {
     const auto widened = [](const FloatPoint& p) {
         return cda::Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]),

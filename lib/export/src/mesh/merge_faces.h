@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Merging of coplanar adjacent faces, so that each visible face of the part is a face.
+// Merging of coplanar adjacent faces, so each visible face of the part is a face.
 #pragma once
 
 #include "ncsim/cda/boundary.h"

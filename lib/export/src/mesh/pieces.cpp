@@ -62,7 +62,7 @@ bool has_straight_corner(const std::vector<Vec3>& vertices,
 
 Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
     : boundary_(boundary), first_(boundary.faces.size() + 1, 0) {
-    // Triangulates all faces together, so that no diagonal of a face is an edge of another face.
+    // Triangulates all faces together, so no diagonal of a face is an edge of another face.
     cda::TriangleMesh mesh = cda::triangulate(boundary);
     vertices_ = std::move(mesh.vertices);
     std::vector<std::vector<Triangle>> triangles(boundary.faces.size());

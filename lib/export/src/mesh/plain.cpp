@@ -93,8 +93,8 @@ bool put_in_order(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     return holes == face.loops.begin() + 1;
 }
 
-// True if a triangle may be lower than `share`, so that simplify_any() might move it; a
-// conservative test.
+// True if a triangle may be lower than `share`, so simplify_any() might move it; a conservative
+// test.
 bool any_is_thin(const cda::TriangleMesh& mesh, double share) {
     return std::ranges::any_of(mesh.triangles, [&](const auto& corners) {
         const Vec3 a = mesh.vertices[corners[0]], b = mesh.vertices[corners[1]];

@@ -68,7 +68,7 @@ OverlayArt::OverlayArt(const ScreenMap& map, const Overlay& overlay, const Rende
 }
 
 // Adds the twelve edges of a box. The edges lie slightly inside the box and behind the faces of the
-// part, so that the outline of a part that fills the box hides them.
+// part, so the outline of a part that fills the box hides them.
 void OverlayArt::add_ghost(const Ghost& ghost) {
     constexpr std::size_t kSurface = 2;
     const double inset = 0.5 * norm(lift_);

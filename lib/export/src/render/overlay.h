@@ -42,7 +42,7 @@ private:
     const ScreenMap& map_;
     double pixel_;       // samples per pixel, larger in large pictures
     double half_width_;  // half of the width of a line, in samples
-    // towards the eye: a line on a face must be in front of the face over its width
+    // Towards the eye: a line on a face must be in front of the face over its width.
     cda::Vec3 lift_;
     std::vector<Surface> surfaces_;
     std::vector<Piece> pieces_;

@@ -45,7 +45,7 @@ inline double unit_share(std::uint8_t channel) {
 double linear_share(std::uint8_t channel);
 
 /// Returns the colour at `t` of a scale from 0 to 1: yellow, green, blue, violet, ever darker, so
-/// that the order is visible without hues. `t` is clamped to [0, 1].
+/// the order is visible without hues. `t` is clamped to [0, 1].
 LinearColour scale_colour(double t);
 
 /// The tool that cut a face, or the stock.

@@ -334,7 +334,7 @@ private:
     std::vector<std::uint32_t> flat_faces_;  // flat faces that are drawn
     cda::TriangleMesh mesh_;
     std::vector<ScreenPoint> points_;
-    // of triangles; kBackground: the triangle faces away from the camera
+    // Of triangles; kBackground: the triangle faces away from the camera.
     std::vector<SurfaceId> ids_;
 };
 

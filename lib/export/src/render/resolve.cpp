@@ -16,7 +16,7 @@ namespace {
 
 using cda::Vec3;
 
-// Light in the camera frame, so that every view has the same light: a key light from the left, low
+// Light in the camera frame, so every view has the same light: a key light from the left, low
 // enough to show the relief of faces that look up, a weak light from the right, a sky, ambient
 // light, and a sheen for milled metal. On a box seen from Iso, the top, the left and the right side
 // get about 0.9, 0.6 and 0.4.

@@ -40,7 +40,7 @@ public:
     cda::Vec3 normal_at(cda::Vec3 p_C) const;
 
 private:
-    // dot products with the last two give a point's shares of both sides
+    // Dot products with the last two give a point's shares of both sides.
     cda::Vec3 corner_, to_second_, to_third_;
     cda::Vec3 n_, towards_second_, towards_third_;
 };

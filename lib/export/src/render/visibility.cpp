@@ -18,8 +18,7 @@ constexpr double kGrazing = 1e-6;
 
 // Parts of a cell to which corners are rounded.
 constexpr std::int64_t kUnit = 256;
-// Distance in cells at which polygons are clipped, so that products of two differences fit in 64
-// bits.
+// Distance in cells at which polygons are clipped, so products of two differences fit in 64 bits.
 constexpr double kFarthest = 1 << 22;
 // Depths from -1 to 1 become whole numbers from -kDepthScale to kDepthScale.
 constexpr double kDepthScale = 1 << 23;

@@ -21,7 +21,7 @@ namespace ncsim::exporter {
 struct SampleRect {
     std::int64_t x = 0, y = 0;            ///< Upper left corner of the upper left cell.
     std::uint32_t width = 0, height = 0;  ///< In cells.
-    std::uint32_t cell = 1;               ///< Side of a cell; the point is in its centre.
+    std::uint32_t cell = 1;  ///< Side of a cell; the point is in the centre of the cell.
 };
 
 /// A projected point: x (right) and y (down) in samples of the picture, and depth from -1 (near) to

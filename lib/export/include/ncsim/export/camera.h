@@ -19,6 +19,7 @@ std::optional<View> parse_view(std::string_view name);
 /// Returns the name of `view`, as parse_view() reads it.
 std::string_view name(View view);
 
+/// Kind of projection; see Camera::distance.
 enum class Projection { Orthographic, Perspective };
 
 /// Position, direction and size of a picture. `right`, `up` and `back` (towards the eye) are

@@ -12,6 +12,7 @@ namespace ncsim::exporter {
 /// Largest width or height of a picture, in pixels.
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 
+/// Colour behind the part.
 enum class Background { White, Dark };
 
 /// Meaning of the colour of a cut face. Uncut stock is always grey.

@@ -50,8 +50,8 @@ public:
 
     const std::string& file() const { return file_; }
     /// Marks the known findings of `checked`. Lists the known findings that were not found again in
-    /// `checked.no_longer`, if their rules were asked. If there are more indistinguishable findings
-    /// than known findings, all of these findings count as new.
+    /// `checked.no_longer`, if their rules were checked. If there are more indistinguishable
+    /// findings than known findings, all of these findings count as new.
     /// Cost: O(n²) for findings with the same text.
     void accept(Checked& checked, const verify::Selection& selection) const;
 
@@ -67,7 +67,7 @@ private:
     const std::vector<KnownFinding>* known_of(const std::string& program) const;
 
     std::string file_;
-    // by path of the program, relative to the folder of the baseline
+    // By path of the program, relative to the folder of the baseline.
     std::map<std::string, std::vector<KnownFinding>> known_;
 };
 

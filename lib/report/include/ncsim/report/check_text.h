@@ -31,7 +31,7 @@ std::string demotion_text(const verify::Demotion& demotion);
 /// Returns the rules and doubts that the user switched off or accepted, for the line of the
 /// verdict: "34 of 36 rules by --ignore; accepted stock-guess"; empty if there are none.
 std::string scope_of(const Checked& checked);
-/// Returns the rules that were not asked, a line for each reason; empty if there are none.
+/// Returns the rules that were not checked, a line for each reason; empty if there are none.
 std::string skipped_of(const Checked& checked);
 
 /// Returns the text after the texts of all programs. For a single program (`many` is false): the

@@ -27,7 +27,7 @@ struct Entry {
     /// none.
     std::string scope;
     std::string to_tell;  ///< Text: remedies, a line for each reason for doubt.
-    std::string skipped;  ///< Text: rules that were not asked, a line for each reason.
+    std::string skipped;  ///< Text: rules that were not checked, a line for each reason.
     std::string json;     ///< One line of JSON; so are the next two.
     std::string sarif;
     std::string junit;

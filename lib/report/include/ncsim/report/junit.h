@@ -10,8 +10,8 @@
 namespace ncsim::report {
 
 /// Writes JUnit XML: a suite for each program, with a case for each rule and a case "proven" for
-/// all doubts. Rules that were not asked are skipped cases. Warnings fail a case only if they count
-/// as errors.
+/// all doubts. Rules that were not checked are skipped cases. Warnings fail a case only if they
+/// count as errors.
 void write_junit(std::ostream& out, const Entries& all);
 
 }  // namespace ncsim::report

@@ -9,6 +9,7 @@ namespace ncsim::report {
 
 /// Returns every rule with its category, severity, reason and remedy, and every reason for doubt.
 std::string rules_text();
+/// Returns the same data as JSON.
 std::string rules_json();
 
 }  // namespace ncsim::report

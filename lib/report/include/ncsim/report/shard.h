@@ -36,7 +36,7 @@ struct Placed {
 std::string shard_file_name(std::uint32_t shard, std::uint32_t of);
 
 /// Writes `entries`, which are in the order of the list. `left_out` are the files of the list that
-/// are not programs.
+/// were left out.
 void write_shard(std::ostream& out, const ShardHead& head, const std::vector<LeftOut>& left_out,
                  std::span<const Placed> entries);
 

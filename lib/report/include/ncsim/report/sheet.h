@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The assumption sheet: values that the program specifies, values concluded from the program, and
-// assumed values, so that the basis of a result is visible.
+// assumed values, so the basis of a result is visible.
 #pragma once
 
 #include "ncsim/report/facts.h"
