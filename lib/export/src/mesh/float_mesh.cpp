@@ -198,8 +198,8 @@ public:
         return x;
     }
 
-    /// True if the corners are collinear, exactly: coordinates have 48 bits, or a few more if a
-    /// corner was moved beyond the largest coordinate, so products fit in 128 bits.
+    /// True if the corners are collinear, computed exactly: coordinates have 48 bits, or a few more
+    /// if a corner was moved beyond the largest coordinate, so products fit in 128 bits.
     bool are_collinear(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c) const {
         std::array<Int128, 3> ab{}, ac{};
         for (std::size_t i = 0; i < 3; ++i) {

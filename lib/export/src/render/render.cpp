@@ -334,7 +334,7 @@ private:
     std::vector<std::uint32_t> flat_faces_;  // flat faces that are drawn
     cda::TriangleMesh mesh_;
     std::vector<ScreenPoint> points_;
-    // Of triangles; kBackground: the triangle faces away from the camera.
+    // Surface of each triangle; kBackground: the triangle faces away from the camera.
     std::vector<SurfaceId> ids_;
 };
 

@@ -2,8 +2,8 @@
 //
 // Sine, cosine and arctangent with the same bits on every machine. Standard libraries differ in the
 // last bit, and no output of ncsim may depend on that bit. The functions use only + - × ÷ √ and the
-// exact remainder. The rest of ncsim does not call the functions of the standard library;
-// tests/trig checks this.
+// exact remainder. tests/trig checks that sources of ncsim do not call std::sin and similar
+// functions, with a list of exceptions.
 #pragma once
 
 #include <numbers>
