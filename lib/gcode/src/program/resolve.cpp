@@ -153,7 +153,7 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         const bool told = haas || (find_word(block, 'I') && find_word(block, 'D'));
         if (!rules_.circular_pockets || !told) return put(Group::NotSimulated);
     }
-    // The outline of G150 is at P.
+    // P is the number of the line or program with the outline of G150.
     if (code == Code::G150 && haas && find_word(block, 'P')) return put(Group::Pocket);
     if (code == Code::None) {
         command.has_others = true;
@@ -183,7 +183,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         return other == Code::G80 ? put(group) : true;  // "G0 G80": ends the cycle and moves.
     }
     if (other != Code::None && (other != code || rules_.strict)) {
-        // Exclusive codes: an error under strict rules.
+        // G53 may be combined with G0 and G1 of the motion group, but not with a code of its own
+        // group.
         if (!tolerate(Message::GroupTwice, word.span, {name_of(other), text_of(word, value)})) {
             return false;
         }

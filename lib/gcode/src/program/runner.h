@@ -136,10 +136,10 @@ private:
     std::size_t current_ = 0;
     std::vector<Frame> frames_;
     std::vector<Repeat> repeats_;
-    /// File and line of each subroutine that was executed or skipped.
+    /// File and line of each subroutine definition that was reached.
     std::map<std::string, std::pair<std::size_t, std::uint32_t>> subs_;
     std::set<std::string> called_;  ///< Labels of the called subroutines.
-    /// File and line of each control structure, by subroutine and label.
+    /// File and line of each control structure that was reached, by subroutine and label.
     std::map<std::pair<std::string, std::string>, std::pair<std::size_t, std::uint32_t>> labels_;
     std::shared_ptr<const Machine::SavedModes> main_modes_;  // Modes saved by M70 outside of calls.
     Block block_;

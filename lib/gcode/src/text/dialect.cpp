@@ -329,7 +329,8 @@ class Detective {
 public:
     explicit Detective(std::string_view name) : is_named_siemens_(has_siemens_name(name)) {}
 
-    /// Counts the signs of a line. `every`: plain lines without arcs also count.
+    /// Counts the signs of a line. Lines with only the letters N X Y Z F and G0 … G3, and, unless
+    /// `every`, also A B C I J K R S, contain no signs; such lines only contribute axes.
     void look_at(std::string_view line, std::uint32_t number, bool every) {
         constexpr Letters kPlain = letters_of("NXYZF");
         constexpr Letters kPlainArcs = kPlain | letters_of("ABCIJKRS");

@@ -126,7 +126,8 @@ bool LineParser::read_o_word() {
             return false;
         }
     }
-    // "o1 if [#1] AND [#2]": the control ignores the second half, so the condition would differ.
+    // "o1 if [#1] AND [#2]": the second half is not read, so the condition would not be the
+    // intended condition.
     const std::string_view rest = text_.substr(at_);
     const bool goes_on =
         std::ranges::any_of(std::array{"and[", "or[", "xor["},
@@ -155,7 +156,7 @@ bool LineParser::reads_macro_word() {
         return false;
     }
     if (options_.strict || block_.control.word == ControlWord::If) {
-        // RS274/NGC reads letters without numbers here; the first letter lacks a number.
+        // RS274/NGC has no such words: the first letter lacks a number.
         report(Message::NumberExpected, span(start, start + 1), {upper_letter(rest[0])});
         return good_ = false, true;
     }

@@ -47,8 +47,8 @@ inline PlainNumber read_plain_number(const char* p, const char* end) {
     } else {
         const std::from_chars_result read =
             std::from_chars(first, p, value, std::chars_format::fixed);
-        // 400 digits before the point exceed the range of double; a number that starts with a point
-        // underflows to 0.
+        // Out of range: a number below 1 underflows to 0; any other number exceeds the range of
+        // double.
         if (read.ec == std::errc::result_out_of_range) {
             const char* digit = first;
             while (*digit == '0')

@@ -18,6 +18,7 @@
 
 namespace ncsim::gcode {
 
+/// Severity of a diagnostic.
 enum class Severity : std::uint8_t { Note, Warning, Error };
 
 /// A message about a position in a program.

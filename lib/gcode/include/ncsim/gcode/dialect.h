@@ -60,8 +60,8 @@ struct DialectFindings {
 };
 
 /// Concludes the dialect and the kind of `program` from signs in the text. Without a sign the
-/// dialect is Rs274, the common core. Every line of the first 128 kB counts; after 128 kB, lines of
-/// plain words (G1 X1.5 Y2) are skipped because plain words look alike on all controls.
+/// dialect is Rs274, the common core. After the first 128 kB, lines of plain words such as G2 X1.5
+/// I2 are not searched for signs because plain words look alike on all controls.
 DialectFindings detect_dialect(const SourceFile& program);
 
 }  // namespace ncsim::gcode

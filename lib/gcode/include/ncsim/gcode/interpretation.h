@@ -44,7 +44,7 @@ using FileReader = std::function<std::optional<SourceFile>(std::string_view name
 
 /// Limits at which a program without an end is stopped with a diagnostic.
 struct Limits {
-    /// Blocks that loops, calls and repeats execute again.
+    /// Largest number of blocks that loops, calls and repeats execute again.
     std::uint64_t repeated_blocks = 4'000'000;
     std::uint32_t call_depth = 64;
 };
