@@ -63,7 +63,7 @@ double widest_radius(const Survey& survey) {
 }
 
 // Returns the first rapid move in several axes whose box comes near the stock or a fixture, or
-// null. Only such moves can meet a body on one path and miss it on the second.
+// null. Only such moves can meet a body on one path and miss the body on the second.
 const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(const Survey& survey,
                                                                    const Questions& questions) {
     if (!survey.is_ready()) return nullptr;
@@ -127,7 +127,7 @@ std::set<std::string> objections(const gcode::Diagnostics& diagnostics) {
 }
 
 // Returns the hash of the motions of the program as `control` executes it. Empty if that control
-// objects to more than `accepted`, because then the program was not written for it.
+// objects to more than `accepted`, because then the program was not written for that control.
 std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control,
                                         const std::set<std::string>& accepted) {
     gcode::InterpreterOptions options = plan.job.interpreter;

@@ -71,11 +71,11 @@ class FaceNames {
 public:
     explicit FaceNames(const Design& design) : design_(design), tree_(design.mesh) {}
 
-    // Returns the name of the face that has the largest area of the design in the region; empty if
-    // it has no name.
+    // Returns the name of the face that has the largest area of the design in the region; empty
+    // without a name.
     std::string of(const cda::Box& region) const {
         if (design_.face_names.empty()) return {};
-        constexpr double kAround = 0.02;  // mm; surfaces on the sides of the region belong to it
+        constexpr double kAround = 0.02;  // mm; includes surfaces on the sides of the region
         const cda::Vec3 around{kAround, kAround, kAround};
         const cda::Box box{region.min - around, region.max + around};
         std::map<std::uint32_t, double> areas;

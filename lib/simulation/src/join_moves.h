@@ -33,8 +33,9 @@ private:
 
     double tolerance_mm_;
     gcode::MotionSink sink_;
-    std::optional<gcode::Motion> held_;  ///< From the start of the row to its current end.
-    std::vector<cda::Vec3> passed_;      ///< Intermediate ends, mm.
+    /// Joined move from the start of the row to its current end.
+    std::optional<gcode::Motion> held_;
+    std::vector<cda::Vec3> passed_;  ///< Intermediate ends, mm.
     bool has_joined_ = false;
 };
 

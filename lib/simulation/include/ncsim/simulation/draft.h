@@ -31,14 +31,14 @@ void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_to
 /// Number of moves from which a draft uses a model of rays.
 inline constexpr std::uint64_t kLongProgram = 200'000;
 
-/// A draft of a long program is made with the model that has a resolution, if nobody told another
-/// and nothing is asked for that only others have.
+/// Chooses the model with a resolution for a draft of a long program, if no model is specified and
+/// no result is requested that only exact models have.
 void choose_model(Plan& plan, const Survey& survey);
 
-/// Where the model has rays and nobody told their directions: along Z alone if no tool turns or is
-/// wider below than above, and all have a round or a pointed end, so that slopes are what they
-/// leave; along all axes where walls are. Throws std::runtime_error if Z alone was told and a tool
-/// turns or undercuts.
+/// Chooses the directions of rays if the model has rays and the directions are unspecified. Along Z
+/// alone if no tool rotates or is wider below than above, and all tools have a round or a pointed
+/// end, so the cuts leave slopes; otherwise along all axes, because of walls. Throws:
+/// std::runtime_error if Z alone was specified and a tool rotates or undercuts.
 void choose_rays(Plan& plan, const Survey& survey);
 
 /// Chooses the resolution for the stock if the model has a resolution and none is specified.

@@ -20,7 +20,7 @@ struct JointKey {
 /// Time from the call of a tool, or from a change of its length, to the next call or change.
 struct ToolTime {
     int number = 0;
-    double length_mm = 0.0;  ///< From the spindle nose to the tip, as set by G43.
+    double length_mm = 0.0;  ///< Length from the spindle nose to the tip, as set by G43.
     double from_seconds = 0.0, to_seconds = 0.0;
     bool operator==(const ToolTime&) const = default;
 };

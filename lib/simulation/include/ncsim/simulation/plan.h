@@ -21,7 +21,7 @@ namespace ncsim::simulation {
 /// A motion that met the stock. Tiles share this search in turns: tile i of n examines the motions
 /// i, i + n, …
 struct MetStock {
-    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
+    std::uint64_t motion = 0;  ///< Number in the order of execution, from 1.
     std::uint64_t hulls = 0;   ///< Number of cells that met the stock.
     bool operator==(const MetStock&) const = default;
 };
@@ -75,8 +75,8 @@ struct Plan {
     bool tool_volumes = true;
     /// Volume that each block removed; this takes several times the work.
     bool block_volumes = false;
-    bool hull_times =
-        false;  ///< What each hull cost; only models that show their cells measure it.
+    /// Time of each hull; only models that show their cells measure it.
+    bool hull_times = false;
 };
 
 /// Throws: std::invalid_argument with the name of the model if the model does not support

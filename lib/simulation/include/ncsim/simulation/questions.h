@@ -38,7 +38,7 @@ struct Questions {
     bool ledger = false;              ///< Keep a row a block, with exact volumes.
     bool look = false;                ///< Show the part, too; with the ledger.
     bool warnings_as_errors = false;
-    /// Tools in the options of the job belong to this program: a tool that it does not move is a
+    /// True if the tools in the options of the job belong to this program: an unused tool is a
     /// doubt.
     bool tools_are_meant = true;
     /// Tiles of the part, from check_tile(); null: the part is cut by check().

@@ -26,7 +26,7 @@ namespace ncsim::simulation {
 /// A motion that met the stock.
 struct Cut {
     verify::Place place;
-    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
+    std::uint64_t motion = 0;  ///< Number in the order of execution, from 1.
     int tool = 0;
 };
 

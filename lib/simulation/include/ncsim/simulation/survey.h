@@ -27,9 +27,11 @@ struct FeedPieces {
 /// Result of the survey.
 struct Survey : report::ProgramFacts {
     bool cuts_from_nowhere = false;  ///< True if a feed move has an unknown start.
-    /// It has only rapid moves, and nobody says what stands there: then it is not ready.
+    /// True if there are only rapid moves and the stock is unspecified; then the program is not
+    /// ready.
     bool only_rapid = false;
-    /// It runs on and on; it was stopped at the limit of gcode::Limits, and is not ready.
+    /// True if the program does not end: it was stopped at the limit of gcode::Limits, and is not
+    /// ready.
     bool never_ends = false;
     /// True if Z is never specified, as for a plotter, laser or engraver: only the path is known.
     bool is_flat() const { return untold[2]; }
