@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Differences between controls, as switches. Only this file translates a dialect into behaviour.
+// Differences between controls, as switches. Rules::of() derives the switches from a dialect.
 #pragma once
 
 #include "ncsim/gcode/dialect.h"

@@ -146,7 +146,7 @@ struct InterpreterOptions {
     /// of the program: a parameter of the machine. Default: 0.254 mm, at most up to R.
     std::optional<double> peck_clearance;
     /// Retract mode of canned cycles before the program sets G98 or G99, a parameter of the
-    /// machine. Default: G98; under strict rules G99.
+    /// machine. Default: G99 for LinuxCNC, G98 for other controls.
     std::optional<bool> starts_with_g99;
     TipControl tip_control;
     /// Kinematics of the machine; null: unspecified.
@@ -189,7 +189,7 @@ struct Interpretation {
     /// Origin and rotation of W; in machine coordinates only along axes with `frame` 0.
     WorkOffset workpiece;
     std::vector<OffsetConflict> offset_conflicts;
-    /// First executed block that starts with '/'.
+    /// First block that starts with '/' and that execution reached, even if the block was skipped.
     std::optional<ProgramPlace> deletable;
     /// On Fanuc and Haas: first length or angle without a decimal point that would have another
     /// value in least increments. `has_points`: some number has a decimal point.

@@ -251,7 +251,8 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     return true;
 }
 
-/// Ends the held line at the programmed corner because the next block is no line, and reports this.
+/// Reports that the next block is no line. Makes the held line to the programmed corner; a line
+/// with unknown end is discarded.
 void Machine::settle_corner() {
     if (control_.corner->angle) {
         const SourceSpan span = control_.corner->word;

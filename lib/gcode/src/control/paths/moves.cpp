@@ -33,7 +33,7 @@ bool Machine::move(const Command& command, Code motion) {
         if (motion == Code::G80) {
             if (!command.axis_words || words_taken) return true;
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
-            // Other controls continue with the mode before the cycle: "G80 Z50."
+            // Other controls continue with the last G0 or G1: "G80 Z50."
             motion = state_.last_straight;
             note_move_after_cycle(command, motion);
         } else if (words_taken) {
@@ -171,8 +171,9 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     return true;
 }
 
-/// Returns the end of a rotary move from `at` to `value`: `value` plus whole turns by the rotary
-/// way of the axis. A repeated value gives the same end, so no move.
+/// Returns the end of a rotary move from `at` to `value`: `value` itself (RotaryWay::Linear), or
+/// plus whole turns as the rotary way of the axis requires. A repeated value gives the same end, so
+/// no move.
 double Machine::rotary_end(std::size_t axis, double value, double at) const {
     constexpr double kTurn = 360.0;
     const RotaryWay way = options_.rotary_ways[axis - kA];
