@@ -45,7 +45,7 @@ CellComponents find_components(std::uint8_t inside) {
     for (int axis = 0; axis < 3; ++axis) {
         for (int side = 0; side < 2; ++side) {
             const auto corners = corners_of_face(axis, side);
-            std::array<int, 4> edges{};  // from each corner to the next
+            std::array<int, 4> edges{};  // edge from each corner to the next
             std::vector<int> crossed;
             for (std::size_t i = 0; i < 4; ++i) {
                 const int next = corners[(i + 1) % 4];

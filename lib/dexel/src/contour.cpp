@@ -179,7 +179,7 @@ public:
 
     std::vector<Vec3> points;  // units
     std::vector<Triangle> triangles;
-    std::vector<cda::Origin> origins;  // of triangles
+    std::vector<cda::Origin> origins;  // origins of triangles
 
 private:
     struct MixedCell {
@@ -244,7 +244,7 @@ private:
             const std::array<const std::uint64_t*, 4> columns{
                 signs_.column(x, y), signs_.column(x + 1, y), signs_.column(x, y + 1),
                 signs_.column(x + 1, y + 1)};
-            std::uint64_t any_below = 0, all_below = 0;  // of the last corner of the previous word
+            std::uint64_t any_below = 0, all_below = 0;  // last corner of the previous word
             for (std::size_t w = 0; w < signs_.words(); ++w) {
                 const std::uint64_t any =
                     columns[0][w] | columns[1][w] | columns[2][w] | columns[3][w];
@@ -481,8 +481,8 @@ private:
             if (first_middle == 0) first_middle = count;
             loop[count++] = *middle;
         }
-        // The fan starts at a middle vertex, so that no triangle has the two vertices beside which
-        // it lies as an edge.
+        // The fan starts at a middle vertex, so that no triangle has an edge between the vertices
+        // on both sides of the middle vertex.
         const auto begin = loop.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
         std::rotate(begin, begin + static_cast<std::ptrdiff_t>(first_middle), end);
         if (!faces_along) std::reverse(begin + 1, end);

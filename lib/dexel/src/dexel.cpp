@@ -221,7 +221,7 @@ private:
     mutable std::mutex mutex_;
     mutable std::optional<std::array<Rays, 3>> rays_;
     mutable std::vector<Body> waiting_;
-    mutable std::vector<Span> spans_;  // of waiting_
+    mutable std::vector<Span> spans_;  // ranges of waiting_
     mutable std::size_t waiting_cells_ = 0;
 };
 

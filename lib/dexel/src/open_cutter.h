@@ -44,7 +44,7 @@ private:
     Rays& rays_;
     Lanes lanes_;
     std::vector<double> x_, y_;               // coordinates of rays, padded to full blocks
-    std::vector<BlockExtent> columns_;        // of blocks, along x
+    std::vector<BlockExtent> columns_;        // extents of blocks along x
     std::vector<std::vector<Visit>> visits_;  // per block of a band
     BlockBounds bounds_;
     LowestBlock lowest_;

@@ -54,8 +54,8 @@ private:
 
     std::size_t stride_;
     Lanes lanes_;
-    std::array<std::vector<double>, 6> arrays_;  // as in PendingRow
-    std::vector<Range> used_;                    // of each row
+    std::array<std::vector<double>, 6> arrays_;  // the arrays of PendingRow
+    std::vector<Range> used_;                    // range in use per row
 };
 
 template <class DoCut>

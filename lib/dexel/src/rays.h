@@ -167,8 +167,8 @@ public:
     std::span<Gap> gaps(std::size_t v) { return std::span(gaps_).subspan(v * row_, row_); }
     /// Returns the number of rows of blocks.
     std::size_t bands() const { return blocks_ == 0 ? 0 : ceilings_.size() / blocks_; }
-    /// Returns an upper bound of the material for each block of a row of blocks. The cutter lowers
-    /// bounds optionally.
+    /// Returns the ceiling of each block of a row of blocks: no ray of the block has material at or
+    /// above the ceiling. A cutter may lower ceilings or leave them unchanged.
     std::span<std::int32_t> ceilings(std::size_t band) {
         return std::span(ceilings_).subspan(band * blocks_, blocks_);
     }

@@ -47,7 +47,7 @@ struct PendingRow {
 struct LowestBlock {
     static constexpr std::size_t kGroups = kBlock * kBlock / kWidest;
 
-    double slope_x = 0.0, slope_y = 0.0;  // of the plane
+    double slope_x = 0.0, slope_y = 0.0;  // slopes of the plane
     alignas(32) std::array<double, kBlock * kBlock> plane{};
     alignas(32) std::array<double, kBlock * kBlock> at{}, s{}, number{};
     alignas(32) std::array<double, kGroups> group_highest{};
@@ -68,7 +68,7 @@ struct BlockBound {
     double slope_x, slope_y;  ///< Slopes of the plane.
     double opening;           ///< Coefficient of the parabola, 1 / units.
     double ahead, behind,
-        aside;  ///< From the middle of the block to the ends and the middle line of the way, units.
+        aside;  ///< Distances from the block's middle to the ends and the middle line of the way.
 };
 /// Bounds of consecutive blocks.
 struct BlockBounds {
@@ -129,14 +129,14 @@ public:
     /// Values in units that are the same for all rays.
     struct Numbers {
         double radius, height, flat, tip;  ///< Same meaning as in RoundSweep.
-        double steepness;                  ///< Of a cone: rise per unit outwards.
+        double steepness;                  ///< Rise of a cone per unit outwards.
         std::array<double, 3> from, way;   ///< Tip, and motion of the tip.
         double across, way_across;  ///< Horizontal length of the way: squared, and not squared.
         double by_across;           ///< 1 / across.
         double by_way_across;       ///< 1 / way_across.
         double along_x, along_y;  ///< Horizontal unit direction of the way; arbitrary if vertical.
-        double opening;  ///< Of a ball: coefficient of a parabola below the ball, 1 / units.
-        double lead;     ///< Of a ball: shift of the best s per root of `room` (along_z).
+        double opening;           ///< Coefficient of a parabola below a ball, 1 / units.
+        double lead;              ///< Shift of a ball's best s per root of `room` (along_z).
     };
 
 private:

@@ -119,7 +119,7 @@ public:
 private:
     struct Corners {
         std::vector<double> x, y, z;
-        std::vector<const FilterPlane*> edge;  // from corner i to the next
+        std::vector<const FilterPlane*> edge;  // edge from corner i to the next
         std::size_t size = 0;
 
         // Removes all corners and reserves space for `most`.

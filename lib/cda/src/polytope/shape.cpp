@@ -398,7 +398,7 @@ Shape carve(const TriangleMesh& mesh, const Lattice& lattice, std::vector<Convex
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         if (planes.plane_of(t) == Planes::kNone) continue;
         Piece piece{planes.plane_of(t), planes.corners(t)};
-        // A piece in a facet of the hull has no part beyond the piece.
+        // There is no space to carve beyond a piece in a facet of the hull.
         const bool is_in_hull = std::any_of(
             body->facets().begin(), body->facets().end(), [&](const ConvexPolytope::Facet& facet) {
                 return std::all_of(piece.corners.begin(), piece.corners.end(), [&](const Vec3& p) {

@@ -58,7 +58,7 @@ public:
         std::array<std::uint32_t, 3> planes{};  // indices, ascending
     };
     struct Piece {
-        PlaneRef plane = 0;      // of the face, material below
+        PlaneRef plane = 0;      // plane of the face, material below
         std::uint32_t edge = 0;  // index of the second plane through the piece
         Origin origin = kStockOrigin;
         std::uint32_t tail = 0, head = 0;  // points

@@ -402,7 +402,7 @@ private:
     const BoundaryFace& face_;
     Projection view_;
     Crossing cdt_;
-    Passes passes_;  // of the chains
+    Passes passes_;  // traversals by the chains
     std::vector<Triangle> triangles_;
 };
 

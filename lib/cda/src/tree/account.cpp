@@ -4,8 +4,8 @@
 // first cell that covers a box removes the rest left by the cells before, and later cells remove
 // nothing there. Where several cells have a surface in a box, each facet is followed through time:
 // the facet is born with the area that no earlier cell has, and each later cell removes part of the
-// area, until none is left. The volume under a facet is a third of area times distance. It is added
-// to the cell with which the facet is born and subtracted from the cell that removes the facet: the
+// area, until none is left. The volume under a facet, a third of area times distance, is added to
+// the cell with which the facet is born and subtracted from the cell that removes the facet: the
 // divergence theorem for each cell. Walls of boxes cancel between adjacent boxes and are not
 // counted.
 //

@@ -13,8 +13,8 @@
 namespace ncsim::cda {
 
 struct CoveringInput {
-    std::span<const Plane> window;  ///< The region to be covered is below all these planes,
-    HalfBox bounds;                 ///< and within this box.
+    std::span<const Plane> window;  ///< The region to be covered is below all these planes
+    HalfBox bounds;                 ///< Box around the region to be covered.
     std::span<const IncomingCell* const> waiting;
     const CellTable& cells;
     /// Limit on box–cell and box–plane tests; beyond the limit the answer is false.

@@ -43,11 +43,10 @@ enum class Domination : std::uint8_t {
 /// linear program of a box and a halfspace, a convex function of one multiplier.
 Domination implies(const BoxPlane& m, const BoxPlane& p);
 
-/// Decides if the part of a cell in a box is within a second cell. Both are given by the planes
-/// that cut the box. A positive answer is exact; None may be wrong if the proof needs two planes at
-/// once.
-/// Cost: O(planes · planes), because each plane of the second cell is tested against each plane of
-/// the first.
+/// Decides if the part of a cell in a box is within a second cell. Both cells are given by the
+/// planes that cut the box. A positive answer is exact; None may be wrong if the proof needs two
+/// planes at once. Cost: O(planes · planes), because each plane of the second cell is tested
+/// against each plane of the first.
 Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by);
 
 /// Reach of a cell through a box along the axis that most of the planes face, in 16 columns. A cell

@@ -155,7 +155,7 @@ private:
         return range;
     }
 
-    // True if a single cell covers the window's part of the box. This is frequent where passes
+    // True if a single cell covers the window's part of the box. This case is frequent where passes
     // overlap; no facet needs evaluation then.
     bool covers_window(const HalfBox& box) {
         const BoxFrame frame(box);
@@ -506,7 +506,7 @@ private:
     std::array<FilterPlane, 6> walls_;
     Planes stock_, window_;
     std::vector<FilterPlane> leaf_planes_;
-    PlaneRows rows_;  // of the stock, of the window, of the cells
+    PlaneRows rows_;  // planes of the stock, the window and the cells
     Range stock_range_, window_range_;
     std::vector<Local> cells_;
     std::size_t killer_ = 0;

@@ -37,7 +37,8 @@ struct StraightSteps {
 };
 
 /// A bounded intersection of halfspaces. Redundant planes are allowed; duplicate planes are not.
-/// `bounds` (mm) encloses the cell, not necessarily tightly. It serves to reject, never to decide.
+/// `bounds` (mm) encloses the cell, not necessarily tightly. `bounds` serves to reject, never to
+/// decide.
 struct Cell {
     std::vector<Plane> planes;
     Box bounds;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The flat Convex Difference Aggregate of the thesis: C = P \ (N1 ∪ … ∪ Nn). It has one positive
-// cell (the stock), negative cells (removed volume), and zero cells (overlaps of two negative
-// cells) that mask hidden parts of facets.
+// The flat Convex Difference Aggregate of the thesis: C = P \ (N1 ∪ … ∪ Nn). The aggregate has one
+// positive cell (the stock), negative cells (removed volume), and zero cells (overlaps of two
+// negative cells) that mask hidden parts of facets.
 // Source: Schüppel, Using Boolean Operations to Simulate CNC-Milling, 2001, chapters 3 to 5, with
 // errors corrected as listed in docs/cda.md.
 //

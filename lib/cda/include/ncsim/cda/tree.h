@@ -164,14 +164,14 @@ private:
     bool contains_as_it_is(const QueryPoint& query) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
 
-    // Blocks insert waiting cells in the background while more cells arrive. The first member whose
-    // assignment matters: a move assignment ends the work before its data is replaced.
+    // Blocks insert waiting cells in the background while more cells arrive. First member,
+    // so that a move assignment ends this work before the data is replaced.
     mutable std::unique_ptr<Background> settling_;
     TreeParameters parameters_;
     Lattice lattice_;
     Cell stock_;
-    Vec3 centre_;    // of the stock, in units
-    Box stock_box_;  // in units
+    Vec3 centre_;    // centre of the stock, in units
+    Box stock_box_;  // bounds of the stock, in units
     std::vector<Plane> stock_planes_;
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;

@@ -85,7 +85,7 @@ private:
 };
 
 /// True if the box contains, within rounding, a point of the segment from `a` to `b`.
-/// Not true: that a positive answer is exact. A negative answer is.
+/// A negative answer is exact; a positive answer may be wrong by rounding.
 bool meets_segment(const Box& box, Vec3 a, Vec3 b);
 
 }  // namespace ncsim::cda

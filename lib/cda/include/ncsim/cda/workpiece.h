@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workpiece as the simulation uses the workpiece: operations independent of the model.
+// Interface between the simulation and workpiece models.
 // Source: Schüppel, Using Boolean Operations to Simulate CNC-Milling, 2001, chapter 1
 // (CstaWpModel): create, subtract, render, clone.
 #pragma once
