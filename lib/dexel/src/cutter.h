@@ -35,6 +35,7 @@ struct CuttingCell {
     cda::Origin origin;
 };
 
+/// A body that cuts rays.
 using Body = std::variant<CuttingCell, SweptTool>;
 
 /// Cuts the rays of a direction, row by row.

@@ -30,6 +30,7 @@ struct GridAxis {
 /// about a kilobyte per ray.
 inline constexpr double kMostRays = 2e6;
 
+/// The grid of rays: corners along three axes.
 struct Grid {
     /// Builds the grid of a box in units. Throws: std::invalid_argument if the grid exceeds
     /// kMostRays.

@@ -90,6 +90,7 @@ Lanes widest_lanes();
 void join_row(const PendingRow& pending, std::size_t count, RowMeeting& met, double body,
               Lanes lanes, void (*take)(void*, std::size_t), void* context);
 
+/// The sweep of a round tool in lattice units, prepared for intersection with rays.
 class SweptTool {
 public:
     SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, const Grid& grid);

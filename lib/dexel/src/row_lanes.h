@@ -30,6 +30,7 @@ NCSIM_DEXEL_INLINE V end_of(V low, V high, V first, V last) {
     return low == first ? first : high == last ? last : middle;
 }
 
+/// Intervals of kWidth rays, as in RowMeeting.
 struct Ray {
     V low, high, s_low, s_high;
 };

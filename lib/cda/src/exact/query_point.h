@@ -13,6 +13,7 @@
 
 namespace ncsim::cda {
 
+/// A point rounded to 2^-16 of a lattice unit.
 struct QueryPoint {
     static constexpr std::int64_t kScale = 65536;  ///< Steps per lattice unit.
     std::array<std::int64_t, 3> at{};

@@ -45,6 +45,7 @@ struct Interval {
     std::uint32_t forward : 1;
 };
 
+/// Numbers for planes, points, lines and owners of outlines.
 class Naming {
 public:
     Naming() : points_({}, SamePoint{&planes_.keys()}), lines_({}, SameLine{&planes_.keys()}) {}

@@ -28,6 +28,7 @@ struct Fragment {
     std::vector<std::vector<Corner>> loops;
 };
 
+/// Returns the outlines of fragments, for Stitcher::take().
 Outlines outlines_of(const std::vector<Fragment>& fragments);
 
 /// Joins outlines that together are the whole surface of a solid. Pieces of one plane and one

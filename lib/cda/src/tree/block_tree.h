@@ -26,7 +26,8 @@
 
 namespace ncsim::cda {
 
-/// Table of all cells by number: origin, rank and shared normals.
+/// Table of all cells by number: origin, rank and family. Cells with the same FacetNormals object
+/// form a family.
 class CellTable {
 public:
     static constexpr std::uint32_t kNoFamily = ~std::uint32_t{0};
@@ -110,6 +111,7 @@ struct Taken {
     std::optional<std::size_t> step = std::nullopt;
 };
 
+/// The tree of a block.
 class BlockTree {
 public:
     explicit BlockTree(const HalfBox& box);

@@ -12,6 +12,7 @@
 
 namespace ncsim::cda {
 
+/// Input of is_covered().
 struct CoveringInput {
     std::span<const Plane> window;  ///< The region to be covered is below all these planes
     HalfBox bounds;                 ///< Box around the region to be covered.

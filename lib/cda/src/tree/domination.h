@@ -32,6 +32,7 @@ struct BoxPlane {
     const Plane* exact = nullptr;
 };
 
+/// Result of containment tests within a box, in ascending order of strength.
 enum class Domination : std::uint8_t {
     None,      ///< Not covered, or not decided.
     Coplanar,  ///< Covered, and both have a facet in one plane there.

@@ -38,6 +38,7 @@ struct ScaledNormal {
 struct Bound {
     float slope = 0, offset = 0;
 };
+/// Returns the bound on p·x that follows from a plane along `m`.
 Bound bound_along(const ScaledNormal& p, const ScaledNormal& m);
 
 /// Entries of a row: the reach of a cell along each normal of a table.
@@ -50,6 +51,7 @@ constexpr float kUnknown = 1e30F;
 constexpr float kAnything = 3e38F;
 }  // namespace row
 
+/// Bounds between all pairs of normals in a box.
 class NormalTable {
 public:
     /// Cost: O(normals²).

@@ -22,6 +22,7 @@
 
 namespace ncsim::cda {
 
+/// Accumulator of the steps' shares for one cell.
 class StepShares {
 public:
     /// Requires: a cell with steps.

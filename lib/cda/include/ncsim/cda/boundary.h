@@ -34,6 +34,7 @@ struct Boundary {
 double volume(const Boundary& boundary);
 /// Returns the area of all faces in mm².
 double area(const Boundary& boundary);
+/// Returns the smallest box around all vertices, mm.
 Box bounds(const Boundary& boundary);
 
 }  // namespace ncsim::cda

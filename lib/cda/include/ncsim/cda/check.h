@@ -10,6 +10,7 @@
 
 namespace ncsim::cda {
 
+/// Result of check(): counts of edges and a measure of closedness.
 struct SurfaceCheck {
     std::uint64_t edges = 0;  ///< Number of directed edges.
     /// Edges without exactly one partner in the opposite direction.
@@ -21,6 +22,8 @@ struct SurfaceCheck {
     bool is_closed() const { return unpaired_edges == 0 && repeated_edges == 0; }
 };
 
+/// Checks that each directed edge has exactly one partner and that area vectors sum to zero. Cost:
+/// O(n log n) for n edges.
 SurfaceCheck check(const Boundary& boundary);
 SurfaceCheck check(const TriangleMesh& mesh);
 

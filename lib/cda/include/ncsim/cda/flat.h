@@ -24,6 +24,7 @@
 
 namespace ncsim::cda {
 
+/// Kinds of cells of the aggregate.
 enum class CellKind : std::uint8_t {
     Positive,  ///< The stock.
     Negative,  ///< Intersection of a subtracted cell with the stock.
@@ -46,6 +47,7 @@ struct FacetBinding {
     std::vector<FacetRef> down;
 };
 
+/// A cell of the aggregate with the bindings of its facets.
 struct CdaCell {
     CellKind kind = CellKind::Positive;
     Origin origin = kStockOrigin;
@@ -80,6 +82,7 @@ struct StepStatistics {
     Box bounds;                   ///< Bounds of the cell, mm.
 };
 
+/// Workpiece model with the flat aggregate. Exact; quadratic cost.
 class FlatCda final : public WorkpieceModel {
 public:
     static constexpr std::string_view kName = "cda-flat";

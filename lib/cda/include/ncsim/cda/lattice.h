@@ -34,6 +34,7 @@ inline constexpr int kNormalBits = 24;
 /// would exceed 64 bits.
 inline constexpr std::int64_t kMaxPose = std::int64_t{1} << 37;
 
+/// The lattice of a workpiece: integer points, scaled by a unit length.
 struct Lattice {
     /// Length of one unit in mm: 1e-5 (10 nm) times 1, 2, 5, 10, 20, 50 … With these steps the
     /// micrometres of NC programs stay exact as long as possible.

@@ -12,6 +12,7 @@
 
 namespace ncsim::cda {
 
+/// A triangle mesh, mm, workpiece frame.
 struct TriangleMesh {
     std::vector<Vec3> vertices;
     /// Indices into `vertices`, counter-clockwise seen from outside.

@@ -35,6 +35,7 @@ Plane canonical(std::int64_t nx, std::int64_t ny, std::int64_t nz, std::int64_t 
 
 /// Returns the normal as a unit vector.
 Vec3 unit_normal(const Plane& plane);
+/// Returns the signed distance of the plane from the origin along the normal, mm.
 double offset_mm(const Plane& plane, const Lattice& lattice);
 /// Returns the signed distance of the plane from `centre` along the normal, both in lattice units.
 double distance_about(const Plane& plane, Vec3 centre);

@@ -23,8 +23,7 @@ struct Nearness {
     /// Upper bound of the distance: the distance of two points, one per body. Unless `is_apart`,
     /// this is the distance of the bodies up to rounding of doubles; 0 if the bodies meet.
     double distance = 0.0;
-    Vec3
-        way;  ///< Vector of any length from the first body to the second; a hint for the next call.
+    Vec3 way;  ///< Vector from the first body to the second, any length: hint for the next call.
 };
 
 /// Decides if a slab of at least `width` units lies between the hulls of `a` and `b`. For width 0 a
@@ -49,6 +48,7 @@ struct Directions {
     std::vector<Vec3> normals, edges;
 };
 Directions directions_of(const ConvexPolytope& body);
+/// Returns the normals and edge directions of a polytope.
 
 /// Returns the length of the shortest translation after which two convex bodies touch at most: the
 /// minimum over all facets of the Minkowski difference. In doubles, in the unit of the corners; 0

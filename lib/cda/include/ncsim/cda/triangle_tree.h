@@ -16,6 +16,7 @@ namespace ncsim::cda {
 
 using Corners = std::array<Vec3, 3>;
 
+/// Returns the corners of a triangle of a mesh, mm.
 Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle);
 
 /// Returns the distance of a point and a segment, mm.
@@ -25,6 +26,7 @@ double distance_to_segment(Vec3 p, Vec3 a, Vec3 b);
 /// count as segments.
 double distance(Vec3 p, const Corners& triangle);
 
+/// Index of the triangles of a mesh. Requires: the mesh outlives the index.
 class TriangleTree {
 public:
     /// Keeps a reference to `mesh`. Cost: O(n log n).

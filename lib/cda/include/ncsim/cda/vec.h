@@ -10,6 +10,7 @@
 
 namespace ncsim::cda {
 
+/// A vector or a point.
 struct Vec3 {
     double x = 0.0, y = 0.0, z = 0.0;
 

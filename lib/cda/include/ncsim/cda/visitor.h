@@ -12,6 +12,7 @@ struct CdaCell;
 struct Contact;
 struct FacetRef;
 
+/// Base class of visitors of a FlatCda.
 class CdaVisitor {
 public:
     virtual ~CdaVisitor() = default;

@@ -46,6 +46,7 @@ struct Taking {
     Box bounds;           ///< Box around the cells that removed volume, mm; empty if no cell did.
     bool operator==(const Taking&) const = default;
 };
+/// Removed volumes by origin.
 using Account = std::map<Origin, Taking>;
 
 /// Places where a part is thinner than a model of limited resolution can represent.
@@ -58,6 +59,7 @@ struct ThinPlaces {
     Vec3 at;                       ///< Position of the smallest thickness, mm.
     Origin origin = kStockOrigin;  ///< The later of the two motions that made the place.
 };
+/// Thin places of a model with limited resolution.
 struct Aliasing {
     ThinPlaces material, gaps;
     bool is_seen_along_z_alone = false;  ///< True if walls and slots are not checked.

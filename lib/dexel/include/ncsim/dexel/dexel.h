@@ -18,6 +18,7 @@
 
 namespace ncsim::dexel {
 
+/// Directions of rays.
 enum class Directions {
     Three,
     /// Rays along z only: for parts without undercuts, several times as fast. The error of walls is
@@ -25,6 +26,7 @@ enum class Directions {
     OnlyZ,
 };
 
+/// Parameters of the dexel model.
 struct DexelParameters {
     /// 0: one per hardware thread. The result does not depend on the number.
     std::size_t threads = 0;

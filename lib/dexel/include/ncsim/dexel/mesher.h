@@ -7,6 +7,7 @@
 
 namespace ncsim::dexel {
 
+/// Algorithm of Dexel::boundary().
 enum class Mesher : std::uint8_t {
     DualContouring,  ///< Edges stay sharp.
     MarchingCubes,   ///< As in the thesis (2.2), for comparison.
