@@ -351,7 +351,7 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
     bool is_alone = true;
     double distance = 0.0;
     std::vector<Turned> turning;  // from the tool to the part
-    // whether a linear joint moves between a rotary joint that moves and the part
+    // Whether a linear joint moves between a rotary joint that moves and the part.
     bool head_turns = false;
     for (std::size_t i = chain.joints.size(); i-- > 0;) {
         const machine::Joint& joint = chain.joints[i];

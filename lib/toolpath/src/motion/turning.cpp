@@ -34,7 +34,7 @@ double gained_by_cylinder(double s, double bend, double height, double across) {
     const double kTurned = 0.051 * s + bend / 32;  // t (1-t) times the angle between axis and m
     const double leans = 0.53 * s + bend / 8;      // largest angle between axis and m
     const double beyond_side = s * (height / 4 + kTurned * across);
-    // largest |z1 - z2| if the point is beyond an end
+    // Largest |z1 - z2| if the point is beyond an end.
     const double apart = s * (across + leans * height);
     const double beyond_end = s * (across / 4 + kTurned * std::min(height, apart));
     const double aside = 0.149 * s * apart + s * kTurned * across;

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Circumscribed: the polygon of a ring holds the round section if the polygon's inner circle does,
-// so the radii of the inner circles, over the heights, have to lie on or outside the profile.
-// Around a rounded corner the radii lead from tangent to tangent of the arc. How far a ring may lie
-// along a tangent is limited by the corners of the polygon, which lie farther out. A radius has to
-// be a multiple of the polygon's radius; this costs nothing, because the height is free. Inscribed:
-// the tangents touch a smaller arc about the same centre, and the corners do not lie outside the
-// arc.
-//
-// The polygon of the next ring is a choice: fine polygons reach farther, coarse polygons have fewer
-// facets. A walk is kept for the next ring unless a second walk is at least equal in both the
-// number of facets and the angle reached.
+// Search for the stack of rings with the fewest facets that approximates a profile.
 #include "polytope/ring_walk.h"
 
 #include "ncsim/cda/lattice.h"
@@ -102,6 +92,18 @@ struct Step {
 };
 
 // Search for the stack of rings with the fewest facets along a profile.
+//
+// Circumscribed: the polygon of a ring holds the round section if the polygon's inner circle does,
+// so the radii of the inner circles, over the heights, have to lie on or outside the profile.
+// Around a rounded corner the radii lead from tangent to tangent of the arc. How far a ring may lie
+// along a tangent is limited by the corners of the polygon, which lie farther out. A radius has to
+// be a multiple of the polygon's radius; this costs nothing, because the height is free. Inscribed:
+// the tangents touch a smaller arc about the same centre, and the corners do not lie outside the
+// arc.
+//
+// The polygon of the next ring is a choice: fine polygons reach farther, coarse polygons have fewer
+// facets. A walk is kept for the next ring unless a second walk is at least equal in both the
+// number of facets and the angle reached.
 class Walks {
 public:
     Walks(const std::vector<RingPolygon>& family, Side side, const Play& play, int most_corners)
@@ -366,7 +368,7 @@ private:
         // A ring that is not beyond the tangent's contact with the arc makes no progress.
         if (dot(p - f.centre, d) <= 0) return;
         Vec next = tangent_from(f, p);
-        // the end is nearer
+        // The end is nearer.
         if (inset_ > 0 && turned(f, next) >= f.turn_degrees) next = unit(f.end - p);
         const double degrees = turned(f, next);
         if (degrees <= at(step).turned || degrees >= f.turn_degrees) return;

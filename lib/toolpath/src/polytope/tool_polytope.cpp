@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Approximation of round tools by polytopes, in three steps:
-// 1. Polygons with integer corners around (or in) the circle of integer radius b, and coarser
-//    polygons with parallel sides: ring_polygon.h.
-// 2. Rings: each ring of the polytope is a multiple of such a polygon at an integer height. Strips
-//    between two rings then are trapezoids with parallel sides, exactly planar, and triangles. The
-//    sequence of rings: ring_walk.h.
-// 3. The choice of the number of sides and of b for the fewest facets within the tolerance: this
-//    file.
+// Approximation of round tools by polytopes. Each ring of a polytope is a multiple of a polygon
+// with integer corners around (or in) the circle of integer radius b, at an integer height; so the
+// strips between two rings are exactly planar trapezoids with parallel sides, and triangles.
+// Polygons: ring_polygon.h; sequence of rings: ring_walk.h. This file chooses the number of sides
+// and b for the fewest facets within the tolerance.
 #include "ncsim/toolpath/tool_polytope.h"
 
 #include "polytope/half_plane.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reading in two steps: a pass over the words collects the values; then the whole is judged. It is
-// a description if a single number can be the size, and if the rest consists of typical words of
-// tool descriptions.
+// Reads free-form tool descriptions in two steps. A pass over the words collects the values; then
+// the whole is judged: it is a description if a single number can be the size, and if the rest
+// consists of typical words of tool descriptions.
 #include "tools/tool_phrase.h"
 
 #include "tools/tool_words.h"
@@ -410,7 +410,7 @@ private:
             }
         }
         std::erase_if(sizes_, [this](const Size& size) {
-            // M6 TAP DRILL: the size is unknown
+            // M6 TAP DRILL: the size is unknown.
             if (size.how == Size::How::Thread) return !is_thread_;
             return size.quantity.value <= 0.0;
         });

@@ -51,7 +51,7 @@ std::optional<double> neck_of(const ToolSpec& spec, ToolKind kind) {
     if (spec.neck_diameter) return spec.neck_diameter;
     const double d = diameter_of(spec);
     if (!is_undercutting(kind) || !spec.shaft.empty()) return std::nullopt;
-    // the shank is the neck
+    // The shank is the neck.
     if (spec.shank_diameter && *spec.shank_diameter < d) return std::nullopt;
     return kNeck * d;
 }

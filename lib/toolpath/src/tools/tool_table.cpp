@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reading in two steps: a pass over the blocks collects remarks in order, tool calls, and units;
-// then every remark gets its tool and its unit.
+// Reads tools and stock in the comments of a program in two steps. A pass over the blocks collects
+// remarks in order, tool calls, and units; then every remark gets its tool and its unit.
 #include "ncsim/toolpath/tool_table.h"
 
 #include "ncsim/gcode/parser.h"
@@ -286,7 +286,7 @@ private:
             return;
         }
         const auto index = static_cast<std::size_t>(known - notes_.tools.begin());
-        // a stated diameter takes precedence over a diameter in a name
+        // A stated diameter takes precedence over a diameter in a name.
         if (placed.remark.certain && !certain_[index]) {
             *known = {std::move(spec), ToldBy::Comment, placed.span, placed.text};
             certain_[index] = true;

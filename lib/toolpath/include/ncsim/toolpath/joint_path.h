@@ -24,8 +24,8 @@ public:
     JointPath(JointPath&&) noexcept;
 
     /// Returns the joints at `t` from 0 to 1, in machine coordinates of the spindle nose (mm,
-    /// degrees). U, V and W are 0: X, Y and Z make their motion. Empty if the axes cannot bring the
-    /// tip there.
+    /// degrees). U, V and W are 0; X, Y and Z include their motion. Empty if the axes cannot bring
+    /// the tip there.
     std::optional<machine::Values> at(double t) const;
     /// Returns the motion of the joints from `t0` to `t1`, where the joints are at `from` and `to`.
     /// Empty under tip control if the machine has a rotary axis between its linear axes.
@@ -40,12 +40,13 @@ private:
     std::unique_ptr<const Course> course_;
 };
 
-/// Straight moves and arcs that make up a motion, in order. Rapid moves follow `rapid`, splines
-/// become chords; dwells and tool changes have no legs.
+/// Straight moves and arcs that make up a motion, in order.
 struct Legs {
     std::vector<gcode::Motion> motions;
     double missed_mm = 0.0;  ///< Largest distance between the curve and its chords.
 };
+/// Divides a motion into legs. Rapid moves follow `rapid`, splines become chords; dwells and tool
+/// changes have no legs.
 Legs legs_of(const gcode::Motion& motion, const RapidPath& rapid);
 
 }  // namespace ncsim::toolpath

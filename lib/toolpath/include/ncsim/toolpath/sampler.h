@@ -62,8 +62,9 @@ struct Samples {
 /// that moves; for the rest of the tool, the tool's reach is added. For x = E1(t) … En(t) y, with
 /// rotations by θ_i and translations by v_j,
 ///
-///     |x″| ≤ Σ_i Σ_k θ_i θ_k d + 2 Σ_i θ_i Σ_j v_j,  d the distance from the axis of the inner
-///     joint.
+///     |x″| ≤ Σ_i Σ_k θ_i θ_k d + 2 Σ_i θ_i Σ_j v_j
+///
+/// where d is the distance from the axis of the inner joint.
 ///
 /// Under tip control the tip moves on a straight line in W (or on its arc), and the tool rotates
 /// about the tip: θ²·reach/8. Rotations of a round tool about its own axis do not count. U, V and W

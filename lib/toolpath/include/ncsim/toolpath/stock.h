@@ -72,8 +72,10 @@ struct DerivedStock {
 /// The three highest heights of level cuts, mm.
 class HighestLevels {
 public:
+    /// Adds the height of a level cut.
     void add(double z);
     void add(const HighestLevels& others);
+    /// Returns the highest level.
     double highest() const { return levels_[0]; }
     /// Returns the distance between neighbouring levels if all three are equally far apart, as
     /// roughing passes are.

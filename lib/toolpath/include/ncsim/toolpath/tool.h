@@ -73,7 +73,7 @@ struct Tool {
 /// Contradictory arguments give the nearest possible tool: a corner radius is at most half the
 /// diameter, a length at least the height of the shaped end.
 ///
-/// Requires: all arguments finite and positive; `corner_radius` and `tip_diameter` may be 0.
+/// Requires: all arguments are finite and positive; `corner_radius` and `tip_diameter` may be 0.
 Tool flat_end_mill(double diameter, double length);
 Tool face_mill(double diameter, double length);
 Tool ball_end_mill(double diameter, double length);
@@ -81,6 +81,7 @@ Tool bull_nose_end_mill(double diameter, double corner_radius, double length);
 /// Makes a cone of `included_angle` (90 for a 90 degree chamfer mill) up to `diameter`, followed by
 /// a cylinder. The tip is a flat of `tip_diameter`.
 Tool v_cutter(double diameter, double tip_diameter, double included_angle, double length);
+/// Makes a cylinder with a cone of `point_angle` at the tip.
 Tool drill(double diameter, double point_angle, double length);
 /// Makes a cone that opens by `taper` degrees per side from a flat or rounded tip. The rounding of
 /// the tip keeps its radius: a tapered ball end mill has the tip diameter 2 · corner_radius.

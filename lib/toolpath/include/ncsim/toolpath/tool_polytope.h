@@ -58,7 +58,6 @@ struct PiecePolytope {
 /// adds ρ(1/cos(Φ/2n) - 1). The lattice adds about r/b. error_mm is measured, not estimated: the
 /// largest distance of a corner from the round piece, or of a point of the round piece from the
 /// polytope.
-/// polytope.
 PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
                           const ToolAccuracy& accuracy);
 

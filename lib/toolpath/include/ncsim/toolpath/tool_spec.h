@@ -63,7 +63,11 @@ bool is_complete(const ToolSpec& spec);
 /// - the kind follows from the corner radius and the angles; without these, a flat end mill;
 /// - the angle is 118 degrees for drills and 90 degrees for V-cutters;
 /// - a V-cutter with only a tip diameter has a shank of 3.175 mm, or twice the tip;
-/// - the length is `assumed_length`, which should exceed the depth of any cut;
+/// - the length is `assumed_length`, which should exceed the depth of any cut, up to the stick-out;
+///   a quarter of the diameter for slot mills, half for dovetail mills, the diameter for lollipop
+///   mills;
+/// - the taper is 30 degrees for dovetail mills; the neck of an undercutting mill has 0.6
+///   diameters;
 /// - a shank of unknown length reaches to the holder; if the stick-out is unknown, too, the holder
 ///   begins directly above, as low as possible; without a holder the shank is three diameters long.
 ///

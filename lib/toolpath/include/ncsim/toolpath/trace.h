@@ -78,6 +78,7 @@ public:
     /// Returns bounds() of two poses that both have this reach.
     cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) const;
 
+    /// Returns the dimensions of the cutting pieces.
     const ToolExtent& extent() const { return extent_; }
     /// Returns a bound on the distance between the tool and its polytopes.
     double error_mm() const { return error_mm_; }

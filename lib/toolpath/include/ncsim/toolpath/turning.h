@@ -20,19 +20,29 @@
 // from x: the distance of x from the tool at t is at most s/4 times the extent of the piece across
 // k. If all points of the tool move the same way along w, by v1 and v2 at the ends of the axis,
 // then q is nearer to x at another time, t' = t V_w(q2)/V_w(q). This t' is between 0 and 1, because
-// V_w depends on z alone. The remaining distance is across w: (t' - t) (D_across - s u m), where t'
-// - t is at most (√v2 - √v1)/(√v2 + √v1), and s t (1-t) (u1 - u2) m. The error of the chord is
-// added, as above.
+// V_w depends on z alone. The remaining distance is across w, the sum of
 //
-// **Cylinders.** Height and width do not count at once. Let δ be the angle between the axis at t
-// and m: |t - 1/2| times the angle of rotation, plus the bend. The offset of x from q is at most s
-// t (1-t) (|z1-z2| + δ |u1-u2|) across the axis at t, and s t (1-t) (|u1-u2| + δ |z1-z2|) along the
-// axis. t (1-t) δ is at most a twentieth of the angle of rotation plus a 32nd of the bend. If x is
-// at the side of the tool, the gain is the first term. The point x is beyond an end, say the lower
-// end, only if the height (1-t) z1 + t z2 of q above that end is less than the second term. Then z1
-// < s t (2R + δ height) and z2 < s (1-t) (2R + δ height), so |z1-z2| < s max(t, 1-t) (2R + δ
-// height). The first term is then of second order, because t (1-t) max(t, 1-t) is less than 0.149;
-// it is perpendicular to the second term.
+//     (t' - t) (D_across - s u m),    t' - t at most (√v2 - √v1)/(√v2 + √v1),    and
+//     s t (1-t) (u1 - u2) m.
+//
+// The error of the chord is added, as above.
+//
+// **Cylinders.** Height and width do not add up. Let δ be the angle between the axis at t and m: |t
+// - 1/2| times the angle of rotation, plus the bend. The offset of x from q is at most
+//
+//     s t (1-t) (|z1-z2| + δ |u1-u2|)  across the axis at t, and
+//     s t (1-t) (|u1-u2| + δ |z1-z2|)  along the axis.
+//
+// The product t (1-t) δ is at most a twentieth of the angle of rotation plus a 32nd of the bend. If
+// x is at the side of the tool, the gain is the first term. The point x is beyond an end, say the
+// lower end, only if the height (1-t) z1 + t z2 of q above that end is less than the second term.
+// Then
+//
+//     z1 < s t (2R + δ height),    z2 < s (1-t) (2R + δ height),    so
+//     |z1-z2| < s max(t, 1-t) (2R + δ height).
+//
+// The first term is then of second order, because t (1-t) max(t, 1-t) is less than 0.149; it is
+// perpendicular to the second term.
 //
 // **Rounded tools.** If the tool is the sum of a core and a ball (ball nose: the core is a part of
 // the axis; corner radius: the cylinder within the corner), only the core counts, because a rotated

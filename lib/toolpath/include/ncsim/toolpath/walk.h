@@ -52,7 +52,7 @@ struct Step {
     std::span<const cda::RoundSweep> sweeps;
     bool is_near = false;  ///< True if the stock is near enough for cells.
     SampleBounds bounds;   ///< Bounds of the motion that the step belongs to.
-    Turning turning;       ///< Rotation of the tool in the step, for other parts of the tool.
+    Turning turning;       ///< Rotation of the tool in the step, for further parts.
 };
 
 /// Returns the straight move of `motion` if the rotary axes are 0 at both ends and tip control is
