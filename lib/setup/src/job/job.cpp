@@ -230,9 +230,9 @@ void doubt_contradiction(Job& job, const std::optional<toolpath::StockEntry>& no
 }
 
 // Adds a tool unless its number is known; the first tool of a number counts. Warns if a table and a
-// later source specify different diameters, because a source belongs to a different job. A tool of
-// the command line causes a doubt instead. The offset of a table is kept if the command line
-// specifies only the shape.
+// later source specify different diameters, because either source then belongs to a different job.
+// A tool of the command line causes a doubt instead. The offset of a table is kept if the command
+// line specifies only the shape.
 void add_tool(Job& job, const toolpath::ToolEntry& entry) {
     const auto known = std::ranges::find_if(job.tools, [&entry](const toolpath::ToolEntry& other) {
         return other.spec.number == entry.spec.number;

@@ -14,6 +14,7 @@ namespace ncsim::setup {
 
 /// Returns the number of "G54", "G59.1" or "G54.1 P7"; empty for other names.
 std::optional<int> system_named(const std::string& name);
+/// Returns the name of coordinate system `system`.
 std::string name_of_system(int system);
 
 /// Sets the origin of a coordinate system, in machine coordinates, mm.

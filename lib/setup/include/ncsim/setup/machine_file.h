@@ -34,9 +34,9 @@
 //     junction_deviation = 0.01      # mm
 //     below_stock = 5                # free space below the stock, mm; before the first [table]
 //     path_deviation = 0.05          # largest deviation of the tip in a rotary feed move, mm
-//     [[fixture]]                    # in the coordinates of the stock, mm; fixture = []: none
+//     [[fixture]]                    # in the system of the first cut, mm; fixture = []: none
 //     name = "vice"
-//     offset = "G55"                 # coordinate system, if not that of the first cut
+//     offset = "G55"                 # coordinate system, if a different one
 //     box = [[-60, -40, -20], [60, -30, 5]]
 //     clearance = 2                  # or mesh = "vice.stl" (also: stl = …), as for a link
 //     [[tool]]                       # limits of a tool

@@ -31,7 +31,7 @@ public:
     /// - twice the radius of the tightest arc in the plane,
     /// - a few steps from line to line,
     /// - the least distance of two holes, for a drill,
-    /// - a quarter of the width of the area.
+    /// - a quarter of the width of the moves' area.
     std::string guess(bool inches) const;
 
 private:
