@@ -306,7 +306,7 @@ private:
     std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();
     bool shows_path_;
     bool measured_;  // cell by cell
-    // by origin, if volumes of blocks are requested
+    // By origin, if volumes of blocks are requested.
     std::optional<std::map<cda::Origin, report::BlockPlace>> places_;
     bool keep_cuts_;
     bool keeps_cells_;

@@ -15,8 +15,8 @@ struct Surveyed {
     Survey survey;
 };
 
-/// Returns the material that only one of the parts has, and the lines of the second program that
-/// removed it. Names, tolerance and conclusions are left to the caller.
+/// Returns the material that only one of the parts has, and the lines of the program that removed
+/// the material. Names, tolerance and conclusions are left to the caller.
 /// Requires: both programs are ready and have the same stock. Throws: std::invalid_argument if a
 /// model does not verify. Cost: up to two simulations of each program; of `a` alone if both make
 /// the same motions with the same tools.

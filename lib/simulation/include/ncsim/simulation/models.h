@@ -18,7 +18,7 @@ namespace ncsim::simulation {
 
 /// Description of a model for users and callers.
 struct ModelInfo {
-    std::string_view name;  ///< As in `--model`.
+    std::string_view name;  ///< Value of the option `--model`.
     std::string_view what;  ///< A phrase for help texts.
     bool exact = false;     ///< The parts are equal to the aggregate's, corner for corner.
     /// Answers contact() and common_volume() fast enough for a query per motion.
@@ -46,7 +46,7 @@ struct ModelParameters {
     double resolution_mm = 0.0;   ///< For a model with resolution, mm; 0: default of the model.
     bool only_along_z = false;    ///< For a model of rays.
     // For the tree only:
-    int halvings = 6;                                    ///< As in cda::TreeParameters.
+    int halvings = 6;                                    ///< See cda::TreeParameters::halvings.
     std::optional<cda::TileNumber> tile = std::nullopt;  ///< Only this tile of the part.
     std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All tiles, which were cut before.
 };

@@ -33,9 +33,9 @@ struct Questions {
     const report::Baseline* baseline = nullptr;
     bool dog_leg = false;             ///< Rapid moves run axis by axis.
     bool is_rapid_specified = false;  ///< The user specifies `dog_leg`.
-    bool cut_free = false;            ///< Look for pieces that are cut free.
-    bool air_cuts = false;            ///< Look for feed moves that remove nothing.
-    bool ledger = false;              ///< Keep a row a block, with exact volumes.
+    bool cut_free = false;            ///< Search for pieces that are cut free.
+    bool air_cuts = false;            ///< Search for feed moves that remove no material.
+    bool ledger = false;              ///< Keep a row per block, with exact volumes.
     bool look = false;                ///< Show the part, too; with the ledger.
     bool warnings_as_errors = false;
     /// True if the tools in the options of the job belong to this program: an unused tool is a

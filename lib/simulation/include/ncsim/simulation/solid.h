@@ -27,11 +27,11 @@ struct Solid {
 };
 
 /// Does the same, with further cuts. A further cut is made while `facets_given_up` facets are too
-/// large for the adjacent faces: any such facet in a part of at most 20,000 facets, or more than 1
-/// % of the faces. Parts of more than 60,000 facets (20,000 if a shell consists of facets alone)
-/// are not cut again. The program is simulated again with other tolerances, mostly finer, up to
-/// `most_refinements` times (six are known), or until these cuts have had 60,000 facets together.
-/// The solid with the fewest facets is returned.
+/// large for the adjacent faces: any such facet in a part of at most 20,000 facets, or more than a
+/// hundredth of the faces. Parts of more than 60,000 facets (20,000 if a shell consists of facets
+/// alone) are not cut again. The program is simulated again with other tolerances, mostly finer, up
+/// to `most_refinements` times (six are known), or until these cuts have had 60,000 facets
+/// together. The solid with the fewest unrecognised facets is returned.
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
                     double tolerance_mm, int most_refinements);
 

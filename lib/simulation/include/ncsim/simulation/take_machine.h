@@ -11,8 +11,9 @@
 
 namespace ncsim::simulation {
 
-/// Sets offsets, reference points, start and kinematics of `plan` from `file`, unless the job
-/// specifies them. Returns the values that cannot be used, in words.
+/// Sets kinematics, functions of the control and reference points of `plan` from `file`, and
+/// offsets and start unless the job specifies them. Returns the values that cannot be used, in
+/// words.
 std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file);
 
 }  // namespace ncsim::simulation
