@@ -153,7 +153,7 @@ inline double SweptTool::least_above(const BlockBound& bound, const LowestBlock&
     const double c = bound.opening;
     if (c == 0.0) return bound.middle - std::abs(slope_x) * half_x - std::abs(slope_y) * half_y;
     // Minimises along and across the way separately. If the height falls by g per unit, the minimum
-    // is g / 2c beyond the begin of the parabola, or at an end of the block.
+    // is g / 2c beyond the beginning of the parabola, or at an end of the block.
     const auto least = [c](double g, double begin, double half) {
         const double place = std::clamp(begin + g / (2.0 * c), -half, half);
         const double risen = std::max(place - begin, 0.0);

@@ -271,7 +271,7 @@ private:
         return nullptr;
     }
 
-    std::vector<std::uint32_t> begin_;  // begin of each corner's edges
+    std::vector<std::uint32_t> begin_;  // index of each corner's first edge
     std::vector<Edge> edges_;
     bool is_closed_ = true;
 };

@@ -9,7 +9,7 @@
 // divergence theorem for each cell. Walls of boxes cancel between adjacent boxes and are not
 // counted.
 //
-// If a cell stands for several steps along a straight line, step_shares.h divides the cell's volume
+// If a cell represents several steps along a straight line, step_shares.h divides the cell's volume
 // between the steps.
 //
 // The cells in a box, and the owner of a facet where planes coincide, are decided exactly. Areas
@@ -109,7 +109,7 @@ void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingC
     share_out();
 }
 
-// Divides the volume of cells that stand for several steps between the steps. Drops turn kBefore.
+// Divides the volume of cells that represent several steps between the steps. Drops turn kBefore.
 void BlockTree::Accounting::share_out() {
     std::vector<Taken> all;
     for (std::size_t turn = 1; turn < taken_->size(); ++turn) {

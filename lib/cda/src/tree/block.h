@@ -30,8 +30,8 @@ struct Block {
     // cells in insertion, in order of arrival; all arrived before `waiting`
     std::vector<std::shared_ptr<const WaitingCell>> going_down;
     std::uint64_t last_step = 0;           // step of the last arrival
-    mutable std::optional<double> volume;  // cubic units; at present, once requested
-    // surface at present, once requested; only for a tile
+    mutable std::optional<double> volume;  // volume of `tree`, cubic units; empty until requested
+    // surface in `tree`; null until requested; only for a tile
     mutable std::shared_ptr<const Outlines> outlines;
     std::vector<std::pair<Origin, Taking>> taken;  // amounts not yet in the account; cubic units
 

@@ -107,7 +107,7 @@ struct Taken {
     /// Numbers of the cells that removed volume, ascending; of cells that removed the same volume,
     /// one may represent all.
     std::vector<std::uint32_t> cells;
-    /// Index of the step, if this is one of the steps for which the only cell stands.
+    /// Index of the step, if this is one of the steps that the only cell represents.
     std::optional<std::size_t> step = std::nullopt;
 };
 

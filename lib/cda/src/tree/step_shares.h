@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shares of steps in the volume that a cell removed, where one cell stands for many steps of a body
+// Shares of steps in the volume that a cell removed, where one cell represents many steps of a body
 // on a straight line.
 //
 // The body reaches a point x when the last of the body's forward-facing planes passes x: t(x) = max
@@ -55,8 +55,9 @@ private:
 
     const StraightSteps* steps_;
     std::vector<Front> fronts_;
-    std::vector<double> shares_;  // all except the first
-    // Sum, per unit of the way, of contributions that reach their full value before step i.
+    std::vector<double> shares_;  // shares except the first
+    // Projected areas, signed, that the body reaches in step i; the last entry is the end of the
+    // way. Each step before i gets the area times the step's length.
     std::vector<double> before_;
     // The current facet: weight of the areas, and arrival times of the fronts.
     double weight_ = 0.0;

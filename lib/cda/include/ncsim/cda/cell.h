@@ -24,7 +24,7 @@ struct FacetNormals {
     std::size_t size() const { return x.size(); }
 };
 
-/// The steps of a body that moved along a straight line, where one cell stands for all steps.
+/// The steps of a body that moved along a straight line, where one cell represents all steps.
 struct StraightSteps {
     struct Step {
         Origin origin = kStockOrigin;

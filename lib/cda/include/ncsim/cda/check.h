@@ -22,8 +22,8 @@ struct SurfaceCheck {
     bool is_closed() const { return unpaired_edges == 0 && repeated_edges == 0; }
 };
 
-/// Checks that each directed edge has exactly one partner and that area vectors sum to zero. Cost:
-/// O(n log n) for n edges.
+/// Counts edges without a partner, and measures the sum of all area vectors.
+/// Cost: O(n log n) for n edges.
 SurfaceCheck check(const Boundary& boundary);
 SurfaceCheck check(const TriangleMesh& mesh);
 

@@ -37,7 +37,7 @@ struct TreeCounts {
     std::uint64_t nodes = 0;          ///< Nodes of all trees at present.
     std::uint64_t bytes = 0;          ///< Memory of the tree at present, approximately.
     std::uint64_t spared = 0;         ///< Contact queries answered without inserting waiting cells.
-    std::uint64_t leaves = 0;         ///< Leaves visited for the last boundary or volume.
+    std::uint64_t leaves = 0;         ///< Leaves visited for the last boundary().
     std::uint64_t facets_tested = 0;  ///< Facets in leaves.
     std::uint64_t facets_alive = 0;   ///< Facets with a visible remainder.
     std::uint64_t pieces = 0;         ///< Edge pieces of outlines handed to the stitching.
@@ -110,7 +110,7 @@ public:
     void write_tile(std::ostream& out) const override;
 
     const Lattice& lattice() const override { return lattice_; }
-    /// Returns counts of the cutting so far and of the last evaluation.
+    /// Returns counts of the cutting so far and of the last boundary().
     TreeCounts counts() const;
 
 private:
