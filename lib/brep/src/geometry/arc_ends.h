@@ -17,8 +17,8 @@ inline constexpr double kReaders = 2e-7;
 /// OpenCASCADE looks for crossings to 1e-10.
 inline constexpr double kTangentMm = 1e-10;
 
-/// Returns the circle through `tangent_at` and the third point that has the axis of `circle` and,
-/// in `tangent_at`, the direction of `circle`. Circles that are meant to be tangent in a corner but
+/// Returns the circle through `tangent_at` and `other` that has the axis of `circle` and, in
+/// `tangent_at`, the direction of `circle`. Circles that are meant to be tangent in a corner but
 /// miss the corner by `d` cross about sqrt(d / difference of curvatures) away from the corner, far
 /// outside any tolerance; the returned circles are tangent in the corner itself.
 /// Returns: no value if the result is off `circle` by more than `kReaders`.

@@ -17,15 +17,17 @@ namespace ncsim::brep {
 /// in which the tool stood; no value if the surfaces are not tangent along a curve.
 std::optional<Form> touch(const Form& a, const Form& b);
 
-/// Returns the plane across the wall of a dome. `forms` has a dome, a level plane and a wall, both
-/// tangent to the dome; these three forms leave the position along the wall undetermined.
+/// Returns the plane through the centre of a dome across a wall. `forms` must have the dome, a
+/// level plane and an upright plane, both tangent to the dome. The position along the wall is
+/// undetermined by these three forms; the returned plane determines it. No value for all other
+/// forms.
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms);
 
 /// Returns upright planes through points of tangency in a level plane of `forms`. Domes, coils,
 /// extrusions and upright cylinders meet the level plane in circles. Two circles, at most one from
 /// a cylinder, or such a circle and an upright plane may be tangent there, although the forms cross
-/// elsewhere. The result contains both centres of tangent circles; for an upright plane, the result
-/// is perpendicular to that plane and contains the circle's centre.
+/// elsewhere. Each returned plane contains both centres of two tangent circles, or the centre of a
+/// circle, perpendicular to the tangent upright plane.
 std::vector<Form> touches_in_level(std::span<const Form* const> forms);
 
 /// Returns the curve in which two forms meet, if the curve has a name: a line, a circle or an

@@ -70,8 +70,8 @@ Hermite hermite(const Spline& spline, const Place& place) {
 
 Track::Track(const Curve& curve, Vec3 from, Vec3 to) : curve_(&curve), from_(from), to_(to) {
     if (const auto* c = std::get_if<Circle>(curve_)) {
-        // The circle has the start's distance from the axis, so a start off the circle is still
-        // exact.
+        // The track has the distance of the start from the axis, even if the start is off the
+        // circle.
         centre_ = c->centre + dot(from - c->centre, c->axis) * c->axis;
         x_ = from - centre_;
         y_ = cross(c->axis, x_);

@@ -59,9 +59,10 @@ double place_along(const Flank& flank, const Seen& seen) {
     return (seen.height - flank.height) * flank.cosine - (seen.radius - flank.radius) * flank.sine;
 }
 
-// Contact of a flank with its envelope, at a place along the profile: the velocity across the axis
-// of the normal's end on the axis, and the outward directions on both sides. At the contact, the
-// velocity of the point as fixed to the tool is perpendicular to the normal.
+// Contact of a flank with its envelope, at a place along the profile. `way` is the velocity of the
+// axis point where the normal ends, without the component along the axis; out() returns the
+// direction from the axis to the contact on either side. At the contact, the velocity of the point
+// as fixed to the tool is perpendicular to the normal.
 struct Contact {
     Contact(const Flank& flank, const Passage& at, double along)
         : way(level(velocity_at(at, height_of_centre(flank, along)), at.axis)),

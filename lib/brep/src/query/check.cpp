@@ -126,8 +126,7 @@ public:
 
     bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
 
-    // True if `at` is on the half of a coil's circle that is not left there. No face contains such
-    // a point.
+    // True if `at` is on the half of a coil's circle that leaves no surface there.
     bool is_of_other_half(Point at, double tolerance_mm) const {
         constexpr double kQuarter = 90.0 * kRadiansPerDegree;
         const auto* coil = std::get_if<Coil>(form_);

@@ -441,6 +441,7 @@ Vec3 around_axis(const Part& part, const Face& face, const Axes& axes, const Inn
     return sum;
 }
 
+// Returns volume times centroid of the cone from `apex` over the face.
 // Requires: no envelope; for envelopes, see sums_of().
 Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     constexpr double kHalfTurn = 180.0;

@@ -356,7 +356,7 @@ private:
     }
 
     // True if the branch, which no edge crosses, lies in the face, tested along a second cut across
-    // the branch; no value if unknown.
+    // the branch.
     std::optional<bool> has(const Face& face, const PlaneCut& cut, std::size_t branch) const {
         if (face.loops.empty()) return true;
         // A face with its tip as a corner does not go round.
@@ -394,7 +394,7 @@ private:
             if (inside) return *inside;
             if (any || !other.is_closed()) return false;
         }
-        // No point of the face is on the circle there.
+        // No second cut decides.
         return false;
     }
 
@@ -526,7 +526,8 @@ private:
     void keep(const Face& face, Made& made) {
         const Extent extent = extent_of(made.piece);
         section_.length_mm += extent.length;
-        // Factor by which the cut moves farther than the surface.
+        // Sine of the angle between surface and plane: if the surface is off by d, the cut is off
+        // by d / sine.
         const auto sine = [&](FlatPoint p) {
             Vec3 at = p.u * sheet_.u + p.v * sheet_.v + plane_.offset * plane_.normal;
             constexpr double kLeastStep = 0.02;

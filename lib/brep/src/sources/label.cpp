@@ -132,8 +132,8 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
           double* score) {
     if (is_above_spindle(face, surface)) return false;
     // The direction is compared at the centroid. If the centroid is off the surface (for a torus:
-    // the bottom of a round groove), the direction is compared at the corners, after these are
-    // known to be on the surface, because a floor between walls may have thousands of corners.
+    // the bottom of a round groove), the direction is compared at the corners. The distance of the
+    // corners is tested first, because a floor between walls may have thousands of corners.
     const auto [off_by, gradient] = off(surface.form, face.centroid);
     const bool is_on = std::abs(off_by) <= most;
     double turn =

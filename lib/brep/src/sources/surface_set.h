@@ -14,8 +14,8 @@ namespace ncsim::brep {
 
 class SurfaceSet {
 public:
-    /// Returns the number of a surface that is the same within 2e-5 mm, irrespective of which came
-    /// first; otherwise adds `surface`.
+    /// Returns the number of a surface of the set that equals `surface` within 2e-5 mm; adds
+    /// `surface` if there is none.
     std::uint32_t add(const Surface& surface);
     /// Adds `surface` with a number of its own.
     std::uint32_t add_alone(const Surface& surface);

@@ -353,7 +353,7 @@ public:
         disc(e, centre + (e.height + (e.widening() > 0.0 ? -reach : reach)) * axis, axis);
     }
 
-    // Adds the surfaces of an arc about an axis perpendicular to the tool's; upright sides pass as
+    // Adds the surfaces of an arc about an axis perpendicular to the tool's; upright sides leave
     // planes.
     void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
         if (e.fillet > 0.0) {

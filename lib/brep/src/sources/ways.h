@@ -15,7 +15,7 @@
 
 namespace ncsim::brep {
 
-/// Arc or helix of the tip, with the centre at the level of the start. mm, frame W.
+/// Arc, helix or spiral of the tip, with the centre at the level of the start. mm, frame W.
 struct ArcWay {
     Vec3 centre, about;
     double radius = 0.0;

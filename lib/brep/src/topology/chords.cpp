@@ -91,7 +91,8 @@ public:
     }
 
 private:
-    // Returns the fraction nearest to `corner` if a chord of the arc is as deep as the corner.
+    // Returns the fraction nearest to `corner` if a chord of the arc may pass on the wrong side of
+    // the corner.
     static std::optional<double> place_beside(const Track& track, const Arc& arc, Vec3 corner) {
         if (norm(corner - arc.centre) > arc.reach) return std::nullopt;
         const auto at = nearest_inside(track, corner);

@@ -8,10 +8,10 @@
 namespace ncsim::brep {
 
 /// Splits arcs of planar faces next to corners. An arc is split if a corner of the same face lies
-/// on the arc's inner side, nearer than 0.02 mm and nearer than the arc's chord; the new vertex is
-/// the point of the arc nearest to the corner. Readers draw chords; if a chord passes beyond a
-/// corner, they draw nothing of the face. Splines are not split. New vertices and edges are
-/// appended.
+/// on the arc's inner side, within 0.02 mm of the arc and within twice the depth of the arc's
+/// chord. The new vertex is the point of the arc nearest to the corner. Readers draw chords; if a
+/// chord passes on the wrong side of a corner, readers draw nothing of the face. Splines are not
+/// split. New vertices and edges are appended.
 /// Cost: O(n log n) for n evenly distributed edges.
 void divide_arcs_beside_corners(Part& part);
 

@@ -27,8 +27,8 @@ public:
     double slope(double t) const { return dot(plane_.normal, track_.derivative(t)); }
     std::size_t pieces() const { return track_.pieces(); }
 
-    // Returns the parameter at which the height is `height`, between parameters on different sides
-    // of it.
+    // Returns the parameter at which the height is `height`, between parameters with heights on
+    // both sides.
     double reach(double begin, double end, double height) const {
         const bool is_above = (*this)(begin) > height;
         for (int i = 0; i < kHalvings; ++i) {

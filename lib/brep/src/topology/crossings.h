@@ -15,7 +15,7 @@ namespace ncsim::brep {
 struct Crossing {
     Vec3 at;              ///< In the plane, or as near to the plane as the edge comes.
     Vec3 above;           ///< Point of the edge that is `lift` above the plane.
-    bool goes_up = true;  ///< Direction from the start to the end of the edge.
+    bool goes_up = true;  ///< True if the edge rises there, from its start to its end.
 };
 
 /// Returns the passages of the edge between heights of at most `lift` mm above the plane and

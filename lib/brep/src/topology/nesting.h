@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shells of a boundary, and which shells are voids in which.
+// Shells of a boundary, and their nesting: solids with the voids inside.
 #pragma once
 
 #include "ncsim/cda/boundary.h"

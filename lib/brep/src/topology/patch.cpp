@@ -31,7 +31,7 @@ struct Quintic {
 // Returns the arc from x to y about `centre`, both with the length of the radius and perpendicular;
 // a helix if `rise` per radian is not zero. The parameter is the angle: position and two
 // derivatives are exact at knots, and between knots 10 degrees apart the error is 6e-10 of the
-// radius. Readers find circles on such a surface evenly by parameter.
+// radius. Readers map circles on such a surface to evenly spaced parameters.
 Quintic quintic_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end, double piece,
                        Vec3 rise = {}) {
     const int pieces = std::max(1, static_cast<int>((end - begin) / piece) + 1);
@@ -161,8 +161,8 @@ bool ends_level(const Part& part, const Face& face, const Coil& coil, double deg
     return false;
 }
 
-// The control values of cosine and sine are those of an arc of radius 1, so each control point of
-// the circle turns about the axis as the path does.
+// Returns the patch of a coil. The control values of cosine and sine are those of an arc of radius
+// 1, so each control point of the circle turns about the axis as the path does.
 Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     double ahead = 0.0;
     Reach reach;
@@ -195,8 +195,8 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     return patch;
 }
 
-// The pieces are those of an arc, because the wall is nearly an arc, with the speed of the wall.
-// Upwards, the patch is a line, as a cubic.
+// Returns the patch of a spiral. The pieces are those of an arc, because the wall is nearly an arc,
+// with the speed of the wall. Along the axis, the patch is a line, as a cubic.
 Patch patch_of_spiral(const Part& part, const Face& face, const Spiral& spiral) {
     Reach reach;
     for (const auto& points : points_along(part, face)) {

@@ -13,6 +13,7 @@ namespace ncsim::brep {
 
 using cda::Vec3;
 
+/// Straight line between the ends of the edge.
 struct Line {
     bool operator==(const Line&) const = default;
 };
@@ -50,10 +51,11 @@ public:
 
     Vec3 at(double t) const { return step(t).at; }
     Vec3 derivative(double t) const { return step(t).derivative; }  ///< By t.
+    /// Point and derivative by t.
     struct Step {
         Vec3 at, derivative;
     };
-    Step step(double t) const;  ///< Point and derivative together.
+    Step step(double t) const;
     bool is_straight() const { return std::holds_alternative<Line>(*curve_); }
     bool is_spline() const { return std::holds_alternative<Spline>(*curve_); }
     /// Null if the curve is no circle.

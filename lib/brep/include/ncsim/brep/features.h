@@ -24,6 +24,7 @@ enum class BoreEnd : std::uint8_t {
     Rounded,  ///< Rounded corner, as of a bull-nose end mill.
     Other,
 };
+/// Returns the name of `end`, such as "through".
 std::string_view name_of(BoreEnd end);
 
 /// Cylinder around void that covers more than half a turn.
@@ -77,6 +78,7 @@ struct Distance {
     std::vector<cda::Origin> origins;
 };
 
+/// Features of a part.
 struct Features {
     std::vector<Bore> bores;
     std::vector<Boss> bosses;

@@ -19,6 +19,7 @@ namespace ncsim::brep {
 /// Cost: O(n log n) for n evenly distributed edges.
 bool is_sound_polyhedron(const Part& part, double volume_mm3);
 
+/// Result of flat_part().
 struct FlatPart {
     Part part;
     double coarser = 1.0;  ///< Factor of the tolerance within which facets were joined.

@@ -17,6 +17,7 @@ struct Measure {
     /// of the shell.
     double volume = 0.0;
 };
+/// Accuracy of a measurement.
 enum class Exactness : std::uint8_t {
     Full,
     Rough,  ///< Envelopes to a relative error of about 1e-5, at a fraction of the cost.

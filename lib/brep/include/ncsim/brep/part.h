@@ -49,6 +49,7 @@ struct Face {
 /// Closed surface: indices into Part::faces.
 using Shell = std::vector<std::uint32_t>;
 
+/// Solid with the shells of its voids.
 struct Solid {
     Shell outside;
     std::vector<Shell> voids;

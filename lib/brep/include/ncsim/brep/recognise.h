@@ -16,6 +16,7 @@
 
 namespace ncsim::brep {
 
+/// Result of recognise().
 struct Recognised {
     Part part;
     std::size_t facets_kept = 0;           ///< Number of faces that were not recognised.

@@ -33,12 +33,15 @@ struct FlatPoint {
     bool operator==(const FlatPoint&) const = default;
 };
 
+/// Straight piece.
 struct FlatLine {};
+/// Circular arc.
 struct FlatArc {
     FlatPoint centre;
     double radius = 0.0;
     bool is_ccw = true;
 };
+/// Elliptical arc.
 struct FlatEllipse {
     FlatPoint centre, major;  ///< `major`: from the centre to the farthest point.
     double minor_radius = 0.0;
@@ -49,6 +52,7 @@ struct FlatEllipse {
 struct FlatChords {
     std::vector<FlatPoint> between;
 };
+/// Largest distance between chords and curve, mm.
 inline constexpr double kChordsMm = 1e-3;
 
 /// Piece of an outline. A whole circle or ellipse ends where it starts.
@@ -63,6 +67,7 @@ struct SectionPiece {
 /// outer outlines run counter-clockwise, holes clockwise.
 using Outline = std::vector<SectionPiece>;
 
+/// Section of a part by a plane.
 struct Section {
     SectionPlane plane;
     std::vector<Outline> outlines;

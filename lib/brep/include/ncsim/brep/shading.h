@@ -31,6 +31,7 @@ public:
     /// Constructs a shading in which all faces are unknown.
     Shading() = default;
 
+    /// Returns the state of `face`; Nothing for faces that the boundary does not have.
     Known known(std::uint32_t face) const;
 
     /// Returns the unit normal, out of the material, in the corner `vertex` of a face with the
@@ -49,6 +50,7 @@ public:
 
 private:
     friend class ShadingMaker;
+    /// Normal of a surface in a corner.
     struct Corner {
         std::uint32_t surface = 0;  ///< Index into surfaces_.
         Vec3 normal;
@@ -68,7 +70,8 @@ public:
     explicit ShadingMaker(const cda::Boundary& boundary);
 
     /// Assigns to each face of `origin` the surface of `source` from which the face deviates least
-    /// in direction, if all corners of the face are within three times the error of the source.
+    /// in direction, if all corners of the face are within three times the error of the source
+    /// (four times for coils, six times for flanks and peaks).
     /// Cost: O(n m) for n corners and m surfaces.
     void take(cda::Origin origin, const Source& source);
     /// Returns the shading. No member function may be called afterwards. Cost: O(n log n) for n

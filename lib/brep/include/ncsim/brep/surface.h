@@ -153,11 +153,13 @@ struct DomePlace {
     Vec3 up;
     Vec3 along;                       ///< Unit tangent of the arc, to greater angles.
     double cosine = 1.0, sine = 0.0;  ///< Cosine and sine of t.
+    /// Returns t, degrees.
     double degrees() const;
 };
 /// Returns the point on `dome` nearest to `p`. Newton's method starts at the height of `p`, so the
 /// result may be a local minimum.
 DomePlace place_on(const Dome& dome, Vec3 p);
+/// Returns the point at `place`.
 Vec3 point_at(const Dome& dome, const DomePlace& place);
 /// Returns the centre of the circle at the height of `p`, or at the nearest height that the arc
 /// reaches.

@@ -58,6 +58,7 @@ struct TipAndAxis {
 /// by more than 1e-9 mm (axes: at 100 mm), as for rotations of about a full turn.
 /// Cost: 66 calls of `pose`.
 std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& pose);
+/// Returns the tool at time `t`.
 Passage passage(const TurningWay& way, double t);
 
 using ToolWay = std::variant<StraightWay, RoundWay, TurningWay>;
@@ -93,8 +94,10 @@ public:
     const Flank* flank() const { return std::get_if<Flank>(&meridian_); }
     /// True if the fillet is a ball, with its centre on the axis.
     bool is_ball() const { return fillet() && fillet()->ring <= 0.0; }
+    /// True if the fillet is the rim of a flat end.
     bool is_rim() const { return fillet() && fillet()->radius <= 0.0; }
     const ToolWay& way() const { return way_; }
+    /// Returns the tool at time `t`.
     Passage at(double t) const;
     /// Returns tool positions at equal steps from t = 0 to 1, dense enough to bracket the nearest
     /// time.
@@ -139,6 +142,7 @@ double lowest_centre(const Sweep& sweep);
 struct Around {
     Vec3 centre, ahead, up, side;  ///< The directions are unit and right-handed in this order.
 };
+/// Returns the frame of the sweep for the tool position `passage`.
 Around around(const Sweep& sweep, const Passage& passage);
 /// Returns the velocity of the axis point at `height` above the tip, mm per unit of t.
 Vec3 velocity_at(const Passage& passage, double height);

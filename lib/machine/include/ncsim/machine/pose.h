@@ -18,7 +18,9 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 
+/// Returns p_A.
 cda::Vec3 operator*(const Pose& X_AB, cda::Vec3 p_B);
+/// Returns X_AC.
 Pose operator*(const Pose& X_AB, const Pose& X_BC);
 
 /// Returns the direction of the tool, from the tip to the spindle: the z axis of T in W.

@@ -22,6 +22,7 @@ struct Preset {
     std::string_view name;
     std::string_view what;  ///< Description for lists.
 };
+/// Returns all predefined machines.
 std::vector<Preset> presets();
 
 /// Returns the chain of the preset `name`, with all axes through the origin of M. Signs are those
