@@ -9,8 +9,7 @@
 //  2. Canceller      cancel coincident pieces of one owner with opposite directions
 //  3. Corners        find where the outline of an owner turns or touches itself
 //  4. break_up       divide the rest where any face at the line has a corner
-//  5. pair           pair half-edges of opposite direction; four and more: radially, around
-//  material
+//  5. pair           pair opposite half-edges; four and more: radially, around material
 //  6. trace          link half-edges of one owner to loops, turning clockwise at pinched corners
 //  7. unite_corners  corners connected through paired edges share a vertex
 //  8. write_faces    write faces in an order that depends only on the geometry

@@ -67,8 +67,7 @@ std::optional<ExactPoint> meet_exactly(const Plane& p, const Plane& q, const Pla
 
 /// Divides out common divisors, so that equal points have equal numbers, `approx` included.
 ///
-///  (1) reduced(meet(a, b, c)) and reduced(meet(d, e, f)) are the same if and only if the points
-///  are
+///  (1) reduced(meet(a, b, c)) equals reduced(meet(d, e, f)) if and only if the points are equal
 ExactPoint reduced(const ExactPoint& p);
 /// True if two reduced points are equal. Not true of points that are not reduced.
 bool same_point(const ExactPoint& a, const ExactPoint& b);
