@@ -90,8 +90,8 @@ inline void lower_block_of(Tip tip, Course course, const LowerTask& task) {
 
 // Computes lower bounds of the tool's height in blocks. The height F(s, p) of the tool above a
 // position p, at a share s of the way, is convex in both. So F is nowhere below a tangent plane at
-// any position, here the middle of the block, for an s near the best. For a ball of radius R, F
-// less |p - c(s)|² / 2R is convex as well, with c(s) on the axis.
+// any position, here the middle of the block, for an s near the best. For a ball of radius R,
+// F − |p − c(s)|² / 2R is convex as well, with c(s) on the axis.
 template <Tip tip, Course course>
 void bound_blocks_of(const BoundTask& t) {
     const Numbers k = t.numbers;  // local copy, which the stores below cannot modify

@@ -2,11 +2,9 @@
 //
 // Dual contouring in three steps:
 //
-//  1. mark     corners of the grid in the material, a bit each, and cells with both kinds of
-//  corners
+//  1. mark     corners of the grid in the material, a bit each, and cells with both kinds
 //  2. place    the vertices of the surface, cell by cell
-//  3. facets   around each crossed edge of the grid, from the cell at whose first corner the edge
-//  begins
+//  3. facets   around each crossed edge of the grid, from the cell that begins there
 #include "contour.h"
 
 #include "ncsim/cda/disjoint_sets.h"

@@ -38,7 +38,7 @@ struct Ray {
 NCSIM_DEXEL_INLINE V all(double x) {
     return V{} + x;
 }
-// Return a < b ? a : b, and a > b ? a : b: the second of equals.
+// Returns a < b ? a : b, and a > b ? a : b: the second of equals.
 NCSIM_DEXEL_INLINE V least(V a, V b) {
 #if defined(__x86_64__) && NCSIM_DEXEL_WIDTH == 2
     return reinterpret_cast<V>(

@@ -67,8 +67,8 @@ void Naming::take(const Outlines& part, bool is_outside) {
     point_numbers_.resize(point_keys_.size());
     points_.number_all(point_keys_, [&](std::size_t i, std::uint32_t n) { point_numbers_[i] = n; });
 
-    // A line of this part has few planes in common with lines of other parts, so a small table
-    // suffices. Pieces of one facet are consecutive.
+    // A part has few pairs of planes compared with pieces, so a small table of pairs saves most
+    // computations of lines. Pieces of one facet are consecutive.
     Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
     line_keys_.clear();
     line_directions_.clear();

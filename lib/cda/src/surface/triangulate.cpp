@@ -245,7 +245,7 @@ private:
 void cancel_opposites(std::vector<Triangle>& triangles) {
     struct Seen {
         Triangle corners;  // sorted
-        bool is_even;      // true if the corners are an even permutation of `corners`
+        bool is_even;      // true if the triangle is an even permutation of `corners`
         std::uint32_t number;
     };
     std::vector<Seen> seen;

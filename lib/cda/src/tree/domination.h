@@ -39,9 +39,9 @@ enum class Domination : std::uint8_t {
     Strict,
 };
 
-/// Decides if all points of a box below `m` are below `p`. Strict: no such point lies in p.
-/// Coplanar: m and p are the same plane. A positive answer is exact; None may be wrong. Solves the
-/// linear program of a box and a halfspace, a convex function of one multiplier.
+/// Decides if all points of a box below `m` are below `p`. Strict: no such point lies in the plane
+/// `p`. Coplanar: m and p are the same plane. A positive answer is exact; None may be wrong. Solves
+/// the linear program of a box and a halfspace, a convex function of one multiplier.
 Domination implies(const BoxPlane& m, const BoxPlane& p);
 
 /// Decides if the part of a cell in a box is within a second cell. Both cells are given by the

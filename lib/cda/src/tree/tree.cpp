@@ -23,9 +23,9 @@ namespace ncsim::cda {
 
 namespace {
 
-// Number of halvings along the longest axis. Further halvings are along the two longer axes of the
-// stock, which makes columns: most parts are cut from above, and blocks deep in the stock have no
-// work.
+// Number of first halvings, along the longest axis. Further halvings are along the two longer axes
+// of the stock, which makes columns: most parts are cut from above, and blocks deep in the stock
+// have no work.
 constexpr int kAnyHalvings = 6;
 
 // Returns the shortest axis; the last among equals.
