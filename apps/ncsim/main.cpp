@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The ncsim program: argv in, an exit code out, and the one place that catches exceptions.
+// The ncsim program: reads argv, runs a command and turns uncaught exceptions into exit codes.
 #include "ncsim/report/plain_text.h"
 
 #include "check/check.h"
@@ -36,11 +36,12 @@ int run(const ncsim::app::Farewell& farewell) {
     return farewell.exit_code;
 }
 
-// A stream that the caller has closed stays closed: no file that is opened may take its place.
+// Opens /dev/null for each standard stream that the caller has closed, so no opened file takes its
+// place.
 void keep_closed_streams_closed() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) != -1) continue;
-        // Readable where it is written and the other way round: an error, as before.
+        // Opened in the wrong direction, so reads and writes still fail.
         (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
 }

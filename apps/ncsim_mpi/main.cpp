@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ncsim-mpi run: what `ncsim run` makes, each rank a tile of it. Ranks cut as --tile does, rank 0
-// puts together as merge does: there is nothing here but who gets what to whom.
+// ncsim-mpi run: the same outputs as `ncsim run`, with one tile a rank. Ranks cut as --tile does,
+// and rank 0 combines the tiles as merge does. This file only transfers data between ranks.
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/tile_file.h"
 #include "ncsim/setup/digest.h"
@@ -58,7 +58,7 @@ std::string receive(int from) {
     return bytes;
 }
 
-// What rank 0 asks of others.
+// Request of rank 0 to a different rank.
 enum class Request : std::uint8_t { Tile, Nothing };
 
 void ask(Request what, int rank) {
@@ -66,8 +66,9 @@ void ask(Request what, int rank) {
     MPI_Send(&word, 1, MPI_UINT8_T, rank, 0, MPI_COMM_WORLD);
 }
 
-// Of all ranks but 0: hands out the tile as often as it is asked for, until rank 0 is done. Others
-// need the processors meanwhile, and MPI would wait by asking all the time.
+// Sends the tile to rank 0 at each request, until rank 0 is finished; for all ranks except 0.
+// Sleeps between polls, because MPI_Recv would busy-wait and take processor time from working
+// ranks.
 void serve(const std::string& tile) {
     while (true) {
         for (int is_there = 0; is_there == 0;) {
@@ -81,7 +82,7 @@ void serve(const std::string& tile) {
     }
 }
 
-// Of rank 0: takes what all others have cut, when it is needed, and keeps none of it.
+// Combines the tiles of all ranks, on rank 0. Receives each tile when needed and keeps none.
 int put_together(app::Options options, std::optional<report::TileFile> own, int ranks) {
     std::vector<report::TileFile> files;
     std::vector<std::string> names;
@@ -99,10 +100,10 @@ int put_together(app::Options options, std::optional<report::TileFile> own, int 
             is_cut ? report::tile_file_from(std::move(bytes), names.back(), setup::digest_of)
                    : report::TileFile{});
     }
-    // What is wrong with the program is for run() to say.
+    // run() reports the faults of the program.
     if (!is_cut) return run(std::move(options));
     const std::vector<std::size_t> order = report::in_order(files, names);
-    // MPI takes one thread at a time.
+    // MPI is initialised for one calling thread at a time.
     std::mutex asking;
     return app::run_of_tiles(std::move(options), files, order, [&](std::size_t number) {
         const auto rank = static_cast<int>(order[number]);
@@ -142,7 +143,7 @@ int run(app::Options options, int rank, int ranks) {
     return code;
 }
 
-// One of them says it for all.
+// Only rank 0 prints the text.
 int say_once(const app::Farewell& farewell, int rank) {
     if (rank == 0) {
         if (farewell.exit_code == app::kClean) {
@@ -154,7 +155,7 @@ int say_once(const app::Farewell& farewell, int rank) {
     return farewell.exit_code;
 }
 
-// The others would wait for this one.
+// Aborts all ranks, because the remaining ranks would wait for this rank.
 [[noreturn]] void end_all(int rank, const std::string& why, int code) {
     app::say(fmt::format("ncsim-mpi: rank {}: {}\n", rank, report::one_line(why)));
     MPI_Abort(MPI_COMM_WORLD, code);

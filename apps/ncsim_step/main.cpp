@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ncsim-step <deflection>: STEP from the standard input becomes triangles on the standard output,
-// within so many mm of its surfaces. The one place that sees OpenCASCADE; ncsim runs it
-// (lib/setup/src/step_file.cpp, which has the other half of the form below).
+// ncsim-step <deflection>: converts STEP on the standard input into triangles on the standard
+// output, within <deflection> mm of the surfaces. Only this program uses OpenCASCADE. ncsim runs
+// ncsim-step from lib/setup/src/meshes/step_file.cpp, which reads this format:
 //
 //     NCSIM-STEP 1
-//     unit <of length in the file, as it calls it>
-//     solids <n>  vertices <n>  triangles <n>  faces <n>       each on a line of its own
-//     <name of a face>                                         for each of them
+//     unit <name of the unit of length in the file>
+//     solids <n>  vertices <n>  triangles <n>  faces <n>       each on a separate line
+//     <name of a face>                                         a line for each face
 //     then 3 doubles for each vertex (mm), 4 uint32 for each triangle: corners, face
 //
-// or "error <what>" and the exit code 1. Corners are joined by what edges and vertices the faces
-// have in common, so that the surface is closed wherever the solid is.
+// or "error <reason>" with exit code 1. Corners are joined along common edges and vertices of
+// faces, so the surface is closed wherever the solid is closed.
 #include <unistd.h>
 
 #include <BRepBuilderAPI_MakeSolid.hxx>
@@ -63,12 +63,12 @@ struct Refused {
     std::string reason;
 };
 
-// What was read, as it is handed on.
+// Surface that was read.
 struct Surface {
     std::string unit;
     std::uint64_t solids = 0;
     std::vector<std::array<double, 3>> vertices;
-    std::vector<std::array<std::uint32_t, 4>> triangles;  // and the face
+    std::vector<std::array<std::uint32_t, 4>> triangles;  // corners, face
     std::vector<std::string> names;                       // of faces
 };
 
@@ -80,7 +80,7 @@ std::string on_a_line(const char* text) {
     return line;
 }
 
-// Numbers that stand for the same corner.
+// Classes of numbers of the same corner (union-find).
 class Same {
 public:
     std::uint32_t add() {
@@ -108,7 +108,7 @@ public:
         : reader_(reader), surface_(surface) {}
 
     void operator()(const TopoDS_Shape& solid) {
-        // Of assemblies each instance has corners of its own.
+        // Each instance in an assembly has separate corners.
         edges_.clear();
         vertices_.clear();
         for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next())
@@ -162,7 +162,7 @@ private:
             join(TopoDS::Edge(e.Current()), mesh, place, nodes);
     }
 
-    // Nodes of an edge are the same in both of its faces, and end in its vertices.
+    // Joins the nodes of an edge with the nodes in the second face, and the ends with the vertices.
     void join(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & mesh,
               const TopLoc_Location& place, const std::vector<std::uint32_t>& nodes) {
         const Handle(Poly_PolygonOnTriangulation) line =
@@ -205,14 +205,14 @@ private:
     const STEPControl_Reader& reader_;
     Surface& surface_;
     TopTools_IndexedMapOfShape map_;
-    std::map<Standard_Integer, std::vector<std::uint32_t>> edges_;  // by their numbers in map_
+    std::map<Standard_Integer, std::vector<std::uint32_t>> edges_;  // by number in map_
     std::map<Standard_Integer, std::uint32_t> vertices_;
     std::vector<std::array<double, 3>> points_;
     std::vector<std::array<std::uint32_t, 4>> raw_;
     Same same_;
 };
 
-// The solids of it; closed shells without a solid are some, too.
+// Returns the solids of `shape`, including closed shells without a solid.
 std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
     std::vector<TopoDS_Shape> solids;
     for (TopExp_Explorer e(shape, TopAbs_SOLID); e.More(); e.Next()) {
@@ -226,7 +226,7 @@ std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
         if (!BRep_Tool::IsClosed(e.Current()))
             throw Refused{"a surface of it is not closed: what is inside of it?"};
         TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(e.Current()));
-        // It says nothing of its sides.
+        // A shell does not specify the inner side.
         BRepClass3d_SolidClassifier outside(solid);
         outside.PerformInfinitePoint(1e-6);
         if (outside.State() == TopAbs_IN) solid.Reverse();
@@ -247,7 +247,7 @@ bool has_length(const Handle(StepRepr_GlobalUnitAssignedContext) & context) {
     return false;
 }
 
-// OpenCASCADE takes millimetres where nobody says.
+// True if the file specifies a unit of length; OpenCASCADE assumes millimetres otherwise.
 bool tells_lengths(const Handle(Interface_InterfaceModel) & model) {
     bool tells = false;
     for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
@@ -286,7 +286,7 @@ Surface read(std::istream& in, double deflection) {
     IMeshTools_Parameters how;
     how.Deflection = deflection;
     how.Angle = 0.5;
-    how.InParallel = false;  // the same triangles each time
+    how.InParallel = false;  // deterministic triangles
     const BRepMesh_IncrementalMesh mesh(shape, how);
     Mesher mesher(reader, surface);
     for (const TopoDS_Shape& solid : solids) {
@@ -324,7 +324,7 @@ int main(int argc, char** argv) {
         std::cerr << "ncsim-step <deflection in mm>: read by ncsim\n";
         return EXIT_FAILURE;
     }
-    // What OpenCASCADE says on the way is not for the reader.
+    // Messages of OpenCASCADE must not reach the reader of the output.
     std::FILE* out = ::fdopen(::dup(STDOUT_FILENO), "wb");
     if (!out || !std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))
         return EXIT_FAILURE;

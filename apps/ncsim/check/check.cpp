@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Verifies programs and writes the reports.
 #include "check/check.h"
 
 #include "ncsim/report/ledger_csv.h"
@@ -50,7 +52,8 @@ bool shows_progress(const CheckOptions& options) {
     return !options.quiet && ::isatty(STDERR_FILENO) != 0;
 }
 
-// One shard of them: its result goes to a file, and its exit code tells of the machine alone.
+// Verifies one shard. The result goes to a file, and the exit code reports environment failures
+// only.
 int check_shard(const CheckOptions& options, const ProgramList& list, const std::string& key,
                 Checking& checking, OutputSet& outputs) {
     const std::vector<std::string>& programs = list.programs;
@@ -97,7 +100,7 @@ int check_shard(const CheckOptions& options, const ProgramList& list, const std:
     return kClean;
 }
 
-// Judges the programs of a list, then the subprograms that none of them calls.
+// Judges the programs of a list, then the subprograms that no program calls.
 class Judgement {
 public:
     Judgement(const CheckOptions& options, const ProgramList& list, Checking& checking,
@@ -122,7 +125,7 @@ public:
         progress_.hide();
     }
 
-    // All of them, called or not: the programs, then the subprograms.
+    // Returns all entries, called or not: the programs, then the subprograms.
     report::Entries listed() const {
         return [this](const auto& each) {
             std::ranges::for_each(programs_, each);
@@ -203,7 +206,8 @@ int run(CheckOptions options) {
     if (options.github) outputs.claim_standard_output("--github");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    // Before the outputs are begun, whose temporary files may be in a folder of programs.
+    // The list is made before the outputs are opened, because a folder of programs may contain
+    // temporary files of outputs.
     const ProgramList list = programs_of(options, inputs);
     for (const std::string& path : outputs_of(options)) {
         if (path != options.html) outputs.reserve(path);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Verifies one program.
 #include "check/check_program.h"
 
 #include "ncsim/simulation/models.h"

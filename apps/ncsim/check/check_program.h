@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the path of a program to a verdict, whatever is wrong with it.
+// Verification of one program: from a path to a verdict, whatever the faults of the program.
 #pragma once
 
 #include "ncsim/report/checked.h"
@@ -14,15 +14,15 @@
 
 namespace ncsim::app {
 
-/// Returns the plan of the program at `path`; `threads` evaluate at a time. `number`: index of the
-/// program in a file with several.
+/// Returns the plan of the program at `path`; `threads` is the number of threads. `number`: index
+/// of the program in a file with several.
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
                                unsigned threads, setup::InputSet& inputs, std::size_t number = 0);
 
-/// Reads and verifies `path`; returns the exit code that the program alone would have. Never
-/// throws: what is wrong is in the result. The result depends on the file and the options only.
-/// `threads` evaluate at a time. Gives up when it is asked to `stop`. `number`: which program of
-/// the file; `programs` becomes how many there are, if that is known.
+/// Reads and verifies the program at `path` with `threads` threads; returns its exit code. Faults
+/// are recorded in the result. Stops early at a request of `stop`. `number`: index of the program
+/// in the file; `programs` becomes the number of programs in the file, if known.
+/// Guarantees: never throws. The result depends on the file and the options only.
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
                   const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
                   std::stop_token stop, std::size_t number, std::size_t& programs);

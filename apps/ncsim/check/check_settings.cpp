@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the settings of programs.
 #include "check/check_settings.h"
 
 #include "ncsim/report/plain_text.h"
@@ -30,7 +32,8 @@ std::runtime_error error_at(const setup::ProjectSetting& setting, const std::str
     return std::runtime_error(fmt::format("{}: {}", setting.where, what));
 }
 
-// As words of a command line; files are seen from the folder of the project.
+// Returns a setting as words of a command line; file names are relative to the folder of the
+// project.
 std::vector<std::string> words_of(const setup::ProjectSetting& setting, const std::string& folder) {
     const std::optional<OptionKind> kind = kind_of_check_option(setting.option);
     if (!kind) {
@@ -44,7 +47,7 @@ std::vector<std::string> words_of(const setup::ProjectSetting& setting, const st
     const std::string name = "--" + setting.option;
     if (setting.is_flag) return setting.is_on ? std::vector{name} : std::vector<std::string>();
     std::vector<std::string> words;
-    // A FIFO without a writer would never answer.
+    // Reading a FIFO without a writer would block.
     const auto refuse_stream = [&](const std::string& file) {
         std::error_code ignored;
         const std::filesystem::file_status status = std::filesystem::status(file, ignored);
@@ -74,7 +77,7 @@ CheckOptions parsed(const std::vector<std::string>& words) {
     return std::get<CheckOptions>(std::move(command));
 }
 
-// One by one, so that it can be told where a fault is.
+// Tries each setting separately, so a message can name the place of a fault.
 void try_out(const setup::ProjectSetting& setting, const std::vector<std::string>& words) {
     std::vector<std::string> all{"check", "-"};
     all.insert(all.end(), words.begin(), words.end());
@@ -93,7 +96,7 @@ std::string key_of(const CheckOptions& options, const setup::RecordedInput& read
     return key;
 }
 
-// What is kept serves all reports.
+// Cached and sharded entries contain all formats, because later reports may need any.
 report::EntryOptions entries_for(const CheckOptions& options, bool many) {
     const bool all = !options.cache.empty() || !options.shard.empty();
     report::EntryOptions entries;
@@ -166,7 +169,7 @@ std::shared_ptr<const report::Baseline> SettingsOfPrograms::baseline_of(
     if (options.baseline.empty()) return nullptr;
     const auto [known, is_new] = baselines_.try_emplace(options.baseline);
     if (is_new && rewrites_baseline(options)) {
-        // The first time there is none yet.
+        // The first run has no baseline yet.
         auto before = overwritten_baseline(options.baseline);
         known->second = std::make_shared<const report::Baseline>(
             before ? std::move(*before) : report::Baseline(options.baseline));
@@ -198,7 +201,8 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     made.options = told_;
     if (project) {
         made.project = project->name;
-        // Lists would take the name of a program that follows for one of theirs.
+        // Inserted before "--": a list option would otherwise take the following program as a
+        // value.
         std::vector<std::string> words = told_.words;
         auto end = std::ranges::find(words, "--");
         for (const setup::ProjectSetting& setting : settings) {
@@ -214,7 +218,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         }
     }
     const CheckOptions& options = made.options;
-    // The standard input is expected already, if the command line names it.
+    // The standard input is already expected if the command line names it.
     for (const std::string& path : inputs_of(options)) {
         if (path != "-") inputs_.expect(path);
     }
@@ -248,7 +252,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     questions.ledger = !options.csv.empty();
     questions.look = !options.html.empty();
     questions.warnings_as_errors = options.warnings_as_errors;
-    // With a single program, all that is told is meant for it.
+    // With a single program, all specified tools are intended for this program.
     questions.tools_are_meant = !many_;
     made.entries = entries_for(options, many_);
     made.key = key_of(options, read);

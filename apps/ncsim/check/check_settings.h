@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What holds for which programs of a check: the command line for all of them, and for each the
-// ncsim.toml above it.
+// Settings of the programs of a check: the command line for all programs, and for each program the
+// ncsim.toml in a folder above.
 #pragma once
 
 #include "ncsim/report/baseline.h"
@@ -25,31 +25,33 @@ namespace ncsim::app {
 
 struct CheckSettings {
     CheckOptions options;
-    std::string project;  ///< The ncsim.toml that told some of them; empty: none.
+    std::string project;  ///< The ncsim.toml with some of the settings; empty: none.
     simulation::Questions questions;
     std::optional<simulation::Design> design;
     std::shared_ptr<const report::Baseline> baseline;
     report::EntryOptions entries;
-    std::string key;                   ///< All that decides verdicts beside the programs.
-    std::optional<ResultCache> cache;  ///< If there is one.
+    std::string key;                   ///< All values that determine verdicts, except the programs.
+    std::optional<ResultCache> cache;  ///< Present with --cache.
 
-    /// What else decides the verdict of a program, and of no other.
+    /// Returns further values that determine the verdict of this program only.
     std::string about(const std::string& program) const {
         return baseline ? baseline->about(program) : "";
     }
 };
 
-/// Reads what they name: machines, designs, projects. Programs of the same settings share them.
+/// Settings of all programs. Reads machines, designs and projects; programs with equal settings
+/// share an object.
 class SettingsOfPrograms {
 public:
-    /// Throws std::runtime_error, with file, line and column where a project is wrong.
+    /// Reads the settings.
+    /// Throws: std::runtime_error, with file, line and column of a fault in a project.
     SettingsOfPrograms(const CheckOptions& told, const std::vector<std::string>& programs,
                        setup::InputSet& inputs);
 
     CheckSettings& of(std::size_t program) { return settings_[number_of_[program]]; }
-    /// All that decides verdicts beside the programs.
+    /// Returns all values that determine verdicts, except the programs.
     std::string key() const;
-    /// What the baselines say of programs that are there no more, a line a program.
+    /// Returns the entries of baselines for programs that no longer exist, one line a program.
     std::string lost_programs() const;
 
 private:
@@ -61,7 +63,7 @@ private:
     const CheckOptions& told_;
     setup::InputSet& inputs_;
     bool many_;
-    std::map<std::string, std::optional<std::string>> project_above_;  // of a folder
+    std::map<std::string, std::optional<std::string>> project_above_;  // by folder
     std::map<std::string, setup::ProjectFile> projects_;
     std::map<std::string, std::shared_ptr<const report::Baseline>> baselines_;
     std::deque<CheckSettings> settings_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Observes one tile.
 #include "check/check_tile.h"
 
 #include "ncsim/setup/digest.h"

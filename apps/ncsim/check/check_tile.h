@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `ncsim check --tile`: what one tile of a part meets, and its file.
+// `ncsim check --tile`: observations of one tile of a part, and its file.
 #pragma once
 
 #include "options/check_options.h"
 
 namespace ncsim::app {
 
-/// Asks one tile; its result goes into a folder. Does nothing if it is there already. Returns the
-/// exit code, which tells of the machine alone. Throws std::runtime_error as run() does.
+/// Observes a tile and writes the result to a folder, unless the result exists. Returns the exit
+/// code, which reports environment failures only.
+/// Throws: std::runtime_error as run() does.
 int check_tile(CheckOptions options);
 
 }  // namespace ncsim::app

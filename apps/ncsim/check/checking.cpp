@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Verifies programs on threads or in processes.
 #include "check/checking.h"
 
 #include "ncsim/report/file_digests.h"
@@ -24,7 +26,8 @@ namespace ncsim::app {
 
 namespace {
 
-// A program that watches its own time needs some more to say so.
+// Returns the time limit (s) of a process: longer than the program's own limit, so the program can
+// report that its time ran out.
 double last_moment(double max_seconds) {
     return max_seconds > 0.0 ? 2.0 * max_seconds + 1.0 : 0.0;
 }
@@ -45,7 +48,7 @@ std::size_t Checking::run(const std::vector<std::size_t>& which, const Done& don
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const auto count = static_cast<unsigned>(which.size());
     const unsigned jobs = std::min(count, options_.jobs > 0 ? options_.jobs : cores);
-    // Many programs share the cores; a single one has them all.
+    // Many programs share the cores; a single program uses all of them.
     const unsigned threads = jobs > 1 ? 1 : options_.threads;
     if (options_.isolate) return run_isolated(which, jobs, threads, done, noted);
 
@@ -61,7 +64,7 @@ std::size_t Checking::run(const std::vector<std::size_t>& which, const Done& don
         [&](std::size_t i) { done(which[i], std::exchange(entries[i], {})); }, noted, stop);
 }
 
-// What is known already needs no process.
+// Programs with a known verdict need no process.
 std::size_t Checking::run_isolated(const std::vector<std::size_t>& which, unsigned jobs,
                                    unsigned threads, const Done& done, const Noted& noted) {
     std::vector<std::optional<report::Entry>> entries(which.size());
@@ -116,7 +119,7 @@ report::Entry Checking::from(std::size_t program, const ProcessEnd& end) {
     }
     if (end.exit_code != 0) return failed(program, "out of memory", kEnvironment);
 
-    // Lines: the entry, the files, are they all, what was read though it is an output.
+    // Lines: the entry, the files, whether the files are complete, an input that is also an output.
     std::istringstream said(end.said);
     std::string line, names, are_all, conflict;
     std::getline(said, line);
@@ -149,7 +152,7 @@ report::Entry Checking::not_reached(std::size_t program) const {
 std::optional<report::Entry> Checking::known(std::size_t program) const {
     const std::string& path = programs_[program];
     const CheckSettings& settings = settings_.of(program);
-    // What is not named by a path may be something else the next time.
+    // A program without a path may differ in the next run.
     if (!settings.cache || path == "-" || settings.questions.look) return std::nullopt;
     return settings.cache->find(path, settings.about(path), inputs_);
 }
@@ -175,7 +178,7 @@ report::Entry Checking::verified(std::size_t program, unsigned threads,
     }
 }
 
-// Never throws but for want of memory for a few words.
+// Never throws, except if there is no memory for a message.
 Checking::Found Checking::found(std::size_t program, unsigned threads,
                                 const std::stop_token& stop) {
     try {

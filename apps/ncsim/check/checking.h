@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verifies programs, several at a time.
+// Verification of programs, several at a time.
 #pragma once
 
 #include "ncsim/report/checked.h"
@@ -27,29 +27,32 @@ public:
     using Done = std::function<void(std::size_t, report::Entry)>;
     using Noted = std::function<void(std::size_t)>;
 
-    /// All of them must outlive it.
+    /// Creates an object for `programs`.
+    /// Requires: all arguments outlive the object.
     Checking(const CheckOptions& options, const std::vector<std::string>& programs,
              SettingsOfPrograms& settings, setup::InputSet& inputs)
         : options_(options), programs_(programs), settings_(settings), inputs_(inputs) {}
 
-    /// Calls done(i, entry) for each i of `which`, in that order, and noted(n) as soon as n of them
-    /// are finished. Returns how many were begun: all, unless there is an Interruption.
+    /// Verifies the programs `which`. Calls done(i, entry) for each i of `which` in order, and
+    /// noted(n) as soon as n programs are finished. Returns the number of programs begun: all,
+    /// unless an Interruption occurs.
     std::size_t run(const std::vector<std::size_t>& which, const Done& done, const Noted& noted);
 
-    /// What there is to say of a program that was not begun.
+    /// Returns the entry of a program that was not begun.
     report::Entry not_reached(std::size_t program) const;
 
-    /// Calls `shows` for each program for which a page is asked, from the thread that judged it.
+    /// Sets `shows`, which is called for each program that needs a page, on the thread that judged
+    /// the program.
     void show(std::function<void(std::size_t, report::Checked)> shows) {
         shows_ = std::move(shows);
     }
 
 private:
-    /// What was found, and what it depends on.
+    /// Result of a program, with the files on which it depends.
     struct Found {
         report::Entry entry;
         setup::ReadFiles files;
-        bool knows_all = true;  ///< They are all.
+        bool knows_all = true;  ///< `files` is complete.
     };
 
     std::size_t run_isolated(const std::vector<std::size_t>& which, unsigned jobs, unsigned threads,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes HTML pages.
 #include "check/pages.h"
 
 #include "ncsim/report/file_names.h"
@@ -18,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Characters of `text` that are the same in a file name and in a link.
+/// Returns `text` with all characters replaced that differ between a file name and a link.
 std::string plain_name(const std::string& text) {
     std::string name;
     for (const char c : text) {
@@ -29,12 +31,13 @@ std::string plain_name(const std::string& text) {
     return name;
 }
 
-/// One name for each program, from its path; the number of the program where two would be equal.
+/// Returns a unique name for each program, from its path; equal names get the number of the
+/// program.
 std::vector<std::string> names_of(const std::vector<std::string>& programs) {
     std::multiset<std::string> taken;
     std::vector<std::string> names;
     for (const std::string& program : programs) {
-        // File systems may be blind to the case of letters.
+        // File systems may ignore letter case.
         names.push_back(plain_name(report::relative_path(program)).substr(0, 150));
         std::string lower = names.back();
         for (char& c : lower)

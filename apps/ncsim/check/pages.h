@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes the pages of `--html`: one about a single program, or one for each and an index.
+// Pages of `--html`: a single page for one program, or a page for each program and an index.
 #pragma once
 
 #include "ncsim/report/checked.h"
@@ -21,12 +21,13 @@ namespace ncsim::app {
 
 class Pages {
 public:
-    /// All of them must outlive the pages. Nothing is written unless options.html names a file.
+    /// Creates pages for `programs`. Nothing is written unless options.html names a file.
+    /// Requires: all arguments outlive the object.
     Pages(const CheckOptions& options, const std::vector<std::string>& programs,
           OutputSet& outputs);
 
-    /// Takes a program that was judged; `number`: its place in the list. May be called by several
-    /// threads. Throws: std::runtime_error if the page cannot be written.
+    /// Adds a program that was judged; `number`: its place in the list. Thread-safe.
+    /// Throws: std::runtime_error if the page cannot be written.
     void add(std::size_t number, report::Checked checked);
     /// Writes the page, or the index of `all`.
     void write(const report::Entries& all, const report::Scope& scope);
@@ -36,14 +37,14 @@ private:
 
     void write_one(std::size_t number, const report::Checked& checked);
 
-    std::string index_;   // the file that --html names
-    std::string folder_;  // of the pages
+    std::string index_;   // file of --html
+    std::string folder_;  // folder of the pages
     std::string prefix_;  // from the index to a page
     bool has_index_ = false;
     OutputSet& outputs_;
     std::vector<std::string> names_;  // of pages, by program
     std::mutex mutex_;
-    std::vector<std::pair<std::size_t, report::Checked>> kept_;  // without an index so far
+    std::vector<std::pair<std::size_t, report::Checked>> kept_;  // pages while there is no index
     std::map<Name, std::string> links_;
 };
 

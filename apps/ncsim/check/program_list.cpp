@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds the programs of a check.
 #include "check/program_list.h"
 
 #include "ncsim/report/shard.h"
@@ -27,7 +29,7 @@ bool is_digest(const std::string& name) {
     return name.size() == 62 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Files that this run writes, and other runs like it.
+/// Files that this run writes, and further runs with the same output folders.
 class Written {
 public:
     explicit Written(const CheckOptions& options)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which programs a check is about: named on the command line, in a list, standing in a folder.
+// List of the programs of a check: from the command line, a list file, and folders.
 #pragma once
 
 #include "ncsim/report/scope.h"
@@ -15,18 +15,19 @@
 
 namespace ncsim::app {
 
-/// The programs of a check, and what was named with them.
+/// Programs of a check, and their origin.
 struct ProgramList {
-    /// In the order in which they are named: first the command line, then `--list`. Programs of a
-    /// folder come by name.
+    /// In the order of naming: the command line, then `--list`. Programs in a folder are sorted by
+    /// name.
     std::vector<std::string> programs;
-    /// For each program: found in a folder or a list, and only acts when another one calls it.
+    /// For each program: found in a folder or a list, and acts only if a different program calls
+    /// it.
     std::vector<bool> is_subprogram;
     std::vector<report::LeftOut> left_out;  ///< Entries of folders and of `--list`.
 };
 
 /// Returns the programs of `options`. A folder stands for the programs in it and below. Outputs of
-/// the same run are passed over.
+/// the same run are skipped.
 /// Throws: std::runtime_error if the list or a folder cannot be read, or has no programs.
 ProgramList programs_of(const CheckOptions& options, setup::InputSet& inputs);
 

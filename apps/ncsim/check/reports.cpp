@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes reports about programs.
 #include "check/reports.h"
 
 #include "ncsim/report/check_json.h"
@@ -19,7 +21,7 @@ namespace ncsim::app {
 
 namespace {
 
-// Not proven stands between clean and faulty.
+// Not proven ranks between clean and faulty.
 bool is_better(int a, int b) {
     const auto rank = [](int code) { return code == kNotProven ? 0.5 : code; };
     return rank(a) < rank(b);
@@ -35,7 +37,7 @@ int exit_code_of(const report::Entries& all, bool exit_zero) {
 }
 
 std::optional<report::Baseline> overwritten_baseline(const std::string& path) {
-    // Not of the inputs of the run, which no output may be.
+    // A separate set, because no output may be an input of the run.
     setup::InputSet aside;
     std::error_code ignored;
     if (path.empty() || path == "-" || !std::filesystem::is_regular_file(path, ignored))

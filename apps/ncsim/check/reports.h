@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is told of programs that were verified, now or before: of each, as soon as those before it
-// are known, and of all of them in the end.
+// Reports about verified programs: for each program as soon as all earlier programs are known, and
+// a summary at the end.
 #pragma once
 
 #include "ncsim/report/baseline.h"
@@ -18,12 +18,14 @@ namespace ncsim::app {
 
 class Reports {
 public:
-    /// Both must outlive it. `many`: there is more than one program. Reads the baseline that will
-    /// be overwritten; throws std::runtime_error if it is none.
+    /// Prepares reports and reads the baseline that will be overwritten. `many`: there is more than
+    /// one program.
+    /// Requires: `options` and `outputs` outlive the object.
+    /// Throws: std::runtime_error if the file is no baseline.
     Reports(const ReportOptions& options, OutputSet& outputs, bool many);
 
     void tell(const report::Entry& entry) const;
-    /// The summary, and the files that were asked for.
+    /// Writes the summary and the output files.
     void write(const report::Entries& all, const report::Scope& scope) const;
 
 private:
@@ -33,11 +35,11 @@ private:
     std::optional<report::Baseline> before_;
 };
 
-/// A baseline that is going to be overwritten, and may be read all the same: what it says is known
-/// before. Nothing if it is not there.
+/// Reads the baseline at `path` before this run overwrites the file; empty if the file does not
+/// exist.
 std::optional<report::Baseline> overwritten_baseline(const std::string& path);
 
-/// The worst of all, in the order clean, not proven, findings, a failing world, a bug of ours.
+/// Returns the worst exit code, in the order clean, not proven, findings, environment failure, bug.
 int exit_code_of(const report::Entries& all, bool exit_zero);
 
 }  // namespace ncsim::app

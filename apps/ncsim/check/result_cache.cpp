@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads and writes cached verdicts.
 #include "check/result_cache.h"
 
 #include "ncsim/report/file_digests.h"
@@ -41,8 +43,8 @@ std::string ResultCache::path_of(const std::string& key) const {
     return (fs::path(folder_) / key.substr(0, 2) / key.substr(2)).string();
 }
 
-// Four lines: the key, the files that were read, the entry, the digest of these. With its key a
-// file that was copied to the name of another entry is none.
+// An entry has four lines: the key, the files that were read, the entry, the digest of the
+// preceding lines. The key detects a file that was copied to the name of a different entry.
 std::optional<report::Entry> ResultCache::find(const std::string& program, const std::string& about,
                                                setup::InputSet& inputs) const {
     const std::string key = key_of(program, about);

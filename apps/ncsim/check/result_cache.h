@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verdicts that are known already: equal input gives equal bytes, so what was found once need not
-// be looked for again. A folder that many processes may use at a time, on NFS, too: entries are
-// written aside and renamed, and one that is not whole is none.
+// Cache of verdicts. Equal input gives equal bytes, so a known verdict is not computed again. The
+// cache is a folder that many processes may use at a time, also on NFS: entries are written under a
+// temporary name and renamed, and an incomplete entry is ignored.
 #pragma once
 
 #include "ncsim/report/entry.h"
@@ -15,21 +15,23 @@
 
 namespace ncsim::app {
 
-/// A name of a file as reports make it relative: an absolute one means what it does from here.
+/// Returns a name of a file that is valid as a cache key from every folder. Reports show paths
+/// relative to the current folder, so an absolute path includes the current folder.
 std::string named_anywhere(const std::string& path);
 
 class ResultCache {
 public:
-    /// `common`: all that decides a verdict but the program and what it reads: version, options,
-    /// digests of files. `complain` is told once if the folder cannot be written.
+    /// Creates a cache. `common`: all values that determine a verdict, except the program and its
+    /// files: version, options, digests of files. `complain` is called once if the folder cannot be
+    /// written.
     ResultCache(std::string folder, std::string common,
                 std::function<void(const std::string&)> complain);
 
-    /// What is known of a program, of which others say what is in `about`: nothing if it, or what
-    /// was read with it, is not as it was. That is read through `inputs`.
+    /// Returns the known entry of a program; empty if the program or a file read with it has
+    /// changed. `about`: text of baselines about the program. Files are read through `inputs`.
     std::optional<report::Entry> find(const std::string& program, const std::string& about,
                                       setup::InputSet& inputs) const;
-    /// Keeps it, unless it is no verdict; `read` is all that it depends on.
+    /// Stores `entry` if it is a verdict; `read`: all files on which the verdict depends.
     void keep(const std::string& program, const std::string& about, const report::Entry& entry,
               const setup::ReadFiles& read);
 

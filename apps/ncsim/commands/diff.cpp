@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares two programs.
 #include "commands/diff.h"
 
 #include "ncsim/report/describe.h"
@@ -39,7 +41,7 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     return side;
 }
 
-// Programs that cannot be cut cannot be compared: says why.
+// True if the program can be cut, which a comparison needs; otherwise prints the reasons.
 bool is_usable(const Side& side) {
     if (side.survey.is_ready() && !gcode::has_errors(side.survey.diagnostics)) return true;
     print_findings(side.plan.job.program, side.survey.diagnostics);
@@ -90,7 +92,7 @@ int run(const DiffOptions& options) {
     if (!is_usable(b)) return kFindings;
 
     report::Difference d = simulation::compare_parts(a, b);
-    // A stock that nobody told follows from the motions and says nothing of its own.
+    // An assumed stock follows from the motions and has no information of its own.
     const auto& other = b_alone.survey.stock;
     const bool both_told = other && other->told_by != toolpath::ToldBy::Assumption &&
                            a.survey.stock->told_by != toolpath::ToldBy::Assumption;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `ncsim diff`: do two programs make the same part? The gate for a change of a
-// post-processor.
+// The command `ncsim diff`, which compares the parts of two programs, for example after a change of
+// a post-processor.
 #pragma once
 
 #include "options/program_options.h"
@@ -10,21 +10,22 @@
 
 namespace ncsim::app {
 
-/// `program` is the old one.
+/// Options of `ncsim diff`; `program` is the old program.
 struct DiffOptions : ProgramOptions, SimulationOptions {
     std::string new_program;
-    std::string machine;         ///< Offsets and how the machine turns, of both.
+    std::string machine;         ///< Offsets and kinematics, for both programs.
     double tolerance_mm3 = 0.0;  ///< Differences up to this volume do not count.
-    bool process = false;        ///< Exit code 1 for feeds and speeds that differ, too.
-    std::string json;            ///< A file to write; empty: not asked for.
+    bool process = false;        ///< Exit code 1 also for different feeds and speeds.
+    std::string json;            ///< Output file; empty: none.
     bool quiet = false;
 };
 
 cli::App* add_diff(cli::App& app, DiffOptions& options);
 void complete(const DiffOptions& options);
 
-/// 0: the same part (and process, where asked for); 1: not, or a program has faults. Throws
-/// std::runtime_error if the world fails.
+/// Compares two programs. Returns 0 if the parts (and with `process`, the processes) are equal; 1
+/// if they differ or a program has faults.
+/// Throws: std::runtime_error on an environment failure.
 int run(const DiffOptions& options);
 
 }  // namespace ncsim::app

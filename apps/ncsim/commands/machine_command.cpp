@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prints a machine.
 #include "commands/machine_command.h"
 
 #include "ncsim/export/png.h"
@@ -24,7 +26,7 @@ namespace ncsim::app {
 
 namespace {
 
-// "A30,C-45".
+// Parses "A30,C-45".
 machine::Values values_of(const std::string& pose) {
     machine::Values values{};
     for (std::string_view rest = pose; !rest.empty();) {
@@ -94,7 +96,7 @@ int run(const MachineOptions& options) {
     const auto view = exporter::parse_view(options.view);
     if (!view) throw std::runtime_error(fmt::format("--view: '{}' is no view", options.view));
     setup::MachineFile file = setup::read_machine(options.machine, inputs);
-    simulation::bodies_of(file);  // refuses a mesh of which check cannot ask
+    simulation::bodies_of(file);  // rejects a mesh that check cannot use
     make_transparent(file, options.transparent);
     if (const std::string lost = setup::not_in_machine_toml(file);
         !options.save.empty() && !lost.empty()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `ncsim machine`: how a machine is built, as a file tells it.
+// The command `ncsim machine`: prints the structure of the machine in a file.
 #pragma once
 
 #include "options/cli.h"
@@ -11,17 +11,18 @@
 namespace ncsim::app {
 
 struct MachineOptions {
-    std::string machine;  ///< What is read.
-    std::string save;     ///< A machine.toml to write; empty: not asked for.
-    std::string png;      ///< A picture to write; empty: not asked for.
+    std::string machine;  ///< Input file.
+    std::string save;     ///< A machine.toml to write; empty: none.
+    std::string png;      ///< A picture to write; empty: none.
     std::string view = "iso";
     std::vector<std::string> transparent;  ///< Links in the picture.
-    std::string pose;  ///< "A30,C45": where the tip is then; empty: not asked for.
+    std::string pose;  ///< "A30,C45": prints the tip for these axes; empty: none.
 };
 
 cli::App* add_machine(cli::App& app, MachineOptions& options);
 
-/// Throws std::runtime_error for what cannot be read or written.
+/// Prints the machine and writes the outputs.
+/// Throws: std::runtime_error if a file cannot be read or written.
 int run(const MachineOptions& options);
 
 }  // namespace ncsim::app

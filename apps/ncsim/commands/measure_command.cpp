@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prints the dimensions of a part.
 #include "commands/measure_command.h"
 
 #include "ncsim/brep/features.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `ncsim measure`: what a calliper would find on the part.
+// The command `ncsim measure`: dimensions that a calliper would find on the part.
 #pragma once
 
 #include "options/program_options.h"
@@ -10,18 +10,21 @@
 namespace ncsim::app {
 
 struct MeasureOptions : ProgramOptions, SimulationOptions {
-    std::string machine;  ///< A file of one.
-    std::string json;     ///< Where to write it; empty: nowhere.
+    std::string machine;  ///< Machine file.
+    std::string json;     ///< Output file; empty: none.
     bool quiet = false;
 };
 
-/// The command `measure` of `app`. It reads into `options`, which must outlive it.
+/// Adds the command `measure` to `app`, which reads into `options`.
+/// Requires: `options` outlives `app`.
 cli::App* add_measure(cli::App& app, MeasureOptions& options);
-/// What can be judged only when all options were read; throws Refusal.
+/// Checks `options` after all options were read.
+/// Throws: Refusal.
 void complete(const MeasureOptions& options);
 
-/// The sheet to the standard output, findings to stderr: kFindings, and no sheet, where the program
-/// cannot be simulated. Throws std::runtime_error if the world fails.
+/// Prints the sheet to the standard output and findings to stderr. Returns kFindings, without a
+/// sheet, if the program cannot be simulated.
+/// Throws: std::runtime_error on an environment failure.
 int run(const MeasureOptions& options);
 
 }  // namespace ncsim::app

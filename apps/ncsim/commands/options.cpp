@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parses the command line.
 #include "commands/options.h"
 
 #include "ncsim/report/plain_text.h"
@@ -43,7 +45,7 @@ std::string footer(const char* example) {
     return fmt::format("{}{}{}Example: {}", kNotation, kFiles, kExitCodes, example);
 }
 
-// `ncsim help run`, `ncsim version`: as people try, whatever the options are called.
+// Translates common forms such as `ncsim help run` and `ncsim version` into options.
 std::vector<std::string> as_options(std::vector<std::string> words) {
     if (words.empty()) return words;
     if (words[0] == "version" || words[0] == "-V") words[0] = "--version";
@@ -55,7 +57,7 @@ std::vector<std::string> as_options(std::vector<std::string> words) {
     return words;
 }
 
-// Returns the first unknown word and the nearest known one; empty if all words are known.
+// Returns the first unknown word and the nearest known word; empty if all words are known.
 std::string mistyped(const cli::App& app, const std::vector<std::string>& words) {
     if (words.empty()) return {};
     std::vector<std::string> commands;
@@ -89,7 +91,7 @@ std::string mistyped(const cli::App& app, const std::vector<std::string>& words)
     return {};
 }
 
-// Throws Refusal for an empty file name, which an unset variable of a script leaves.
+// Throws Refusal for an empty file name, which results from an unset variable in a script.
 void refuse_empty_names(const cli::App& command) {
     for (const cli::Option* option : command.options()) {
         const std::string type = option->type_name();
@@ -113,7 +115,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
     app.footer(fmt::format("{}Example: {}", kExitCodes, run_example));
 
     const std::vector<std::string> words = as_options(arguments);
-    // Options of other commands than the named one cost more than a small program does.
+    // Adding the options of all commands would take longer than a small program.
     constexpr std::string_view kCommands[] = {"run",  "parse",   "tools",   "check", "merge",
                                               "diff", "machine", "measure", "rules"};
     const bool is_named =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command line: argv → one of the commands. A pure function: it reads no files and prints
+// The command line: argv → one of the commands. A pure function, which reads no files and prints
 // nothing.
 #pragma once
 
@@ -19,17 +19,17 @@
 
 namespace ncsim::app {
 
-/// Nothing to run: something to say, and the exit code.
+/// Text and exit code of a command line without a command to run.
 struct Farewell {
     int exit_code = kClean;
-    std::string text;  ///< To stdout if the exit code is kClean, else to stderr.
+    std::string text;  ///< For stdout if the exit code is kClean, otherwise for stderr.
 };
 
-/// What can be asked for: for each command its options. For each of them there is a run().
+/// Options of the chosen command. For each type there is a run().
 using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
                              DiffOptions, MachineOptions, MeasureOptions, RulesOptions, Farewell>;
 
-/// Total: any arguments give one of them.
+/// Parses the command line. Accepts any arguments.
 Command parse_options(const std::vector<std::string>& arguments);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prints the interpretation of a program.
 #include "commands/parse_command.h"
 
 #include "ncsim/gcode/control_codes.h"
@@ -18,7 +20,7 @@ namespace ncsim::app {
 
 namespace {
 
-// The row of the table of controls.
+// Returns the row in the table of controls.
 const gcode::ControlCodes* known_control(const std::string& name) {
     if (const gcode::ControlCodes* control = gcode::find_control_codes(name)) return control;
     std::vector<std::string_view> names;

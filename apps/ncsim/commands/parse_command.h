@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `ncsim parse`: how a program is read, as text that can be compared or as JSON.
+// The command `ncsim parse`: prints the interpretation of a program, as comparable text or as JSON.
 #pragma once
 
 #include "ncsim/gcode/control_codes.h"
@@ -10,16 +10,18 @@
 namespace ncsim::app {
 
 struct ParseOptions : ProgramOptions {
-    bool canonical = false;  ///< The motions the program makes, not its blocks.
+    bool canonical = false;  ///< Print the motions of the program instead of its blocks.
     bool json = false;
-    const gcode::ControlCodes* control = nullptr;  ///< List what it does not have.
+    /// List the codes that the control does not have.
+    const gcode::ControlCodes* control = nullptr;
 };
 
-/// The command `parse` of `app`. It reads into `options`, which must outlive it.
+/// Adds the command `parse` to `app`, which reads into `options`.
+/// Requires: `options` outlives `app`.
 cli::App* add_parse(cli::App& app, ParseOptions& options);
 
-/// The blocks or motions to the standard output, what there is to say about them to stderr. Throws
-/// std::runtime_error if the world fails.
+/// Prints the blocks or motions to the standard output, and messages to stderr.
+/// Throws: std::runtime_error on an environment failure.
 int run(const ParseOptions& options);
 
 }  // namespace ncsim::app

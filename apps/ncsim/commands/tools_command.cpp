@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prints the tool sheet of a program.
 #include "commands/tools_command.h"
 
 #include "ncsim/report/tool_sheet.h"

@@ -11,11 +11,13 @@ struct ToolsOptions : ProgramOptions {
     bool json = false;
 };
 
-/// The command `tools` of `app`. It reads into `options`, which must outlive it.
+/// Adds the command `tools` to `app`, which reads into `options`.
+/// Requires: `options` outlives `app`.
 cli::App* add_tools(cli::App& app, ToolsOptions& options);
 
-/// The sheet to the standard output: each tool that is called or described, its shape, who said so,
-/// what it does. Findings to stderr. Throws std::runtime_error if the world fails.
+/// Prints the sheet to the standard output: each tool that is called or described, with shape,
+/// source of the description and work. Prints findings to stderr.
+/// Throws: std::runtime_error on an environment failure.
 int run(const ToolsOptions& options);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Selects the kind of merge.
 #include "merge/merge.h"
 
 #include "ncsim/report/shard.h"
@@ -23,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTile = ".nctile";
 
-// The results in folders, and files that are named.
+// Returns the results in folders, and the named files.
 std::vector<std::string> files_of(const std::vector<std::string>& sources) {
     std::vector<std::string> files;
     for (const std::string& source : sources) {

@@ -7,9 +7,10 @@
 
 namespace ncsim::app {
 
-/// Tells and writes what one `ncsim check` of the whole list would, or, of tiles, one `ncsim run`.
-/// Returns its exit code. Throws std::runtime_error if a shard or a tile is missing, cut off or
-/// foreign, or an output cannot be written.
+/// Reports and writes the result that a single `ncsim check` of the whole list would have, or for
+/// tiles a single `ncsim run`. Returns its exit code.
+/// Throws: std::runtime_error if a shard or a tile is missing, truncated or foreign, or an output
+///   cannot be written.
 int run(MergeOptions options);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Merges tiles of `ncsim check`.
 #include "merge/merge_checks.h"
 
 #include "ncsim/verify/evidence.h"
@@ -33,7 +35,7 @@ int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>&
                  const std::vector<std::size_t>& order, bool has_part,
                  const std::function<std::string(std::size_t)>& read) {
     std::vector<std::string> words = files[order[0]].head.words;
-    // Whoever wrote the tiles may say what is read, but not what is written.
+    // Tile files may specify inputs, but no outputs, because their author is not trusted.
     const CheckOptions of_tiles = check_options_from(words);
     if (!outputs_of(of_tiles).empty() || !of_tiles.tile.empty() || !of_tiles.shard.empty() ||
         of_tiles.github || of_tiles.exit_zero || !of_tiles.cache.empty() ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `ncsim merge` of what `ncsim check --tile` has written: a verdict.
+// Merge of tiles of `ncsim check --tile` into a verdict.
 #pragma once
 
 #include "ncsim/report/tile_file.h"
@@ -14,9 +14,10 @@
 
 namespace ncsim::app {
 
-/// Tells the verdict of what all tiles met: `files[order[i]]` is tile i, of which `read(i)` reads
-/// TileFile::tile, which may be gone there; `has_part`: there is any. Returns the exit code. Throws
-/// std::runtime_error as run() does.
+/// Reports the verdict from the observations of all tiles. `files[order[i]]` is tile i;
+/// TileFile::tile may be absent there, and `read(i)` returns the text. `has_part`: a tile has a
+/// part. Returns the exit code.
+/// Throws: std::runtime_error as run() does.
 int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>& files,
                  const std::vector<std::size_t>& order, bool has_part,
                  const std::function<std::string(std::size_t)>& read);

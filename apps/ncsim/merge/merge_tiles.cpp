@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Merges tiles of `ncsim run`.
 #include "merge/merge_tiles.h"
 
 #include "ncsim/cda/tiles.h"
@@ -37,13 +39,13 @@ Options options_from(const std::vector<std::string>& words) {
 
 int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
     std::ranges::sort(files);
-    // What they are like now, without what fills them: that is read when it is needed.
+    // Keeps only the heads of the files; the contents are read when needed.
     std::vector<report::TileFile> read;
     bool has_part = false;
     for (const std::string& file : files) {
         read.push_back(read_tile(file));
         has_part |= !read.back().tile.empty();
-        std::string().swap(read.back().tile);  // an assignment would keep its room
+        std::string().swap(read.back().tile);  // an assignment would keep the memory
     }
     const std::vector<std::size_t> order = report::in_order(read, files);
 
@@ -60,7 +62,7 @@ int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
     if (!merge.json.empty() || !merge.sarif.empty() || !merge.junit.empty() ||
         !merge.write_baseline.empty() || merge.github || merge.notes || merge.exit_zero)
         throw std::runtime_error("these tiles are of ncsim run, which writes no verdicts");
-    // Whoever wrote the tiles may say what is read, but not what is written.
+    // Tile files may specify inputs, but no outputs, because their author is not trusted.
     const Options of_tiles = options_from(words);
     if (!outputs_of(of_tiles).empty() || !of_tiles.frames.empty() || !of_tiles.tile.empty())
         throw std::runtime_error(fmt::format("'{}': it names files to be written", files[0]));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Merge of tiles of `ncsim run --tile`.
 #pragma once
 
 #include "ncsim/cda/tiles.h"
@@ -13,14 +15,15 @@
 
 namespace ncsim::app {
 
-/// Makes of tiles what one `ncsim run` of the same words makes; returns its exit code. Throws
-/// std::runtime_error if one is missing, cut off or foreign, or if it is asked for what tiles do
-/// not know.
+/// Makes the same outputs from tiles as a single `ncsim run` of the same words; returns its exit
+/// code.
+/// Throws: std::runtime_error if a tile is missing, truncated or foreign, or if an output cannot be
+///   made from tiles.
 int merge_tiles(const MergeOptions& options, std::vector<std::string> files);
 
-/// What `options` ask for, of all tiles: tile i is files[order[i]], of which `read` knows
-/// TileFile::tile, which may be gone there. Returns the exit code; throws std::runtime_error as
-/// merge_tiles() does.
+/// Makes the outputs that `options` request from all tiles. Tile i is files[order[i]];
+/// TileFile::tile may be absent there, and `read` returns the text. Returns the exit code.
+/// Throws: std::runtime_error as merge_tiles() does.
 int run_of_tiles(Options options, const std::vector<report::TileFile>& files,
                  const std::vector<std::size_t>& order, const cda::Tiles::Read& read);
 

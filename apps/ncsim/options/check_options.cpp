@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the options of `ncsim check` and `ncsim rules`.
 #include "options/check_options.h"
 
 #include "ncsim/cda/tile_number.h"
@@ -79,7 +81,7 @@ std::string known_requirement(const char* option, const std::string& name) {
                     option, name)};
 }
 
-// Lists may be given with commas and more than once.
+// Adds an option for a list: separated by commas, and repeatable.
 cli::Option* add_list(cli::App& command, const char* name, const char* type, const char* what,
                       const std::function<void(const std::vector<std::string>&)>& take) {
     return command.add_option_function<std::vector<std::string>>(name, take, what)
@@ -88,12 +90,13 @@ cli::Option* add_list(cli::App& command, const char* name, const char* type, con
         ->one_value_at_a_time();
 }
 
-// Without dashes.
+// Returns the long name without dashes.
 std::string long_name(const cli::Option& option) {
     return option.long_names().empty() ? option.name() : option.long_names().front();
 }
 
-// Others say where results go, how the work is shared, or how much of it there may be.
+// True if the option determines verdicts; the remaining options specify outputs, the division of
+// work, or limits.
 bool decides_verdicts(const std::string& name) {
     static const std::set<std::string, std::less<>> others{
         "programs",  "list",       "shard",          "shards",  "out",     "redo",
@@ -139,7 +142,7 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
         ->number_range(1e-4, 1e4);
     cli::Option* selected = add_list(*check, "--select", "RULES", "Only these rules or categories",
                                      [&o](const auto& names) { select(o.selection, names); });
-    // After --select, wherever it stands on the command line.
+    // Applied after --select, whatever the order on the command line.
     add_list(*check, "--ignore", "RULES", "All but these",
              [&o](const auto& names) { ignore(o.selection, names); });
     (void)selected;

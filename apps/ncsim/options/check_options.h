@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What `ncsim check` and `ncsim rules` are asked for.
+// Options of `ncsim check` and `ncsim rules`.
 #pragma once
 
 #include "ncsim/report/file_digests.h"
@@ -21,38 +21,40 @@
 
 namespace ncsim::app {
 
-/// `program`, `save_job` and `model` are not used: there may be many programs.
+/// Options of `ncsim check`. `program` and `save_job` are not used, because there may be many
+/// programs.
 struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> programs;
-    std::string list;                     ///< More programs, a path a line.
-    std::string shard;                    ///< "3/200", "auto"; empty: all of them.
-    std::uint32_t shards = 0;             ///< How many there are, where "auto" cannot know.
-    ShardNumber number;                   ///< What these say, or `tile`.
-    std::string out;                      ///< Folder for the results of a shard.
-    bool isolate = false;                 ///< Each program in a process of its own.
-    bool redo = false;                    ///< Though the result of the shard or tile is there.
-    std::string tile;                     ///< "17/64", "auto"; empty: all of the part.
-    std::string tile_out;                 ///< Folder for its result.
-    std::vector<std::string> tile_words;  ///< What decides it, in one way to say it.
-    /// All tiles, which were seen before, and the files they were made of; null: the part is cut
-    /// now.
+    std::string list;          ///< File with further programs, a path a line.
+    std::string shard;         ///< "3/200", "auto"; empty: all programs.
+    std::uint32_t shards = 0;  ///< Number of shards if "auto" cannot determine the number.
+    ShardNumber number;        ///< Value of `shard` with `shards`, or of `tile`.
+    std::string out;           ///< Folder for the results of a shard.
+    bool isolate = false;      ///< Each program runs in a separate process.
+    bool redo = false;         ///< Repeat a shard or tile whose result exists.
+    std::string tile;          ///< "17/64", "auto"; empty: the whole part.
+    std::string tile_out;      ///< Folder for the result of a tile.
+    /// Words that determine the result of a tile, in canonical form.
+    std::vector<std::string> tile_words;
+    /// Observations of all tiles, and the files from which the tiles were made; null: the part is
+    /// cut in this run.
     std::shared_ptr<const simulation::SeenTiles> tiles;
     report::FileDigests tile_files;
-    std::string cache;               ///< Folder of verdicts that are known already; empty: none.
-    bool no_project = false;         ///< Pass over ncsim.toml.
-    std::vector<std::string> words;  ///< Of the command line, the name of the command first.
-    std::set<std::string> given;     ///< Options that stand there, without dashes.
-    std::string told;                ///< What of them decides verdicts, in one way to say it.
+    std::string cache;               ///< Folder of cached verdicts; empty: none.
+    bool no_project = false;         ///< Ignore ncsim.toml.
+    std::vector<std::string> words;  ///< Words of the command line; the command is first.
+    std::set<std::string> given;     ///< Options on the command line, without dashes.
+    std::string told;                ///< Options that determine verdicts, in canonical form.
     std::string machine;             ///< A machine.toml.
     std::string design;              ///< STL, GLB or STEP.
     double design_tolerance = 0.1;   ///< mm
-    std::string baseline;            ///< Findings that are known; empty: none.
+    std::string baseline;            ///< File of known findings; empty: none.
     verify::Selection selection;
-    std::string csv, html;  ///< Files to write; empty: not asked for.
+    std::string csv, html;  ///< Output files; empty: none.
     bool dog_leg = false;
-    bool cut_free = false;  ///< Look for pieces that are cut free.
-    bool air_cuts = false;  ///< Look for feed moves that remove nothing.
-    unsigned jobs = 0;      ///< Programs at a time; 0: as many as the machine has cores.
+    bool cut_free = false;  ///< Search for pieces that are cut free.
+    bool air_cuts = false;  ///< Search for feed moves that remove nothing.
+    unsigned jobs = 0;      ///< Number of programs at a time; 0: number of cores.
     bool warnings_as_errors = false;
 };
 
@@ -60,34 +62,36 @@ struct RulesOptions {
     bool json = false;
 };
 
-/// The paths of all files that were asked for.
+/// Returns the paths of all output files.
 std::vector<std::string> outputs_of(const CheckOptions& options);
-/// The paths of all files that are named to be read.
+/// Returns the paths of all input files that are named.
 std::vector<std::string> inputs_of(const CheckOptions& options);
 
-/// Is the baseline that is read the one that is written? It is read before.
+/// True if the baseline is both read and written; reading comes first.
 bool rewrites_baseline(const CheckOptions& options);
 
-/// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
+/// Add the commands `check` and `rules` to `app`, which read into `options`.
+/// Requires: `options` outlives `app`.
 cli::App* add_check(cli::App& app, CheckOptions& options);
 cli::App* add_rules(cli::App& app, RulesOptions& options);
 
-/// What an option takes that decides verdicts and may stand in an ncsim.toml.
+/// Kind of value of an option that determines verdicts and is permitted in ncsim.toml.
 struct OptionKind {
     bool is_flag = false;
-    bool is_file = false;  ///< Or a folder.
+    bool is_file = false;  ///< A file or a folder.
 };
-/// By its long name without dashes; nothing if there is none.
+/// Returns the kind of the option with this long name (without dashes); empty if there is none.
 std::optional<OptionKind> kind_of_check_option(const std::string& name);
 
-/// What was told `command` that decides its verdicts: neither where results go nor how the work is
-/// shared. And the options that stand on the command line, without dashes.
+/// Returns the options of `command` that determine verdicts, in canonical form: without outputs and
+/// the division of work.
 std::string told_to(const cli::App& command);
-/// The command line that asks the same, whoever shares the work.
+/// Returns a command line with the same verdicts for every division of work.
 std::vector<std::string> words_of_check(const cli::App& command);
 std::set<std::string> given_to(const cli::App& command);
 
-/// What can be judged only when all options were read; throws Refusal.
+/// Checks and completes `options` after all options were read.
+/// Throws: Refusal.
 void complete(CheckOptions& options);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Implements commands and options with CLI11.
 #include "options/cli.h"
 
 #include <fmt/format.h>
@@ -198,14 +200,14 @@ std::size_t App::count(const std::string& name) const {
     return app_->count(name);
 }
 
-/// True if `word` is a switch of this command or of one of its commands.
+/// True if `word` is a switch of this command or of a subcommand.
 bool App::is_switch(const std::string& word) const {
     return std::ranges::find(switches_, word) != switches_.end() ||
            std::ranges::any_of(commands_, [&](const auto& c) { return c->is_switch(word); });
 }
 
 App::Outcome App::parse(std::vector<std::string> words) {
-    // "--switch off" is one word for CLI11: a file may follow the switch alone.
+    // "--switch off" becomes one word for CLI11, because a file may follow the switch alone.
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         const bool has_value = words[i + 1] == "on" || words[i + 1] == "off";
         if (!has_value || !is_switch(words[i])) continue;
@@ -213,7 +215,7 @@ App::Outcome App::parse(std::vector<std::string> words) {
         words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     }
     try {
-        // CLI11 takes them last first.
+        // CLI11 expects the words in reverse order.
         app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
         return Outcome::Parsed;
     } catch (const CLI::CallForHelp&) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Commands and their options, as far as the program needs them. The names are those of CLI11, which
-// cli.cpp alone includes: its headers took nearly half of the time of a first build.
+// Commands and their options, as far as the program needs them. The names are those of CLI11. Only
+// cli.cpp includes CLI11, whose headers took nearly half of the time of a first build.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,25 @@
 #include <string>
 #include <vector>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): of CLI11
+namespace CLI {  // NOLINT(readability-identifier-naming): namespace of CLI11
 class App;
 class Option;
 }  // namespace CLI
 
 namespace ncsim::app::cli {
 
-/// Option of a command. Functions that change it return it.
+/// Option of a command. Setters return the option.
 class Option {
 public:
     explicit Option(CLI::Option* option) : option_(option) {}
 
     Option* type_name(const std::string& name);
     Option* required();
-    /// Values may be separated by `delimiter`, too.
+    /// Also accepts values separated by `delimiter`.
     Option* delimiter(char delimiter);
-    /// Takes one value where it is named, and may be named several times.
+    /// Accepts one value for each name; the name may be repeated.
     Option* one_value_at_a_time();
-    /// Does not take further values that follow the first.
+    /// Rejects further values after the first.
     Option* no_extra_values();
     Option* needs(const Option* other);
     Option* needs(const std::string& other);
@@ -38,20 +38,20 @@ public:
     /// Accepts `least` to `most`, both included. Number: int, unsigned, std::uint64_t.
     template <class Number>
     Option* range(Number least, Number most);
-    /// Accepts `least` to `most`, both included; refuses text that is not a number, and nan, by
+    /// Accepts `least` to `most`, both included. Rejects text that is not a number, and nan, by
     /// name.
     Option* number_range(double least, double most);
 
-    /// Name as help shows it.
+    /// Returns the name as help shows it.
     std::string name() const;
-    /// Names that begin with two dashes, without these.
+    /// Returns the names that begin with two dashes, without the dashes.
     std::vector<std::string> long_names() const;
     std::string type_name() const;
-    /// True if it has no name on the command line: the program.
+    /// True if the option has no name on the command line: the program.
     bool is_positional() const;
-    /// True if it takes no value.
+    /// True if the option takes no value.
     bool is_flag() const;
-    /// How often it was on the command line.
+    /// Returns the number of occurrences on the command line.
     std::size_t count() const;
     std::vector<std::string> values() const;
 
@@ -69,24 +69,26 @@ public:
     App& operator=(const App&) = delete;
 
     App* add_subcommand(const std::string& name, const std::string& description);
-    /// At least one command has to be on the command line.
+    /// Requires at least one command on the command line.
     void require_subcommand();
     void set_version_flag(const std::string& flag, const std::string& text);
-    /// Text at the end of help.
+    /// Sets the text at the end of help.
     void footer(const std::string& text);
-    /// Calls `done` when all options of the command were read.
+    /// Calls `done` after all options of the command were read.
     void after_parsing(std::function<void()> done);
 
-    /// `value` must outlive the command. Value: std::string, std::vector<std::string>, int,
-    /// unsigned, std::uint64_t, double, std::optional<std::uint32_t>.
+    /// Adds an option that stores its value in `value`. Value: std::string,
+    /// std::vector<std::string>, int, unsigned, std::uint64_t, double,
+    /// std::optional<std::uint32_t>.
+    /// Requires: `value` outlives the command.
     template <class Value>
     Option* add_option(const std::string& name, Value& value, const std::string& description);
     Option* add_flag(const std::string& name, bool& value, const std::string& description);
-    /// Flag that may be followed by "on" or "off"; alone it means "on".
+    /// Adds a flag with an optional value "on" or "off"; alone it means "on".
     Option* add_switch(const std::string& name, std::optional<bool>& value,
                        const std::string& description);
-    /// Hands the value to `take`, which may throw. Value: std::string, std::vector<std::string>,
-    /// double.
+    /// Adds an option that passes its value to `take`, which may throw. Value: std::string,
+    /// std::vector<std::string>, double.
     template <class Value>
     Option* add_option_function(const std::string& name,
                                 const std::function<void(const Value&)>& take,
@@ -94,18 +96,18 @@ public:
 
     std::string name() const;
     std::string help() const;
-    /// Options in the order in which they were added, that of help first.
+    /// Returns the options in the order in which they were added; help is first.
     std::vector<const Option*> options() const;
-    /// Commands in the order in which they were added.
+    /// Returns the commands in the order in which they were added.
     std::vector<const App*> subcommands() const;
-    /// Command on the command line; this one if there is none.
+    /// Returns the command on the command line; this command if there is none.
     App* chosen();
-    /// How often the option `name` was on the command line.
+    /// Returns the number of occurrences of the option `name` on the command line.
     std::size_t count(const std::string& name) const;
 
     enum class Outcome : std::uint8_t { Parsed, Help, Version };
-    /// Reads `words`, the command line without the name of the program.
-    /// Throws: UsageError, and what functions of options throw.
+    /// Parses `words`, the command line without the name of the program.
+    /// Throws: UsageError, and exceptions of functions of options.
     Outcome parse(std::vector<std::string> words);
 
 private:
@@ -113,14 +115,14 @@ private:
     Option* add(CLI::Option* option);
     bool is_switch(const std::string& word) const;
 
-    std::unique_ptr<CLI::App> owned_;  // of the program; commands belong to it
+    std::unique_ptr<CLI::App> owned_;  // the program; owns the commands
     CLI::App* app_;
     std::deque<Option> options_;
     std::vector<std::string> switches_;  // names
     std::vector<std::unique_ptr<App>> commands_;
 };
 
-/// Command line that does not fit the options: what is wrong with it.
+/// Description of a command line that does not fit the options.
 struct UsageError {
     std::string text;
 };

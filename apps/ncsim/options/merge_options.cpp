@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the options of `ncsim merge`.
 #include "options/merge_options.h"
 
 namespace ncsim::app {

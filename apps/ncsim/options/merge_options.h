@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What `ncsim merge` is asked for.
+// Options of `ncsim merge`.
 #pragma once
 
 #include "options/report_options.h"
@@ -13,11 +13,12 @@ namespace ncsim::app {
 
 struct MergeOptions : ReportOptions {
     std::vector<std::string> sources;  ///< Folders of results, and files.
-    /// Options of `ncsim run` for what tiles are put together to, without dashes.
+    /// Options of `ncsim run` for the merged tiles, without dashes.
     std::vector<std::pair<std::string, std::string>> of_run;
 };
 
-/// The command `merge` of `app`. It reads into `options`, which must outlive it.
+/// Adds the command `merge` to `app`, which reads into `options`.
+/// Requires: `options` outlives `app`.
 cli::App* add_merge(cli::App& app, MergeOptions& options);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Converts options into a plan.
 #include "options/plan_options.h"
 
 namespace ncsim::app {
@@ -6,7 +8,7 @@ namespace ncsim::app {
 simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
                           setup::InputSet& inputs) {
     simulation::Plan plan;
-    // Reading counts, too.
+    // The budget includes reading.
     plan.budget = setup::Budget(simulation.max_memory_gb, simulation.max_seconds);
     plan.job = setup::read_job(static_cast<const setup::JobOptions&>(program), inputs);
     plan.model = simulation.model;

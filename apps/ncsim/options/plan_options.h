@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From options to a plan.
+// Conversion of options into a plan.
 #pragma once
 
 #include "ncsim/setup/input.h"
@@ -10,7 +10,8 @@
 
 namespace ncsim::app {
 
-/// Reads what the options name; throws what setup::read_job() throws.
+/// Reads the files that the options name and returns the plan.
+/// Throws: as setup::read_job().
 simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
                           setup::InputSet& inputs);
 simulation::Plan plan_for(const Options& options, setup::InputSet& inputs);

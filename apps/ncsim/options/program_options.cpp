@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the options of programs and their set-up.
 #include "options/program_options.h"
 
 #include "ncsim/setup/job_file.h"
@@ -49,7 +51,7 @@ std::vector<toolpath::ToolSpec> read_tools(const std::vector<std::string>& texts
 }
 
 toolpath::ToolSpec read_assumed_tool(const std::string& text) {
-    // With or without a number, which does not matter here.
+    // Accepts a tool with or without a number, which does not matter.
     const std::size_t equals = text.find('=');
     auto tool = read_tool("T1=" + text.substr(equals == std::string::npos ? 0 : equals + 1));
     tool.number = 0;

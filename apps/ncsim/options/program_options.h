@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every command that reads an NC program can be told about it. Commands add theirs to it, each
-// in a file of its own.
+// Options of every command that reads an NC program. Each command adds its own options in a
+// separate file.
 #pragma once
 
 #include "ncsim/setup/job_options.h"
@@ -14,56 +14,58 @@
 
 namespace ncsim::app {
 
-/// Exit codes of the program; in --help, too.
+/// Exit codes of the program; also listed in --help.
 enum ExitCode : int {
     kClean = 0,
     kFindings = 1,     ///< The NC program has faults.
-    kEnvironment = 2,  ///< Wrong usage, unreadable input, a failing world.
+    kEnvironment = 2,  ///< Wrong usage, unreadable input, or an environment failure.
     kBug = 3,
-    kNotProven = 4,  ///< No fault was found, but something nobody told stands before "clean".
+    kNotProven = 4,  ///< No fault was found, but an unspecified value prevents "clean".
 };
 
-/// A value that the parser of the command line cannot judge. Thrown and caught while it is read,
-/// inside parse_options() only.
+/// Value that the parser of the command line cannot judge. Thrown and caught during parsing, inside
+/// parse_options() only.
 struct Refusal {
     std::string text;  ///< "--stock '1x2': expected …"
 };
 
-/// What is told of the program and its set-up, and where that is written.
+/// Description of the program and its set-up, and the output file for the description.
 struct ProgramOptions : setup::JobOptions {
-    std::string save_job;  ///< Where to write a job file, empty: nowhere.
+    std::string save_job;  ///< Job file to write; empty: none.
 };
 
-/// What commands that simulate are told as well. Lengths in mm.
+/// Further options of commands that simulate. Lengths in mm.
 struct SimulationOptions {
-    std::string model;             ///< Of simulation::models(); empty: the one that suits.
-    double tolerance = 0.005;      ///< Of chords and of turning tools.
-    double tool_tolerance = 0.05;  ///< Of round tools.
+    std::string model;             ///< A name in simulation::models(); empty: chosen automatically.
+    double tolerance = 0.005;      ///< Tolerance of chords and of rotary moves.
+    double tool_tolerance = 0.05;  ///< Tolerance of round tools.
     bool tolerance_told = false, tool_tolerance_told = false;
-    unsigned threads = 0;        ///< 0: as many as the machine has.
-    double max_memory_gb = 0.0;  ///< 10^9 bytes; 0: as much as there is.
-    double max_seconds = 0.0;    ///< 0: as long as it takes.
+    unsigned threads = 0;        ///< 0: number of cores.
+    double max_memory_gb = 0.0;  ///< 10^9 bytes; 0: available memory.
+    double max_seconds = 0.0;    ///< 0: unlimited.
 };
 
-/// Lets `command` read them into `options`, which must outlive it. What makes no sense throws
-/// Refusal while the command line is parsed.
+/// Adds the options to `command`, which reads into `options`. Unusable values throw Refusal during
+/// parsing.
+/// Requires: `options` outlives `command`.
 void add_program_options(cli::App& command, ProgramOptions& options);
-/// All of them but the program itself.
+/// Adds all program options except the program itself.
 void add_language_options(cli::App& command, ProgramOptions& options);
-/// The stock and the assumed tool, which matter only where something is cut.
+/// Adds the stock and the assumed tool, for commands that cut.
 void add_setup_options(cli::App& command, ProgramOptions& options);
-/// The paths of all files that are named to be read; none of them is empty.
+/// Returns the paths of all input files that are named; no path is empty.
 std::vector<std::string> inputs_of(const ProgramOptions& options);
-/// What can be judged only when all options were read: throws Refusal if no program is named.
+/// Checks `options` after all options were read.
+/// Throws: Refusal if no program is named.
 void complete(const ProgramOptions& options);
 void add_simulation_options(cli::App& command, SimulationOptions& options);
-/// What was told `command`, in one way to say it: its name, the options that matter, by their long
-/// names without dashes, and what stands alone.
+/// Returns the words of `command` in canonical form: its name, the options for which `matters` is
+/// true (by long name without dashes), and the positional words.
 std::vector<std::string> words_of(const cli::App& command,
                                   const std::function<bool(const std::string&)>& matters);
-/// Throws Refusal if a model was asked for that programs are not verified with.
+/// Throws Refusal if the selected model does not support verification.
 void require_verifying(const SimulationOptions& options);
-/// Throws Refusal if a model was asked for whose parts are not exact, as `what` needs them.
+/// Throws Refusal if the selected model has no exact parts, which `what` needs.
 void require_exact(const SimulationOptions& options, std::string_view what);
 
 }  // namespace ncsim::app

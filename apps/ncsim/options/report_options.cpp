@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the options for outputs of verdicts.
 #include "options/report_options.h"
 
 namespace ncsim::app {

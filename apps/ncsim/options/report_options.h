@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the verdicts of programs go, whoever found them.
+// Outputs of verdicts, for `ncsim check` and `ncsim merge`.
 #pragma once
 
 #include "options/cli.h"
@@ -11,17 +11,18 @@
 namespace ncsim::app {
 
 struct ReportOptions {
-    std::string json, sarif, junit;  ///< Files to write; empty: not asked for.
-    std::string write_baseline;      ///< The same.
+    std::string json, sarif, junit;  ///< Output files; empty: none.
+    std::string write_baseline;      ///< Output file; empty: none.
     bool github = false;             ///< Annotations for GitHub Actions instead of text.
     bool exit_zero = false;
-    bool notes = false;  ///< Show notes, too.
+    bool notes = false;  ///< Also show notes.
     bool quiet = false;  ///< Only findings.
 };
 
-/// Lets `command` read them into `options`, which must outlive it.
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
 void add_report_options(cli::App& command, ReportOptions& options);
-/// The paths of all files that were asked for.
+/// Returns the paths of all output files.
 std::vector<std::string> outputs_of(const ReportOptions& options);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the options of `ncsim run`.
 #include "options/run_options.h"
 
 #include "ncsim/cda/tiles.h"
@@ -114,7 +116,7 @@ double read_simplify(double tolerance) {
     throw Refusal{fmt::format("--simplify {}: expected 0, or 0.000001 to 1 mm", tolerance)};
 }
 
-// The thesis' model where its own views are asked for, else the one that scales.
+// Chooses the model: the thesis' model for its own views, otherwise the model that scales.
 void choose_model(Options& o) {
     o.model_told = !o.model.empty();
     const bool needs_cells = !o.stats.empty() || !o.xml.empty();

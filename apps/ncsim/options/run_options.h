@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What `ncsim run` is asked for.
+// Options of `ncsim run`.
 #pragma once
 
 #include "ncsim/brep/section.h"
@@ -22,22 +22,22 @@
 
 namespace ncsim::app {
 
-/// Of what a solid for CAD is made: surfaces as tools leave them, or facets of tools that are
-/// polygons.
+/// Surfaces of a solid for CAD: surfaces as tools leave them, or facets of polygonal tools.
 enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
 
-/// What moves in pictures of a machine: the rest of it about its bed, or all about the part.
+/// Fixed body in pictures of a machine: the bed of the machine, or the part.
 enum class StandsStill : std::uint8_t { Machine, Part };
 
-/// Empty paths: not asked for.
+/// Options of `ncsim run`. Empty paths: no output.
 struct Options : ProgramOptions, SimulationOptions {
-    bool shows_machine = false;  ///< Links of the machine in pictures and files that can move.
-    std::vector<std::string> transparent;             ///< Links of it.
-    StandsStill stands_still = StandsStill::Machine;  ///< In pictures of both.
-    std::string machine;  ///< A machine.toml: offsets, and how it turns.
+    bool shows_machine = false;  ///< Show links of the machine in pictures and animated files.
+    std::vector<std::string> transparent;  ///< Transparent links.
+    /// Fixed body in pictures of machine and part.
+    StandsStill stands_still = StandsStill::Machine;
+    std::string machine;  ///< A machine.toml: offsets and kinematics.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
 
-    /// Of the picture; several are put on one sheet with a caption. Never empty.
+    /// Views of the picture; several views form a sheet with a caption. Never empty.
     std::vector<exporter::View> views{exporter::View::Iso};
     exporter::Background background = exporter::Background::White;
     exporter::Renderer renderer = exporter::Renderer::Own;
@@ -45,54 +45,58 @@ struct Options : ProgramOptions, SimulationOptions {
     bool shows_path = false, shows_tool = false, has_caption = false;
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
-    std::string frames;       ///< A folder for pictures taken on the way.
-    std::string gif;          ///< The same as one moving picture.
-    std::uint64_t every = 0;  ///< Moves from one of them to the next; 0: some hundred pictures.
-    std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
-    /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
+    std::string frames;  ///< Folder for pictures of intermediate states.
+    std::string gif;     ///< Animated picture of intermediate states.
+    /// Number of moves between two pictures; 0: about a hundred pictures.
+    std::uint64_t every = 0;
+    std::uint32_t width = 1280, height = 960;  ///< Size of each view in pixels.
+    /// Tolerance in mm. Default: glTF and STL are exact, further formats are within kFlatTolerance.
     std::optional<double> simplify;
     StepSurfaces step_surfaces = StepSurfaces::Analytic;
-    int step_refine = 6;       ///< So many other cuts are tried for it, at most.
-    bool step_strict = false;  ///< Facets that are kept are a failure.
+    int step_refine = 6;       ///< Largest number of further cuts that are tried for STEP.
+    bool step_strict = false;  ///< Facets that remain are a failure.
     exporter::StepSchema step_schema = exporter::StepSchema::Ap242;
-    bool step_attributes = false;  ///< Lines, tools and kind with each face.
+    bool step_attributes = false;  ///< Lines, tools and kind of each face.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
-    double resolution = 0.0;  ///< Of a model that has one, mm; 0: the one that suits.
+    double resolution = 0.0;  ///< Resolution of a model that has one, mm; 0: chosen automatically.
     simulation::RayDirections rays = simulation::RayDirections::Chosen;
     bool model_told = false;
-    std::vector<brep::SectionPlane> sections;  ///< Where the part is cut open.
-    std::string dxf, svg;                      ///< Files for them.
+    std::vector<brep::SectionPlane> sections;  ///< Planes of sections.
+    std::string dxf, svg;                      ///< Output files for sections.
     bool quiet = false;
-    /// A first look: tools that nobody describes are guessed, round shapes are coarser.
+    /// Quick preview: tools without a description are assumed, round shapes are coarser.
     bool draft = false;
-    /// In the report: what each block removed, which is several times the work.
+    /// Report the removed volume of each block, which multiplies the work.
     bool block_volumes = false;
 
-    std::string tile;                ///< "17/64", "auto"; empty: all of the part.
-    ShardNumber number;              ///< What that says.
-    std::string tile_out;            ///< Folder for its result.
-    bool redo = false;               ///< Though its result is there.
-    std::vector<std::string> words;  ///< What decides what the part is like, in one way to say it.
-    /// All tiles, cut before, and the files they were made of; null: the part is cut now.
+    std::string tile;                ///< "17/64", "auto"; empty: the whole part.
+    ShardNumber number;              ///< Value of `tile`.
+    std::string tile_out;            ///< Folder for the result of a tile.
+    bool redo = false;               ///< Repeat a tile whose result exists.
+    std::vector<std::string> words;  ///< Words that determine the part, in canonical form.
+    /// All tiles, cut before, and the files from which the tiles were made; null: the part is cut
+    /// in this run.
     std::shared_ptr<const simulation::CutTiles> tiles;
     report::FileDigests tile_files;
-    std::string mesh_folder;  ///< For a mesh of each of them.
+    std::string mesh_folder;  ///< Folder with a mesh for each tile.
 };
 
-/// Is the surface of the part needed as faces, for what was asked for?
+/// True if an output needs the surface of the part as faces.
 bool needs_surface(const Options& options);
 
-/// Is anything asked for that only exact models have?
+/// True if an output needs an exact model.
 bool needs_exact_part(const Options& options);
 
-/// The paths of all files that were asked for.
+/// Returns the paths of all output files.
 std::vector<std::string> outputs_of(const Options& options);
 
-/// The command `run` of `app`. It reads into `options`, which must outlive it.
+/// Adds the command `run` to `app`, which reads into `options`.
+/// Requires: `options` outlives `app`.
 cli::App* add_run(cli::App& app, Options& options);
-/// The command line that makes the same part: "run", the options that matter, the program.
+/// Returns a command line that makes the same part: "run", the options that matter, the program.
 std::vector<std::string> words_of_part(const cli::App& command);
-/// What can be judged only when all options were read; throws Refusal.
+/// Checks and completes `options` after all options were read.
+/// Throws: Refusal.
 void complete(Options& options);
 
 }  // namespace ncsim::app

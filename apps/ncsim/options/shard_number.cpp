@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parses the number of a shard or tile.
 #include "options/shard_number.h"
 
 #include "options/program_options.h"
@@ -35,7 +37,7 @@ ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* 
         struct Service {
             const char *index, *first, *count;
         };
-        // Slurm counts from where the array begins, GitLab from 1.
+        // Slurm counts from the beginning of the array, GitLab from 1.
         for (const Service& s :
              {Service{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_COUNT"},
               Service{"JOB_COMPLETION_INDEX", nullptr, nullptr},

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Number of a shard or tile, from text or from the environment.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +8,14 @@
 
 namespace ncsim::app {
 
-/// Which part of a list is this one's? From 0 to `of` - 1.
+/// Index of a part of a list, from 0 to `of` - 1.
 struct ShardNumber {
     std::uint32_t shard = 0, of = 1;
 };
 
-/// "3/200", or "auto": what the environment of a Slurm array task, a Kubernetes indexed job or a
-/// job of GitLab says, where `of` may have to be told. Throws Refusal.
-/// `option`: whose text it is.
+/// Parses "3/200", or for "auto" the environment of a Slurm array task, a Kubernetes indexed job or
+/// a GitLab job, which may need `of`. `option`: name of the option in messages.
+/// Throws: Refusal.
 ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* option = "--shard");
 
 }  // namespace ncsim::app

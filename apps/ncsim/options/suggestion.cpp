@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds the known word nearest to a mistyped word.
 #include "options/suggestion.h"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
-    constexpr std::size_t kLongest = 64;  // no command or option is as long
+    constexpr std::size_t kLongest = 64;  // longer than every command and option
     if (word.size() > kLongest) return {};
     std::string best;
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;

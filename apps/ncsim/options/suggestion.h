@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What somebody may have meant who mistyped a word.
+// Suggestion for a mistyped word.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace ncsim::app {
 
-/// The one of `known` that is nearest to `word`, by letters left out, put in, changed or swapped
-/// with their neighbour (Damerau 1964); empty if none is within a third of its length.
+/// Returns the element of `known` nearest to `word`, by letters omitted, inserted, changed or
+/// swapped with their neighbour; empty if none is within a third of the length of `word`.
+/// Source: Damerau, 1964.
 std::string nearest(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace ncsim::app

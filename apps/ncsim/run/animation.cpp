@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Takes pictures during the cut.
 #include "run/animation.h"
 
 #include "ncsim/export/png.h"
@@ -17,7 +19,7 @@ namespace ncsim::app {
 
 namespace {
 
-// Where nobody says how many: enough to see the part grow, in a few seconds.
+// Default number of pictures: shows the progress of the part in a few seconds.
 constexpr std::uint64_t kUsualFrames = 100;
 
 // Hundredths of a second.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures taken while the part is cut: as numbered files, as one moving picture.
+// Pictures during the cut: numbered files, or an animated picture.
 #pragma once
 
 #include "ncsim/export/gif.h"
@@ -16,16 +16,18 @@ namespace ncsim::app {
 
 class Animation {
 public:
-    /// Makes the folder for frames if it is not there; throws std::runtime_error if that fails.
+    /// Creates the folder for frames if necessary.
+    /// Throws: std::runtime_error if the folder cannot be created.
     Animation(const Options& options, const simulation::Survey& survey, OutputSet& outputs);
 
-    /// Moves from one picture to the next; 0: none are asked for.
+    /// Returns the number of moves between two pictures; 0: no pictures.
     std::uint64_t every() const { return every_; }
 
-    /// A picture of the part as it is now. A frame is written to its file at once, whole or not
-    /// at all. Throws std::runtime_error if the world fails.
+    /// Takes a picture of the current part. A frame is written to its file at once, completely or
+    /// not at all.
+    /// Throws: std::runtime_error if a frame cannot be written.
     void take(const Outcome& outcome);
-    /// The moving picture, to `out`. Its last frame stays for two seconds.
+    /// Writes the animated picture to `out`. The last frame stays for two seconds.
     void write_gif(std::ostream& out);
 
 private:
@@ -35,7 +37,8 @@ private:
     std::uint32_t taken_ = 0;
     std::ostringstream bytes_;
     std::optional<exporter::GifWriter> gif_;
-    std::optional<exporter::Image> last_;  // not yet in the GIF: it may have to stay longer
+    // not yet in the GIF, because the last frame stays longer
+    std::optional<exporter::Image> last_;
 };
 
 }  // namespace ncsim::app

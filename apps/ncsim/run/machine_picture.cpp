@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Draws a machine.
 #include "run/machine_picture.h"
 
 #include "ncsim/export/render.h"
@@ -23,7 +25,7 @@ void make_transparent(setup::MachineFile& file, const std::vector<std::string>& 
     }
 }
 
-// A face for each triangle; those without area are left out.
+// Each triangle becomes a face, except triangles without area.
 exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners) {
     exporter::Body body;
     constexpr std::uint8_t kOpaque = 255, kTransparent = 76;  // three tenths

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A picture of a machine.
+// Picture of a machine.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -13,15 +13,15 @@
 
 namespace ncsim::app {
 
-/// What is behind links of these names is seen in pictures. Throws std::runtime_error for a name
-/// that no link with a mesh has.
+/// Makes the links with these names transparent.
+/// Throws: std::runtime_error for a name that no link with a mesh has.
 void make_transparent(setup::MachineFile& file, const std::vector<std::string>& names);
 
-/// A link of a machine with its corners there.
+/// Returns a link of a machine as a body with corners at `corners`.
 exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners);
 
-/// Its links with the joints at `values`, seen along `view`. Throws std::runtime_error if no link
-/// has a shape, or the picture cannot be drawn.
+/// Draws the links with the joints at `values`, seen along `view`.
+/// Throws: std::runtime_error if no link has a shape, or the picture cannot be drawn.
 exporter::Image picture_of(const setup::MachineFile& file, const machine::Values& values,
                            exporter::View view);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes the meshes of tiles.
 #include "run/mesh_folder.h"
 
 #include "ncsim/cda/parallel.h"
@@ -31,7 +33,7 @@ struct MadeMesh {
     std::vector<exporter::FloatEdge> open;
 };
 
-// Whole millimetres near the middle of the stock, which all of them know.
+// Returns whole millimetres near the middle of the stock, which are equal for all tiles.
 cda::Vec3 common_centre(const simulation::Survey& survey) {
     const cda::Vec3 centre = survey.stock->box.centre();
     return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
@@ -63,7 +65,7 @@ void write_mesh_folder(const std::string& folder, const simulation::Plan& plan,
             fmt::format("cannot make the folder '{}': {}", folder, error.message()));
     }
     const std::string list = list_of_meshes(folder);
-    // It would be that of other files, until it is written.
+    // An old list would describe different files until it is rewritten.
     fs::remove(list, error);
     const cda::Tiles& tiles = *plan.tiles->tiles;
     const cda::Vec3 centre = common_centre(survey);

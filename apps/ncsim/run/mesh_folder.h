@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The surface of a part that was cut in tiles, in a file a tile.
+// Surface of a part that was cut in tiles, with a file for each tile.
 #pragma once
 
 #include "ncsim/simulation/simulate.h"
@@ -11,14 +11,14 @@
 
 namespace ncsim::app {
 
-/// Does `--gltf` name a folder for them: "mold/", or one that is there?
+/// True if `--gltf` names a folder for meshes: "mold/", or an existing folder.
 bool names_a_folder(const std::string& path);
-/// "mold/" → "mold.json"
+/// Returns the list file: "mold/" → "mold.json".
 std::string list_of_meshes(const std::string& folder);
 
-/// One of them after the other, each as it is whole; then what stands in list_of_meshes(), which is
-/// reserved in `outputs`. Holds as many of them as there are threads. Throws std::runtime_error
-/// where not every edge has its partner.
+/// Writes the meshes in the order of the tiles, each completely or not at all, then
+/// list_of_meshes(), which is reserved in `outputs`. Holds at most as many meshes as threads.
+/// Throws: std::runtime_error if an edge has no partner.
 void write_mesh_folder(const std::string& folder, const simulation::Plan& plan,
                        const simulation::Survey& survey, const simulation::Simulation& simulation,
                        OutputSet& outputs);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Builds the scene of an animated machine.
 #include "run/moving_machine.h"
 
 #include "ncsim/simulation/joint_course.h"
@@ -20,7 +22,7 @@ namespace {
 using exporter::MovingScene;
 using exporter::SceneNode;
 
-// Of keys that stay where they are, the first and the last.
+// Returns the keys of a joint. A run of equal values keeps only its first and last key.
 std::vector<exporter::JointKey> keys_of(const simulation::JointCourse& course, char letter) {
     const std::size_t axis = *machine::index_of(letter);
     std::vector<exporter::JointKey> keys;
@@ -45,7 +47,7 @@ public:
             for (const setup::MachineBody& link : *links)
                 links_.emplace(link.link, &link);
         }
-        // In the order of the file as far as that can be: those that have a shape first.
+        // Keeps the order of the file as far as possible: links with a shape first.
         for (const auto* links : {&machine.bodies, &machine.other_links}) {
             for (const setup::MachineBody& link : *links)
                 add_link(link);
@@ -55,7 +57,7 @@ public:
         scene_.zero = outcome_.plan.placed->zero;
         scene_.seconds = course_.seconds;
         scene_.missed_mm = course_.missed_mm;
-        // Of the program itself: scenes tell of no other files.
+        // Only lines of the program itself; scenes do not show called files.
         for (const simulation::LineTime& line : course_.lines) {
             if (line.file == 0) scene_.lines.push_back({line.seconds, line.line});
         }
@@ -64,7 +66,7 @@ public:
     }
 
 private:
-    // After the one that carries it. Its number.
+    // Adds a link after the parent; returns the number of the node.
     std::size_t add_link(const setup::MachineBody& link) {
         const auto known = numbers_.find(link.link);
         if (known != numbers_.end()) return known->second;
@@ -86,7 +88,7 @@ private:
         return numbers_.emplace(link.link, scene_.nodes.size() - 1).first->second;
     }
 
-    // One for each tool and each length it is held at.
+    // Adds a node for each tool and each length from the spindle nose.
     void add_tools() {
         const auto carrier = numbers_.find(outcome_.machine->tool_link);
         std::map<std::pair<int, double>, std::size_t> nodes;
@@ -105,7 +107,7 @@ private:
             }
             scene_.nodes[place->second].shown.emplace_back(time.from_seconds, time.to_seconds);
         }
-        // One that never goes away needs not come.
+        // A single tool is always shown.
         if (nodes.size() == 1 && course_.tools.size() == 1)
             scene_.nodes[nodes.begin()->second].shown.clear();
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A machine that mills a part, for files that can move.
+// Animated machine that mills a part, for animated files.
 #pragma once
 
 #include "ncsim/export/moving_scene.h"
@@ -9,8 +9,9 @@
 
 namespace ncsim::app {
 
-/// The links under those that carry them, with tools in the spindle and their joints as the program
-/// moves them. Requires a simulation on a machine with links.
+/// Returns the tree of links, with the tools in the spindle and the joints as the program moves
+/// them.
+/// Requires: a simulation on a machine with links.
 exporter::MovingScene moving_machine(const Outcome& outcome);
 
 }  // namespace ncsim::app

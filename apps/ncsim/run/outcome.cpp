@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prepares the outcome for reports.
 #include "run/outcome.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is known at the end of a run.
+// Data at the end of a run.
 #pragma once
 
 #include "ncsim/brep/measure.h"
@@ -26,36 +26,37 @@
 
 namespace ncsim::app {
 
-/// `simulation` is null if the program could not be simulated, `boundary` if nobody asked for it.
+/// Result of a run. `simulation` is null if the program could not be simulated, `boundary` if no
+/// output needs the surface.
 struct Outcome {
     const Options& options;
     const simulation::Plan& plan;
     const simulation::Survey& survey;
     const simulation::Simulation* simulation = nullptr;
     const cda::Boundary* boundary = nullptr;
-    /// How `boundary` is shaded; null: as it is.
+    /// Shading of `boundary`; null: default.
     const brep::Shading* shading = nullptr;
-    /// What meshes are made of, if it is not `boundary` itself.
+    /// Simplified surface for meshes; null: `boundary`.
     const exporter::Simplified* simplified = nullptr;
-    /// What --step writes, if anybody asked for it.
+    /// Solid for --step; null: no output.
     const simulation::Solid* solid = nullptr;
-    std::optional<brep::Mass> solid_mass{};  ///< Of it.
-    /// The part as the tools left it, if anything that is asked for is made of that.
+    std::optional<brep::Mass> solid_mass{};  ///< Mass of `solid`.
+    /// Part with true surfaces, as the tools left them; null if no output needs the solid.
     const simulation::Solid* true_solid = nullptr;
-    /// Where it was cut open, in the order of the options.
+    /// Sections in the order of the options.
     std::vector<simulation::CutOpen> sections{};
-    /// What --machine told, if anything.
+    /// Machine file of --machine; null: none.
     const setup::MachineFile* machine = nullptr;
-    /// Times of the whole program on it.
+    /// Times of the whole program on the machine.
     std::optional<verify::Ledger> on_machine{};
-    /// Assumptions of the run, for files that ncsim reads again; a text each.
+    /// Assumptions of the run, for files that ncsim reads again; one text each.
     std::vector<std::string> assumed{};
 };
 
-/// The sections with their origins; points into it.
+/// Returns the sections with their origins; points into `outcome`.
 std::vector<exporter::DrawnSection> drawn_sections(const Outcome& outcome);
 
-/// What is reported of it; points into it.
+/// Returns the facts for the report; points into `outcome`.
 report::RunFacts run_facts(const Outcome& outcome);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Draws the part, with the machine, paths and tools.
 #include "run/picture.h"
 
 #include "ncsim/export/camera.h"
@@ -26,11 +28,11 @@ namespace ncsim::app {
 
 namespace {
 
-// How far beyond the block paths and tools are shown, in diagonals of the block: what is farther
-// would make the part small.
+// Margin around the block in which paths and tools are shown, in diagonals of the block. A larger
+// margin would make the part small.
 constexpr double kSurroundings = 0.3;
 
-// The links where they stand with all joints at 0, so that pictures in a row have one camera:
+// Returns the box of the links with all joints at 0, so successive pictures have the same camera;
 // machine coordinates.
 cda::Box machine_box(const Outcome& outcome) {
     cda::Box box;
@@ -45,14 +47,14 @@ bool stands_on_machine(const Outcome& outcome) {
     return outcome.options.shows_machine && outcome.options.stands_still == StandsStill::Machine;
 }
 
-// Where the joints stand after the last move, machine coordinates.
+// Returns the positions of the joints after the last move, machine coordinates.
 machine::Values joints_of(const Outcome& outcome) {
     const auto& last = outcome.simulation->last_move;
     if (!last) return {};
     return toolpath::JointPath(*outcome.plan.placed, *last).at(1.0).value_or(machine::Values{});
 }
 
-// The links around the part, which stays where it is.
+// Adds the links around the part, which stays in place.
 void add_machine(const Outcome& outcome, exporter::Overlay& overlay) {
     const setup::MachineFile& machine = *outcome.machine;
     const machine::Values values = joints_of(outcome);
@@ -64,14 +66,14 @@ void add_machine(const Outcome& outcome, exporter::Overlay& overlay) {
     }
 }
 
-// The part in the machine.
+// Returns the pose of the part in the machine.
 machine::Pose pose_of_part(const Outcome& outcome) {
     machine::Pose X_MW = machine::pose_of(outcome.machine->part_moved_by, joints_of(outcome));
     X_MW.translation = X_MW * outcome.plan.placed->zero;
     return X_MW;
 }
 
-// A camera that stands in the machine, as the part has it.
+// Transforms a camera of the machine into the frame of the part.
 exporter::Camera seen_from_part(exporter::Camera camera, const machine::Pose& X_MW) {
     const machine::Pose X_WM = machine::inverse(X_MW);
     const machine::Pose R_WM{X_WM.rows, {}};
@@ -81,7 +83,7 @@ exporter::Camera seen_from_part(exporter::Camera camera, const machine::Pose& X_
     return camera;
 }
 
-// In machine coordinates where the machine stands still, else in those of the part.
+// Returns the box to be shown: in machine coordinates if the machine is fixed, otherwise in W.
 cda::Box seen_box(const Outcome& outcome) {
     const Options& o = outcome.options;
     if (stands_on_machine(outcome)) return machine_box(outcome);
@@ -125,7 +127,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.camera =
         exporter::fit_camera(seen_box(outcome), view, static_cast<double>(o.width) / o.height);
     if (o.shows_machine) options.camera.depth += norm(machine_box(outcome).size());
-    // Paths and tools that reach out of the picture may be far before it, too.
+    // Paths and tools beyond the picture may also be far in front of it.
     if (o.shows_path || o.shows_tool) {
         cda::Box all = stock;
         if (!tips.is_empty()) {
@@ -159,14 +161,14 @@ exporter::Overlay overlay(const Outcome& outcome) {
 exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     const simulation::Simulation& s = *outcome.simulation;
     const exporter::RenderOptions options = render_options(outcome, view);
-    // By its masks, as the thesis does it.
+    // The thesis' method: rendering with masks.
     if (simulation::find_model(outcome.plan.model)->shows_cells)
         return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
     return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome),
                                      outcome.shading ? *outcome.shading : brep::Shading());
 }
 
-// Its text, if there is only one file that could have such a line.
+// Returns the text of the line; empty if the program has several files.
 std::string line_at(const Outcome& outcome) {
     if (outcome.survey.interpretation.files.size() > 1) return {};
     return std::string(gcode::line_text(outcome.plan.job.program, outcome.simulation->line));
@@ -196,7 +198,7 @@ std::vector<std::string> caption(const Outcome& outcome) {
     return lines;
 }
 
-// What a first look guessed.
+// Adds the assumptions of a preview.
 void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
     const simulation::Survey& survey = outcome.survey;
     for (const auto& [number, used] : survey.tools) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Simulates a program and writes the outputs.
 #include "run/run.h"
 
 #include "ncsim/brep/flat_part.h"
@@ -58,8 +60,8 @@ namespace ncsim::app {
 
 namespace {
 
-// Of the lines that left a face: not of all of a program of ten million. Lines of other files have
-// the same numbers: with them, no text is sure to be right.
+// Returns the text of the lines that left a face, because a program may have ten million lines.
+// With called files, line numbers are ambiguous, so there is no text.
 std::map<std::uint32_t, std::string> text_of_lines(const simulation::Plan& plan,
                                                    const simulation::Survey& survey,
                                                    const exporter::Provenance& provenance,
@@ -86,7 +88,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const simulation::Simulation& s = *outcome.simulation;
     const cda::Boundary* mesh =
         outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
-    // Formats with polygons get the faces that a person counts on the part.
+    // Formats with polygons get simplified faces.
     std::optional<exporter::Simplified> counted;
     const auto simplified = [&]() -> const exporter::Simplified& {
         if (outcome.simplified) return *outcome.simplified;
@@ -147,14 +149,14 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
 }
 
-// True if a file is written that ncsim reads as stock, design or mesh.
+// True if an output can be read by ncsim as stock, design or mesh.
 bool records_assumptions(const Options& o) {
     const auto is_asked_for = [](const std::string* path) { return !path->empty(); };
     const std::string* const paths[] = {&o.save_stock, &o.stl, &o.gltf, &o.vrml, &o.step};
     return std::ranges::any_of(paths, is_asked_for);
 }
 
-// The reasons before the colons, each once: "stock-guess, tool-guess".
+// Returns the reasons before the colons, each once: "stock-guess, tool-guess".
 std::string reasons_of(const std::vector<std::string>& assumed) {
     std::string reasons;
     std::set<std::string> known;
@@ -165,12 +167,12 @@ std::string reasons_of(const std::vector<std::string>& assumed) {
     return reasons;
 }
 
-// Would a quick look do for what is asked for?
+// True if a quick preview suffices for the outputs of a long program.
 bool is_long(const simulation::Survey& survey, const Options& o) {
     return survey.moves >= simulation::kLongProgram && !needs_exact_part(o);
 }
 
-// Does anything that is asked for shade the part?
+// True if an output shades the part.
 bool is_shaded(const Options& o) {
     return !o.png.empty() || !o.gltf.empty();
 }
@@ -179,7 +181,7 @@ double step_tolerance(const Options& o) {
     return std::max(o.simplify.value_or(0.0), exporter::kStepTolerance);
 }
 
-// What --step writes where facets are asked for.
+// Returns the solid for --step with facets.
 simulation::Solid facets_of(const Outcome& outcome) {
     brep::FlatPart flat = exporter::flat_solid(*outcome.boundary, step_tolerance(outcome.options));
     brep::Recognised solid{std::move(flat.part)};
@@ -188,7 +190,7 @@ simulation::Solid facets_of(const Outcome& outcome) {
     return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
 }
 
-// As the tools left it, if anything that is asked for is made of that.
+// Returns the part with true surfaces if an output needs the solid.
 std::optional<simulation::Solid> true_solid(const Outcome& outcome) {
     const Options& o = outcome.options;
     const bool is_written = !o.step.empty() && o.step_surfaces == StepSurfaces::Analytic;
@@ -228,7 +230,7 @@ int run(Options options) {
     simulation::choose_rays(plan, survey);
     simulation::coarsen(plan, survey, o.tolerance_told, o.tool_tolerance_told);
     simulation::choose_resolution(plan, survey);
-    // Of a program that is not read, there is nothing to assume.
+    // For a program that was not read, there are no assumptions.
     if (!o.quiet && !survey.interpretation.refused)
         say(report::assumption_sheet(plan.job.program.name, survey,
                                      simulation::cutting_facts(plan)));

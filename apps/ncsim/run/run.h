@@ -7,7 +7,8 @@
 
 namespace ncsim::app {
 
-/// Throws std::runtime_error if the world fails; then no output file was made or changed.
+/// Runs the command and returns the exit code.
+/// Throws: std::runtime_error on an environment failure; no output file was then made or changed.
 int run(Options options);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes the job of a run.
 #include "run/save_job.h"
 
 #include "ncsim/report/told.h"
@@ -16,7 +18,7 @@ cda::Vec3 offset_of(const setup::Job& job, int number) {
     return entry ? entry->offset : cda::Vec3{};
 }
 
-// How a job file names another file.
+// Returns `path` relative to the folder of `job_file`.
 std::string seen_from(const std::string& job_file, const std::string& path) {
     namespace fs = std::filesystem;
     const fs::path folder = fs::absolute(job_file).lexically_normal().parent_path();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What `--save-job` writes: everything a program stood on, so that it can be run again.
+// Output of `--save-job`: all inputs of a run, for a repetition.
 #pragma once
 
 #include "ncsim/setup/job.h"
@@ -11,9 +11,8 @@
 
 namespace ncsim::app {
 
-/// The tools, the stock and the reading of the program as they were used, also what had to be
-/// assumed (with a comment that says so). `path` is where it will stand: the program is named as
-/// seen from there.
+/// Writes the tools, the stock and the settings that were used. Assumed values have a comment.
+/// `path` is the final path of the file; the path of the program is relative to it.
 void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
               const std::string& path);
 

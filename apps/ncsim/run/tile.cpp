@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuts one tile.
 #include "run/tile.h"
 
 #include "ncsim/cda/tile_number.h"
@@ -33,7 +35,8 @@ namespace ncsim::app {
 namespace fs = std::filesystem;
 
 report::TileFile read_tile(const std::string& path) {
-    // Larger than what others read, and no input that an output of theirs could be.
+    // Larger than the limit of other inputs. A separate InputSet, because no output may conflict
+    // with a tile file.
     constexpr std::uintmax_t kMost = 1'000'000'000'000;
     setup::InputSet inputs;
     return report::tile_file_from(inputs.read(path, kMost), path, setup::digest_of);
@@ -114,7 +117,7 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
         return std::nullopt;
     }
     plan.tile = cda::TileNumber{number.shard, number.of};
-    plan.keep_boundary = plan.keep_paths = false;  // that is for who puts tiles together
+    plan.keep_boundary = plan.keep_paths = false;  // left to the merge of tiles
     Progress progress(survey.moves, may_say && !options.quiet && ::isatty(STDERR_FILENO) != 0);
     const simulation::Simulation simulation =
         simulation::simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); });

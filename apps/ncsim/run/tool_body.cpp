@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes bodies of tools.
 #include "run/tool_body.h"
 
 #include "ncsim/cda/flat.h"
@@ -9,7 +11,7 @@ namespace ncsim::app {
 
 namespace {
 
-// Coarse enough for the longest tool to fit on it: three metres.
+// Coarse enough for tools up to three metres long.
 constexpr cda::Lattice kLattice{1e-4};
 constexpr toolpath::ToolAccuracy kAccuracy{0.02, toolpath::Side::Circumscribed};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tool as pictures show it.
+// Tool as pictures show it.
 #pragma once
 
 #include "ncsim/export/overlay.h"
@@ -11,8 +11,8 @@
 
 namespace ncsim::app {
 
-/// A body for each piece of `tool`, where X_WT puts it: cutting pieces in gold, shank and holder in
-/// grey. Round within 0.02 mm.
+/// Returns a body for each piece of `tool` at pose X_WT: cutting pieces in gold, shank and holder
+/// in grey. Round shapes are within 0.02 mm.
 std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpath::Pose& X_WT);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes messages and results.
 #include "system/console.h"
 
 #include "ncsim/report/plain_text.h"

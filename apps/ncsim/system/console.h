@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How every command tells what it found, and where its results go.
+// Text outputs of all commands: messages to stderr, results to stdout.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
@@ -10,15 +10,16 @@
 
 namespace ncsim::app {
 
-/// Text for people, to stderr, printable.
+/// Writes text for people to stderr, with unprintable characters replaced.
 void say(std::string_view text);
-/// Results as they are, to stdout: JSON, commands for a CI service. Throws std::runtime_error if
-/// they cannot be written.
+/// Writes results unchanged to stdout: JSON, commands for a CI service.
+/// Throws: std::runtime_error if stdout cannot be written.
 void put_out(std::string_view text);
-/// Results for people, printable: to stdout, or `aside`, to stderr, where stdout is a file's.
+/// Writes results for people, with unprintable characters replaced: to stdout, or to stderr if
+/// `aside`, because a file uses stdout.
 void put_text(std::string_view text, bool aside = false);
 
-/// Each with its line and a caret, to stderr.
+/// Writes each diagnostic with its line and a caret to stderr.
 void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics);
 
 }  // namespace ncsim::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Many pieces of work on several threads, their results in order.
+// Parallel work on several threads, with results in order.
 #pragma once
 
 #include <condition_variable>
@@ -12,11 +12,13 @@
 
 namespace ncsim::app {
 
-/// Calls work(i, stop) for all i below `count` on `jobs` threads, and on the thread of the caller
-/// done(i) in the order of i and noted(n) as soon as n of them are finished. `work` must not throw.
-/// If the others throw, nothing more is begun, what runs is asked to stop, and when it has, the
-/// exception goes on to the caller. Whoever asks `stop` to stop gets the same without an exception.
-/// Returns how many were begun, those before the others; for these there was a done(i).
+/// Calls work(i, stop) for all i below `count` on `jobs` threads. On the thread of the caller,
+/// calls done(i) in the order of i, and noted(n) as soon as n pieces are finished. If `done` or
+/// `noted` throws, no further piece begins, running pieces are asked to stop, and after their end
+/// the exception propagates. A request of `stop` has the same effect without an exception.
+/// Requires: `work` does not throw.
+/// Returns: the number of pieces begun, which are the first ones; done(i) was called for each of
+///   them.
 template <class Work, class Done, class Noted>
 std::size_t in_order(std::size_t count, unsigned jobs, const Work& work, const Done& done,
                      const Noted& noted, std::stop_source stop = {}) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs pieces of work in child processes.
 #include "system/in_processes.h"
 
 #include <fcntl.h>
@@ -44,8 +46,8 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-// Ends with its parent, is the first one to go where memory runs out, and leaves the files of its
-// parent and the keys of the terminal to it.
+// Sets up a child process. The child ends with the parent, is killed first if memory runs out, and
+// leaves temporary files and signals of the terminal to the parent.
 void be_a_child([[maybe_unused]] pid_t parent) {
     ::signal(SIGTERM, SIG_DFL);
     for (const int by_terminal : {SIGINT, SIGHUP})
@@ -63,11 +65,11 @@ void be_a_child([[maybe_unused]] pid_t parent) {
 
 class Process {
 public:
-    /// Nothing: the system has no room for one now.
+    /// Starts a process; empty if the system has no room for a process.
     static std::optional<Process> start(std::size_t piece, const ProcessWork& pieces) {
         std::array<int, 2> ends{};
         if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
-        // What is not written yet would be written twice.
+        // Unflushed output would be written twice.
         (void)std::fflush(nullptr);
         const pid_t parent = ::getpid();
         const pid_t child = ::fork();
@@ -76,7 +78,7 @@ public:
             int code = 1;
             try {
                 code = write_all(ends[1], pieces.work(piece)) ? 0 : 1;
-            } catch (...) {  // NOLINT(bugprone-empty-catch): its code tells
+            } catch (...) {  // NOLINT(bugprone-empty-catch): the exit code reports the fault
             }
             ::_exit(code);
         }
@@ -116,7 +118,7 @@ public:
     int descriptor() const { return descriptor_; }
     std::optional<Clock::time_point> deadline() const { return deadline_; }
 
-    /// Takes what it says; false: it has said all.
+    /// Reads from the process; false at the end of its output.
     bool listen() {
         std::array<char, 1 << 16> bytes{};
         const ssize_t n = ::read(descriptor_, bytes.data(), bytes.size());
@@ -131,7 +133,7 @@ public:
         kill();
     }
 
-    /// Waits for its end.
+    /// Waits for the end of the process.
     ProcessEnd wait() {
         int status = 0;
         while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
@@ -141,7 +143,7 @@ public:
         ProcessEnd end;
         end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
         end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-        // It may have been done just then.
+        // The process may have finished at the same moment.
         end.is_late = is_late_ && end.signal == SIGKILL;
         if (end.is_well()) end.said = std::move(said_);
         return end;
@@ -164,7 +166,7 @@ private:
     bool is_late_ = false;
 };
 
-// Milliseconds to the first deadline; -1: there is none.
+// Returns the milliseconds to the first deadline; -1: none.
 int patience(const std::vector<Process>& running) {
     std::optional<Clock::time_point> first;
     for (const Process& process : running) {
@@ -182,7 +184,7 @@ int patience(const std::vector<Process>& running) {
 
 std::size_t in_processes(std::size_t count, unsigned jobs, const ProcessWork& pieces) {
     std::vector<Process> running;
-    std::map<std::size_t, ProcessEnd> ended;  // and not told
+    std::map<std::size_t, ProcessEnd> ended;  // and not reported
     std::size_t begun = 0, told = 0, finished = 0;
     bool is_stopped = false;
     const auto tell = [&] {
@@ -214,7 +216,7 @@ std::size_t in_processes(std::size_t count, unsigned jobs, const ProcessWork& pi
         std::vector<pollfd> waiting{{pieces.stop_descriptor, POLLIN, 0}};
         for (const Process& process : running)
             waiting.push_back({process.descriptor(), POLLIN, 0});
-        // With room for more it only looks.
+        // With room for more processes, poll() does not wait.
         if (::poll(waiting.data(), waiting.size(), is_full ? patience(running) : 0) < 0) {
             if (errno == EINTR) continue;
             throw std::runtime_error(

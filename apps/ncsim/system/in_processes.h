@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Many pieces of work, each in a process of its own, their results in order: what ends one of them
-// ends no other.
+// Parallel work, each piece in a separate process, with results in order. A crash of a piece does
+// not affect the rest.
 #pragma once
 
 #include <cstddef>
@@ -10,35 +10,38 @@
 
 namespace ncsim::app {
 
-/// How the process of a piece of work ended.
+/// End of the process of a piece of work.
 struct ProcessEnd {
-    std::string said;         ///< What it handed over; only where it is_well().
-    int signal = 0;           ///< That ended it; 0: none.
-    int exit_code = 0;        ///< Else.
-    bool is_late = false;     ///< It was killed, for it had no time left.
-    bool is_stopped = false;  ///< It was killed, for nobody waits any more.
+    std::string said;         ///< Result; only if is_well().
+    int signal = 0;           ///< Signal that ended the process; 0: none.
+    int exit_code = 0;        ///< Exit code without a signal.
+    bool is_late = false;     ///< Killed because the time ran out.
+    bool is_stopped = false;  ///< Killed because the work was stopped.
 
     bool is_well() const { return signal == 0 && exit_code == 0; }
 };
 
-/// What is to be done, in the process of the caller but for `work`.
+/// Functions for in_processes(). All except `work` run in the process of the caller.
 struct ProcessWork {
-    /// Is there anything to be done? Else `done` comes with an end that says nothing.
+    /// True if piece i needs work. Otherwise `done` receives an empty end.
     std::function<bool(std::size_t)> is_needed;
     std::function<std::string(std::size_t)> work;
-    /// How many seconds it has; 0: as many as it wants.
+    /// Returns the time limit of piece i in seconds; 0: none.
     std::function<double(std::size_t)> seconds;
     std::function<void(std::size_t, ProcessEnd)> done;
-    /// So many are finished.
+    /// Called with the number of finished pieces.
     std::function<void(std::size_t)> noted;
-    /// Readable: nothing more is begun, what runs is killed. -1: nobody tells.
+    /// Descriptor that becomes readable to stop: no further piece begins, and running pieces are
+    /// killed. -1: none.
     int stop_descriptor = -1;
 };
 
 /// Runs work(i) for all i below `count` in processes, `jobs` at a time, and calls done(i) in the
-/// order of i. Returns how many were begun: all, unless it is stopped. The caller may have no other
-/// thread: a process gets but one of them. Throws std::runtime_error if there can be no process,
-/// and what the others throw; nothing runs on then.
+/// order of i. No process remains if an exception is thrown.
+/// Requires: the caller has no second thread, because a process inherits only one.
+/// Returns: the number of pieces begun; `count` unless the work was stopped.
+/// Throws: std::runtime_error if no process can be created, and exceptions of the functions of
+///   `pieces`.
 std::size_t in_processes(std::size_t count, unsigned jobs, const ProcessWork& pieces);
 
 }  // namespace ncsim::app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Notes signals.
 #include "system/interruption.h"
 
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// SIGINT, SIGTERM and SIGHUP as something to tell, not as the end of the program.
+// SIGINT, SIGTERM and SIGHUP as a reportable event that does not end the program.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace ncsim::app {
 
-/// While there is one, the first of these signals is noted; the next one does what it did before.
-/// Signals that were ignored still are. There may be one at a time.
+/// Scope in which the first of the signals is noted; the next signal has the effect from before the
+/// scope. Ignored signals stay ignored. Scopes do not overlap.
 class Interruption {
 public:
     Interruption();
@@ -18,18 +18,18 @@ public:
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
-    /// The signal that came; 0: none.
+    /// Returns the signal that was noted; 0: none.
     static int signal();
-    /// "SIGINT".
+    /// Returns the name of the signal: "SIGINT".
     static std::string name();
-    /// Readable as soon as one came.
+    /// Returns a descriptor that becomes readable when a signal is noted.
     static int descriptor();
 
-    /// Ends by that signal, as it would have at first; does nothing if none came.
+    /// Ends the process by the noted signal with the default effect; does nothing without a signal.
     static void pass_on();
 };
 
-/// Calls `act` on a thread of its own when a signal comes while there is one.
+/// Scope in which a signal calls `act` on a separate thread.
 class OnInterruption {
 public:
     explicit OnInterruption(std::function<void()> act);

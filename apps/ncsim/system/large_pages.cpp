@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Restarts the program with large pages.
 #include "system/large_pages.h"
 
 #include <sys/stat.h>
@@ -10,7 +12,7 @@ namespace ncsim::app {
 
 namespace {
 
-// A program of so many bytes takes thirty times as long as it takes to begin anew.
+// Size (bytes) of a program whose simulation takes thirty times as long as a restart.
 constexpr off_t kWorthIt = 100'000;
 
 bool has_much_to_do(char** argv) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes output files under temporary names.
 #include "system/output.h"
 
 #include <fcntl.h>
@@ -27,8 +29,8 @@ namespace {
         fmt::format("cannot {} '{}': {}", what, path, std::generic_category().message(error)));
 }
 
-// Writes to a file descriptor and remembers the first error: an ostream only knows that there
-// was one.
+// Stream buffer on a file descriptor that remembers the first error code; an ostream has only a
+// flag.
 class DescriptorBuffer final : public std::streambuf {
 public:
     explicit DescriptorBuffer(int descriptor) : descriptor_(descriptor) { reset(); }
@@ -67,14 +69,14 @@ private:
     std::array<char, 1 << 16> buffer_{};
 };
 
-// Temporary names for the signal handler, which may neither allocate nor lock: fixed room, written
-// before the file appears and emptied after it has gone.
+// Temporary names for the signal handler, which may neither allocate nor lock: fixed memory,
+// written before the file is created and cleared after the file is removed.
 constexpr std::size_t kMaxFiles = 16;
 constexpr std::size_t kMaxPath = 4096;
 char pending[kMaxFiles][kMaxPath];
 
-// Does `stream` of ours lead to a file of this `status`? Whoever writes into a device that is no
-// terminal (/dev/null) is not in the way of another one.
+// True if the standard stream `stream` leads to a file of this `status`. Devices that are no
+// terminal (/dev/null) do not count, because several writers do not conflict there.
 bool leads_to(int stream, const struct stat& status) {
     struct stat ours {};
     if (::fstat(stream, &ours) != 0) return false;
@@ -93,9 +95,9 @@ extern "C" void remove_pending_files(int signal_number) {
 }  // namespace
 
 struct OutputSet::File {
-    std::string path;       // as it was named
+    std::string path;       // as named by the user
     std::string target;     // without links
-    std::string temporary;  // empty: it is written directly
+    std::string temporary;  // empty: written directly
     int descriptor = -1;
     bool written = false;
     std::size_t slot = kMaxFiles;
@@ -129,7 +131,7 @@ OutputSet::OutputSet(setup::InputSet& inputs) : inputs_(&inputs) {
         ::sigaction(signal_number, nullptr, &old);
         if (old.sa_handler == SIG_DFL) ::signal(signal_number, remove_pending_files);
     }
-    // A closed pipe is an error to report like any other.
+    // A closed pipe is reported like every error.
     ::signal(SIGPIPE, SIG_IGN);
 }
 
@@ -152,7 +154,7 @@ void OutputSet::add(const std::string& path, const setup::FileId& id) {
     inputs_->forbid(path, id);
 }
 
-// Takes the descriptor, which is written to as it is.
+// Takes ownership of the descriptor, which is written directly.
 void OutputSet::open_directly(File& file, int descriptor) {
     if (descriptor < 0) fail(file.path, "write", errno);
     file.descriptor = descriptor;
@@ -170,7 +172,7 @@ std::unique_ptr<OutputSet::File> OutputSet::opened(const std::string& path) {
     auto file = std::make_unique<File>();
     file->path = path;
     if (path == "-") {
-        // It may be a device that nobody would take for the standard output.
+        // The standard output may be a device that leads_to() does not recognise.
         claim_standard_output(path);
         takes_standard_output_ = true;
         file->descriptor = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
@@ -204,7 +206,7 @@ std::unique_ptr<OutputSet::File> OutputSet::opened(const std::string& path) {
     const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
     if (name == target.size()) fail(path, "write", EISDIR);
     add(path, exists ? setup::id_of(status) : setup::id_of_new(target));
-    // The process id tells runs apart; O_EXCL makes sure.
+    // The process id distinguishes runs; O_EXCL guarantees uniqueness.
     for (int attempt = 0;; ++attempt) {
         file->temporary = fmt::format("{}.{}.{}-{}.tmp", target.substr(0, name),
                                       target.substr(name), ::getpid(), attempt);
@@ -217,7 +219,7 @@ std::unique_ptr<OutputSet::File> OutputSet::opened(const std::string& path) {
         file->temporary.clear();
         if (error != EEXIST || attempt == 100) fail(path, "write", error);
     }
-    // What is overwritten keeps its permissions.
+    // An overwritten file keeps its permissions.
     if (exists) (void)::fchmod(file->descriptor, status.st_mode & 07777);
     return file;
 }
@@ -228,7 +230,7 @@ void OutputSet::reserve(const std::string& path) {
 
 void OutputSet::fill(File& file, const std::function<void(std::ostream&)>& writer) {
     const std::string& path = file.path;
-    // What was said before stays before it.
+    // Earlier output stays before this output.
     (void)std::fflush(stdout);
     DescriptorBuffer buffer(file.descriptor);
     std::ostream out(&buffer);

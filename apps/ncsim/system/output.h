@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that are written whole or not at all.
+// Output files that are written completely or not at all.
 #pragma once
 
 #include "ncsim/setup/input.h"
@@ -14,38 +14,38 @@
 
 namespace ncsim::app {
 
-/// The files one run writes. Each is written under a temporary name in its own folder; commit()
-/// gives all of them their names. Without it, and after SIGINT, SIGTERM or SIGHUP, nothing is left
-/// and what stood there before still does. Links stay, and what they lead to is replaced. "-" is
-/// the standard output; it and what is no regular file (a pipe, /dev/stdout) are written to
+/// Output files of one run. Each file is written under a temporary name in its folder; commit()
+/// renames all files. Without commit(), and after SIGINT, SIGTERM or SIGHUP, no temporary file
+/// remains, and existing files are unchanged. Links stay; their targets are replaced. "-" is the
+/// standard output. The standard output and special files (a pipe, /dev/stdout) are written
 /// directly.
 ///
-/// No output may be an input, by whatever name, nor be named twice.
+/// An output may be neither an input, by any name, nor named twice.
 ///
-/// All members throw std::runtime_error, naming the file and what the system said, if the world
-/// fails: no such folder, no permission, disk full.
+/// Throws: all members throw std::runtime_error with the file and the system's message if a folder
+///   does not exist, permission is missing, or the disk is full.
 class OutputSet {
 public:
-    /// `inputs` must outlive it.
+    /// Creates an empty set.
+    /// Requires: `inputs` outlives the set.
     explicit OutputSet(setup::InputSet& inputs);
     ~OutputSet();
     OutputSet(const OutputSet&) = delete;
     OutputSet& operator=(const OutputSet&) = delete;
 
-    /// Opens the temporary file for `path`, so that a path that cannot be written is known before
-    /// the work begins. Does nothing if `path` is empty.
+    /// Opens the temporary file for `path`, so an unwritable path is detected before the work
+    /// begins. Does nothing if `path` is empty.
     void reserve(const std::string& path);
-    /// No file may be written to the standard output: `what` is.
+    /// Reserves the standard output for `what`; files may no longer use it.
     void claim_standard_output(const std::string& what);
-    /// Is one of the files written to the standard output? What is for people goes to stderr then.
+    /// True if a file is written to the standard output; text for people then goes to stderr.
     bool takes_standard_output() const { return takes_standard_output_; }
 
-    /// Fills a reserved file and makes sure that it is on the disk. Does nothing if `path` is
-    /// empty.
+    /// Fills a reserved file and flushes the contents to the disk. Does nothing if `path` is empty.
     void write(const std::string& path, const std::function<void(std::ostream&)>& writer);
-    /// Gives the files that were written their names; the other ones disappear.
+    /// Renames the written files; removes the remaining files.
     void commit();
-    /// All of this for one file more, now.
+    /// Reserves, writes and renames one further file at once.
     void write_now(const std::string& path, const std::function<void(std::ostream&)>& writer);
 
 private:
@@ -60,7 +60,7 @@ private:
     setup::InputSet* inputs_;
     std::vector<std::unique_ptr<File>> files_;
     std::set<setup::FileId> ids_;
-    std::string standard_output_;  // who has it
+    std::string standard_output_;  // user of the standard output
     bool takes_standard_output_ = false;
 };
 

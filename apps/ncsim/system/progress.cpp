@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Draws a progress bar.
 #include "system/progress.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far it got, on a terminal: a bar, and an estimate once the work is long.
+// Progress bar on a terminal, with an estimate for long work.
 #pragma once
 
 #include <chrono>
@@ -11,8 +11,8 @@ namespace ncsim::app {
 
 class Progress {
 public:
-    /// Silent unless `visible`: the caller knows whether stderr is a terminal. `what`: "programs",
-    /// counted beside the bar; empty: moves, which nobody wants to count.
+    /// Creates a bar; silent unless `visible`: the caller knows whether stderr is a terminal.
+    /// `what`: unit shown with the count, for example "programs"; empty: no count.
     Progress(std::uint64_t total, bool visible, std::string what = {});
     /// Removes the bar.
     ~Progress();
@@ -21,9 +21,9 @@ public:
 
     /// Draws at most ten times a second.
     void update(std::uint64_t done);
-    /// Draws now.
+    /// Draws immediately.
     void draw(std::uint64_t done);
-    /// Makes room for something else on the line.
+    /// Clears the line for different output.
     void hide();
 
 private:
@@ -36,8 +36,8 @@ private:
     Clock::time_point last_;
 };
 
-/// "[=====>    ]  52 %  ETA 0:41"; without the estimate where `seconds` is below 2. `seconds` have
-/// passed. Apart from Progress so that it can be tested.
+/// Formats "[=====>    ]  52 %  ETA 0:41" after `seconds`; without the estimate before 2 seconds.
+/// Separate from Progress for tests.
 std::string progress_bar(std::uint64_t done, std::uint64_t total, double seconds);
 
 }  // namespace ncsim::app

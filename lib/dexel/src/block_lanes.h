@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks of rays along z against tools that are open above: how low each gets in a block at least,
-// and which rays it makes shorter. Included by row_lanes.h, whose names it uses.
+// Blocks of rays along z against tools that are open above: a lower bound of each tool's height in
+// a block, and the rays that a tool shortens. Included by row_lanes.h, whose names this file uses.
 
 namespace ncsim::dexel {
 namespace {
 namespace NCSIM_DEXEL_LANES {
 
-// Of the groups of a block, a bit each: may the tool be lower there than what is left?
+// Returns a bit per group of a block: set if the tool may be lower in the group than the remaining
+// material.
 inline std::uint64_t groups_to_lower(const LowerTask& t) {
     constexpr std::size_t kInRow = kBlock / kWidest;
     const Numbers& n = t.numbers;
@@ -36,13 +37,13 @@ inline std::uint64_t groups_to_lower(const LowerTask& t) {
     return groups;
 }
 
-// Along z, upwards without an end: the lowest of all so far, the first of several. kWidest rays are
-// looked at or left out.
+// Along z, where the tool is open upwards: lowers each ray to the lowest tool so far, the first
+// among equals. Groups of kWidest rays are processed or skipped as a whole.
 template <Tip tip, Course course>
 void lower_block_of(const LowerTask& t) {
     std::uint64_t groups = groups_to_lower(t);
     if (groups == 0) return;
-    const Numbers numbers = t.numbers;  // nothing stored below changes them
+    const Numbers numbers = t.numbers;  // local copy, which the stores below cannot modify
     LowestBlock& lowest = t.lowest;
     for (; groups != 0; groups &= groups - 1) {
         const auto group = static_cast<std::size_t>(std::countr_zero(groups));
@@ -87,12 +88,13 @@ inline void lower_block_of(Tip tip, Course course, const LowerTask& task) {
     }
 }
 
-// The height F(s, p) of the tool over a place p, at a share s of its way, is convex in both, so
-// that it is nowhere below a plane that touches it anywhere: at the middle of the block, and near
-// the best s. Of a ball of radius R, F less |p - c(s)|² / 2R is convex, too, with c(s) on the axis.
+// Computes lower bounds of the tool's height in blocks. The height F(s, p) of the tool above a
+// position p, at a share s of the way, is convex in both. So F is nowhere below a tangent plane at
+// any position, here the middle of the block, for an s near the best. For a ball of radius R,
+// F − |p − c(s)|² / 2R is convex as well, with c(s) on the axis.
 template <Tip tip, Course course>
 void bound_blocks_of(const BoundTask& t) {
-    const Numbers k = t.numbers;  // nothing stored below changes them
+    const Numbers k = t.numbers;  // local copy, which the stores below cannot modify
     const double wx = k.way[0], wy = k.way[1], wz = k.way[2];
     const double lowest = wz < 0.0 ? k.from[2] + wz : k.from[2];
     BlockBounds& bounds = t.bounds;
@@ -136,7 +138,7 @@ void bound_blocks_of(const BoundTask& t) {
         }
         const V aside = root(ex * ex + ey * ey);
         const V by_aside = 1.0 / most(aside, all(1.0));
-        // Where the plane touches: the steeper the tool in the middle, the nearer to its axis.
+        // The point of tangency: the steeper the tool at the middle, the closer to the tool's axis.
         constexpr double kUpright = 0.95;
         V touched = aside, rise, slope;
         if constexpr (tip == Tip::Cone) {
@@ -153,7 +155,7 @@ void bound_blocks_of(const BoundTask& t) {
             slope = beyond / upright;
         }
         const V gx = slope * ex * by_aside, gy = slope * ey * by_aside;
-        const V change = wz - (gx * wx + gy * wy);  // along s
+        const V change = wz - (gx * wx + gy * wy);  // derivative along s
         const V of_way = least(-s * change, (1.0 - s) * change);
         constexpr double kRounding = 1.0;
         const V middle = k.from[2] + s * wz + rise + slope * (aside - touched) + of_way - kRounding;

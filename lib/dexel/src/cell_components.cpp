@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tables of components and loops for all 256 patterns of corners.
 #include "cell_components.h"
 
 #include <numeric>
@@ -13,7 +15,7 @@ bool is_in(std::uint8_t inside, int corner) {
     return (inside >> corner & 1) != 0;
 }
 
-// The four corners of a face across `axis`, around it.
+// Returns the four corners of a face perpendicular to `axis`, in cyclic order.
 std::array<int, 4> corners_of_face(int axis, int side) {
     const int u = 1 << (axis + 1) % 3;
     const int v = 1 << (axis + 2) % 3;
@@ -43,7 +45,7 @@ CellComponents find_components(std::uint8_t inside) {
     for (int axis = 0; axis < 3; ++axis) {
         for (int side = 0; side < 2; ++side) {
             const auto corners = corners_of_face(axis, side);
-            std::array<int, 4> edges{};  // from each corner to the next
+            std::array<int, 4> edges{};  // edge from each corner to the next
             std::vector<int> crossed;
             for (std::size_t i = 0; i < 4; ++i) {
                 const int next = corners[(i + 1) % 4];
@@ -70,8 +72,8 @@ CellComponents find_components(std::uint8_t inside) {
 }
 
 std::vector<std::vector<std::uint8_t>> find_loops(std::uint8_t inside) {
-    // From each crossed edge, which comes next: through each face, the polygon keeps the corners in
-    // the material on one side.
+    // Finds the next crossed edge for each crossed edge: on each face, the polygon keeps the
+    // corners in the material on one side.
     constexpr std::uint8_t kNone = CellComponents::kNone;
     std::array<std::uint8_t, 12> next{};
     next.fill(kNone);
@@ -79,7 +81,7 @@ std::vector<std::vector<std::uint8_t>> find_loops(std::uint8_t inside) {
         for (int side = 0; side < 2; ++side) {
             auto corners = corners_of_face(axis, side);
             if (side == 0) std::swap(corners[1], corners[3]);
-            // A run of corners in the material, around the face as it is seen from outside.
+            // A run of corners in the material, in the cyclic order of the face seen from outside.
             for (std::size_t i = 0; i < 4; ++i) {
                 if (!is_in(inside, corners[i]) || is_in(inside, corners[(i + 3) % 4])) continue;
                 std::size_t last = i;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. mark     corners of the grid in the material, a bit each, and cells that have both kinds
-//  2. place    the corners of the surface, cell by cell
-//  3. facets   around each crossed edge of the grid, from the cell whose first corner it is at
+// Dual contouring in three steps:
+//
+//  1. mark     corners of the grid in the material, a bit each, and cells with both kinds
+//  2. place    the vertices of the surface, cell by cell
+//  3. facets   around each crossed edge of the grid, from the cell that begins there
 #include "contour.h"
 
 #include "ncsim/cda/disjoint_sets.h"
@@ -28,9 +30,10 @@ namespace {
 
 using cda::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
-using Place = std::array<std::size_t, 3>;  // of a corner of the grid, or the cell that begins there
+// indices of a grid corner, or of the cell that begins there
+using Place = std::array<std::size_t, 3>;
 
-// A bit for each corner of the grid, columns along z one after the other.
+// A bit for each corner of the grid, columns along z in sequence.
 class Signs {
 public:
     Signs(const Grid& grid, const Rays& along_z, std::size_t threads)
@@ -67,14 +70,15 @@ private:
     std::vector<std::uint64_t> bits_;
 };
 
-// The surface on an edge of the grid.
+// The point where the surface crosses an edge of the grid.
 struct Crossing {
     double at = 0.0;  // along the edge, units
     Vec3 normal;
     cda::Origin origin = cda::kStockOrigin;
 };
 
-// Nearest to the planes, and to the mean of the points for what they leave open.
+// Least-squares solver: the point nearest to the planes, and to the mean of the points in
+// undetermined directions.
 class Nearest {
 public:
     void add(Vec3 point, Vec3 normal) {
@@ -86,7 +90,7 @@ public:
         for (std::size_t i = 0; i < count_; ++i)
             mean = mean + points_[i];
         mean = (1.0 / static_cast<double>(count_)) * mean;
-        // (Σ n nᵀ + w) x = Σ n (n · p), about the mean.
+        // (Σ n nᵀ + w) x = Σ n (n · p), relative to the mean.
         constexpr double kWeight = 1e-3;
         double xx = kWeight, xy = 0, xz = 0, yy = kWeight, yz = 0, zz = kWeight;
         Vec3 b;
@@ -103,7 +107,7 @@ public:
     }
 
 private:
-    std::array<Vec3, 12> points_, normals_;  // an edge of the cell each
+    std::array<Vec3, 12> points_, normals_;  // one per edge of the cell
     std::size_t count_ = 0;
 };
 
@@ -119,7 +123,7 @@ public:
 
     void run() {
         place_corners();
-        // Closed surfaces have about two for each corner.
+        // A closed surface has about two triangles per vertex.
         triangles.reserve(2 * points.size());
         origins.reserve(2 * points.size());
         for (std::size_t x = 0; x < grid_.axes[0].cells(); ++x) {
@@ -130,7 +134,7 @@ public:
         }
     }
 
-    // The polygons of each cell, with a corner on each edge of the grid that is crossed.
+    // Builds the polygons of each cell, with a vertex on each crossed edge of the grid.
     void march() {
         place_corners();
         points.clear();
@@ -173,7 +177,7 @@ public:
 
     std::vector<Vec3> points;  // units
     std::vector<Triangle> triangles;
-    std::vector<cda::Origin> origins;  // of triangles
+    std::vector<cda::Origin> origins;  // origins of triangles
 
 private:
     struct MixedCell {
@@ -184,16 +188,16 @@ private:
 
     std::size_t column(std::size_t x, std::size_t y) const { return x * grid_.axes[1].cells() + y; }
 
-    // --- 2 ---
+    // --- Step 2: place ---
 
     struct Slab {
         std::vector<MixedCell> cells;
-        std::vector<std::size_t> counts;  // of each column
+        std::vector<std::size_t> counts;  // cells per column
         std::vector<Vec3> points;
     };
 
-    // Crossings of the edges of a slab: those along x are asked for by four of its cells, the
-    // others by two. They are kept until the next but one row of columns comes to the same heights.
+    // Cache of crossings on the edges of a slab: four cells ask for edges along x, two for all
+    // other edges. Entries stay until the second next row of columns reaches the same heights.
     class KnownCrossings {
     public:
         explicit KnownCrossings(std::size_t heights) : heights_(heights), all_(12 * heights) {}
@@ -208,7 +212,7 @@ private:
 
     private:
         struct Known {
-            std::size_t row = 0;  // and one
+            std::size_t row = 0;  // row + 1; 0: empty
             Crossing crossing;
         };
         std::size_t heights_;
@@ -238,13 +242,13 @@ private:
             const std::array<const std::uint64_t*, 4> columns{
                 signs_.column(x, y), signs_.column(x + 1, y), signs_.column(x, y + 1),
                 signs_.column(x + 1, y + 1)};
-            std::uint64_t any_below = 0, all_below = 0;  // of the word before, its last corner
+            std::uint64_t any_below = 0, all_below = 0;  // last corner of the previous word
             for (std::size_t w = 0; w < signs_.words(); ++w) {
                 const std::uint64_t any =
                     columns[0][w] | columns[1][w] | columns[2][w] | columns[3][w];
                 const std::uint64_t all =
                     columns[0][w] & columns[1][w] & columns[2][w] & columns[3][w];
-                // Bit k: of the cell whose upper corners are the k-th of the word.
+                // Bit k is for the cell whose upper corners are bit k of the word.
                 const std::uint64_t has_some = any | any << 1 | any_below;
                 const std::uint64_t has_all = all & (all << 1 | all_below);
                 for (std::uint64_t mixed = has_some & ~has_all; mixed != 0; mixed &= mixed - 1) {
@@ -296,7 +300,7 @@ private:
                 grid_.axes[2].at[corner[2]]};
     }
 
-    // Not to its very walls: corners of two cells are never in one place.
+    // Clamps to the interior of the cell, so that vertices of two cells never coincide.
     Vec3 clamped(Vec3 p, const Place& cell) const {
         constexpr double kMargin = 1e-3;
         for (int axis = 0; axis < 3; ++axis) {
@@ -309,8 +313,8 @@ private:
         return p;
     }
 
-    // On the edge from this corner along the axis, one end of which is in the material. Where the
-    // rays along it do not have it, since all are rounded: in the middle.
+    // Returns the crossing on the edge from this corner along the axis; exactly one end is in the
+    // material. If no ray end is on the edge, because all rays are rounded, returns the middle.
     Crossing crossing_at(const Place& from, std::size_t axis) const {
         const std::vector<double>& at = grid_.axes[axis].at;
         const double low = at[from[axis]];
@@ -324,7 +328,7 @@ private:
         return crossing;
     }
 
-    // crossing_at().origin, for less.
+    // Returns crossing_at().origin at lower cost.
     cda::Origin origin_at(const Place& from, std::size_t axis) const {
         const bool enters = !signs_(from);
         if (rays_[axis].rows() == 0) return crossing_between(from, axis, enters).origin;
@@ -332,7 +336,8 @@ private:
         return end ? end->origin : cda::kStockOrigin;
     }
 
-    // The last interval's that begins on the edge, or the first's that ends there.
+    // Returns the end of the last interval that begins on the edge, or of the first that ends
+    // there.
     const End* end_on(const Place& from, std::size_t axis, bool enters) const {
         const double low = grid_.axes[axis].at[from[axis]];
         const double high = grid_.axes[axis].at[from[axis] + 1];
@@ -351,7 +356,7 @@ private:
         return nullptr;
     }
 
-    // The same as the rays along z at both of its corners have it.
+    // Returns the crossing from the rays along z at both corners of the edge.
     Crossing crossing_between(const Place& from, std::size_t axis, bool enters) const {
         const auto a = static_cast<int>(axis);
         const std::vector<double>& at = grid_.axes[axis].at;
@@ -362,11 +367,12 @@ private:
         const Place& outer = enters ? from : to;
         const double z = grid_.axes[2].at[from[2]];
         const auto ends = [&](const Place& p) { return rays_[2](p[0], p[1]).intervals(); };
-        // Out of the stock, nothing but its own surface is between.
+        // If a corner is outside of the stock, only the stock's surface is between the corners.
         if (ends(outer).empty()) {
             if (const auto wall = crossing_of_stock(from, axis, enters)) return *wall;
         }
-        // Where the plane at the nearest end meets the edge, or its line a little beyond it.
+        // Otherwise the plane at the nearest end determines the crossing, where the plane meets the
+        // edge's line on the edge or up to half an edge beyond.
         std::optional<Crossing> nearest;
         double least = 1.5 * (high - low);
         cda::Origin origin = cda::kStockOrigin;
@@ -416,14 +422,14 @@ private:
             if (n[a] == 0.0 || (n[a] > 0.0) == enters) continue;
             const double place = p[a] + (facet.offset - cda::dot(n, p)) / n[a];
             if (!(low < place && place < high)) continue;
-            // The innermost.
+            // The innermost facet.
             if (!found || (enters ? place > found->at : place < found->at))
                 found = Crossing{place, cda::normalized(n), cda::kStockOrigin};
         }
         return found;
     }
 
-    // --- 3 ---
+    // --- Step 3: facets ---
 
     const MixedCell& cell_at(const Place& at) const {
         const auto begin =
@@ -443,12 +449,12 @@ private:
         }
     }
 
-    // The four cells around the edge, counter-clockwise about its axis; the surface faces along the
-    // axis where its beginning is in the material.
+    // Adds the facet of the four cells around the edge, counter-clockwise about the edge's axis.
+    // The surface faces along the axis if the edge begins in the material.
     void add_facet(const Place& corner, std::size_t axis, bool faces_along) {
         const std::size_t u = (axis + 1) % 3;
         const std::size_t v = (axis + 2) % 3;
-        // Of each cell, which of its corners the edge begins at.
+        // Offset of the corner in each cell where the edge begins.
         constexpr std::array<std::pair<int, int>, 4> kOffsets{std::pair{0, 0}, std::pair{1, 0},
                                                               std::pair{1, 1}, std::pair{0, 1}};
         std::array<Place, 4> cells;
@@ -473,7 +479,8 @@ private:
             if (first_middle == 0) first_middle = count;
             loop[count++] = *middle;
         }
-        // Triangles from there: none has the two corners as an edge that it is between.
+        // The fan starts at a middle vertex, so that no triangle has an edge between the vertices
+        // on both sides of the middle vertex.
         const auto begin = loop.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
         std::rotate(begin, begin + static_cast<std::ptrdiff_t>(first_middle), end);
         if (!faces_along) std::reverse(begin + 1, end);
@@ -498,17 +505,19 @@ private:
         }
     }
 
-    // Where all four edges of the face between two cells are crossed, and all end in the same two
-    // corners of the surface: the corner between these for the two edges that this one goes with.
+    // Returns the separate vertex between two vertices, if all four edges of the face between two
+    // cells are crossed and all belong to the same two vertices; this edge shares the vertex with a
+    // second edge.
     std::optional<std::uint32_t> middle_of(const Place& corner, std::size_t axis, const Place& a,
                                            const Place& b, std::uint32_t vertex_a,
                                            std::uint32_t vertex_b) {
-        // The face is across the axis in which the cells differ; the edge lies in it.
+        // The face is perpendicular to the axis in which the cells differ; the edge lies in the
+        // face.
         std::size_t across = 0;
         while (a[across] == b[across])
             ++across;
         const std::size_t other = 3 - axis - across;
-        Place first = a;  // of the face
+        Place first = a;  // first corner of the face
         first[across] = std::max(a[across], b[across]);
         std::array<bool, 4> in{};  // first, along axis, along other, both
         for (std::size_t i = 0; i < 4; ++i) {
@@ -531,7 +540,7 @@ private:
             return true;
         };
         if (!all_are(a, vertex_a) || !all_are(b, vertex_b)) return std::nullopt;
-        // The corner in the material that the edge begins or ends at tells the pair.
+        // The corner in the material at an end of the edge identifies the pair of edges.
         Place inner = corner;
         if (!signs_(inner)) ++inner[axis];
         const auto [at, is_new] = middles_.try_emplace(
@@ -549,7 +558,7 @@ private:
     const CuttingCell& stock_;
     std::size_t threads_;
     Signs signs_;
-    std::vector<std::size_t> column_;  // where in cells_ its own begin
+    std::vector<std::size_t> column_;  // index in cells_ of each column's first cell
     std::vector<MixedCell> cells_;
     std::map<std::tuple<std::uint32_t, std::uint32_t, Place>, std::uint32_t> middles_;
 };

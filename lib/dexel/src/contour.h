@@ -15,22 +15,22 @@
 
 namespace ncsim::dexel {
 
-/// Which corners of the grid are in the material is told by the rays along z; where edges of the
-/// grid cross the surface, and how it lies there, by the ends of rays along them. Each cell that is
-/// crossed gets a corner of the surface for each piece of it (cell_components.h), which is nearest
-/// to the planes at these ends and in the cell; around each crossed edge, the cells' corners are a
-/// facet. Where two pieces that meet in a face of a cell have the same corners on both sides of it,
-/// each gets one of its own between, so that all edges have two facets.
+/// Dual contouring of the rays. The rays along z determine which corners of the grid are in the
+/// material. The ends of rays along an edge of the grid give the crossing of the edge with the
+/// surface, and the normal. Each crossed cell gets a vertex for each piece of the surface
+/// (cell_components.h): the point in the cell nearest to the planes at these crossings. The
+/// vertices of the cells around each crossed edge form a facet. If two pieces that meet in a face
+/// of a cell have the same vertices on both sides of the face, each piece gets a separate vertex in
+/// between, so that every edge has two facets.
 ///
-/// Ju, Losasso, Schaefer, Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Expected
-/// O(corners of the grid / 64 + surface).
+/// If a direction has no rays, the planes at the ends of the adjacent rays along z give the
+/// crossings. If these planes are not usable, as for walls, the crossing is the middle of the edge,
+/// or the stock's surface.
 ///
-/// Of directions without rays, edges cross the surface where the planes at the ends of the rays
-/// beside them do; where these tell nothing, as of walls, in the middle, and on the stock's own
-/// surface where that is.
-///
-/// Or marching cubes, as the thesis has them (2.2): with the ends of rays as corners, which cuts
-/// all edges of the part off.
+/// Mesher::MarchingCubes uses marching cubes instead, as in the thesis (2.2): vertices are ends of
+/// rays, which cuts off all edges of the part.
+/// Cost: expected O(corners of the grid / 64 + surface).
+/// Source: Ju, Losasso, Schaefer, Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002.
 class Contour {
 public:
     Contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Row by row intersection of cells and swept tools with rays.
 #include "cutter.h"
 
 #include "whole_units.h"
@@ -15,7 +17,8 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::max();
 
-// Where `places` lie below (above) of all before, they and their facet are the new ones.
+// Replaces each value by the linear function's where the function is lower (higher), together with
+// the facet number.
 void lower(double* at, double* facet, const double* u, std::size_t count, double first,
            double slope, double number) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -53,7 +56,7 @@ Cutter::Range Cutter::meet(const CuttingCell& cell, std::size_t row) {
     const std::size_t d = rays_.axis();
     const std::vector<double>& u = grid_.axes[rays_.u_axis()].at;
     const double v = grid_.axes[rays_.v_axis()].at[row];
-    // What is parallel to the rays has them or not.
+    // Facets parallel to the rays contain a ray or not.
     for (const CuttingCell::Facet& facet : cell.facets) {
         if (facet.normal[d] != 0.0) continue;
         const double slope = facet.normal[rays_.u_axis()];
@@ -98,7 +101,7 @@ Cutter::Range Cutter::meet(const SweptTool& tool, std::size_t row, const Pending
         range.begin = std::max(range.begin, grid_.axes[0].from(low));
         range.end = std::min(range.end, grid_.axes[0].from(high));
     }
-    // Rays that have nothing where the tool may reach in this row are left out at both ends.
+    // Skips rays at both ends that have no material where the tool may reach in this row.
     const double reach = d == 2 ? tool.lowest_at(v) : box.low[d];
     const std::int32_t low_end = whole_units(reach - 1.0);
     const std::int32_t high_end = whole_units(box.high[d] + 1.0);
@@ -135,7 +138,7 @@ void Cutter::take_away(std::size_t row, std::size_t ray, const PendingCuts::Cut&
 }
 
 void Cutter::cut(std::span<const Body* const> bodies, std::size_t begin, std::size_t end) {
-    // So few that what is pending of them stays near.
+    // Few rows, so that their pending cuts stay in the cache.
     constexpr std::size_t kRowsTogether = 8;
     const std::size_t v = rays_.v_axis();
     PendingCuts pending(kRowsTogether, grid_.axes[rays_.u_axis()].corners(), lanes_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Convex bodies against rows of rays. Of each ray, a cell has what lies above the highest of its
-// planes that face down and below the lowest of those that face up.
+// Convex bodies against rows of rays. The interval of a cell on a ray is above the highest of the
+// planes that face down and below the lowest of the planes that face up.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -20,39 +20,40 @@
 
 namespace ncsim::dexel {
 
-/// A cell in doubles. Normals have 24 bits and rays lie at half units, so that nothing is rounded
-/// but the quotient at last.
+/// A cell in doubles. Normals have 24 bits and rays lie at half units, so only the final quotient
+/// is rounded.
 struct CuttingCell {
     CuttingCell(const cda::Cell& cell, const cda::Lattice& lattice, const Grid& grid);
 
     struct Facet {
         std::array<double, 3> normal;
         double offset;
-        PackedNormal left;  ///< Of what is left of a part there: into the cell.
+        PackedNormal left;  ///< Normal of the remaining part at the facet: into the cell.
     };
     std::vector<Facet> facets;
     GridBox box;
     cda::Origin origin;
 };
 
+/// A body that cuts rays.
 using Body = std::variant<CuttingCell, SweptTool>;
 
-/// Cuts the rays of one direction, row by row.
+/// Cuts the rays of a direction, row by row.
 class Cutter {
 public:
     Cutter(const Grid& grid, Rays& rays, Lanes lanes = widest_lanes())
         : grid_(grid), rays_(rays), lanes_(lanes) {}
 
-    /// The rows from `begin` to before `end`, by these in their order.
+    /// Cuts rows [begin, end) by the bodies in the given order.
     void cut(std::span<const Body* const> bodies, std::size_t begin, std::size_t end);
-    /// Makes the rays what the cell has of them.
+    /// Sets each ray to the cell's interval.
     void fill(const CuttingCell& cell);
 
 private:
     struct Range {
         std::size_t begin, end;
     };
-    // Into met_, from the first ray of those that may be met; which these are.
+    // Computes met_ from the first ray that the body may meet; returns the range of these rays.
     Range meet(const CuttingCell& cell, std::size_t row);
     Range meet(const SweptTool& tool, std::size_t row, const PendingCuts& pending,
                std::size_t pending_row);
@@ -62,7 +63,8 @@ private:
     const Grid& grid_;
     Rays& rays_;
     Lanes lanes_;
-    // Of the rays of a row, kept for its memory. Of a cell, s is the number of the facet.
+    // Results for the rays of a row, a member to keep the memory. For a cell, s is the facet
+    // number.
     RowMeeting met_;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The dexel model: rays, batches of waiting bodies, volume, surface.
 #include "ncsim/dexel/dexel.h"
 
 #include "ncsim/cda/parallel.h"
@@ -29,11 +31,11 @@ namespace ncsim::dexel {
 
 namespace {
 
-// Bodies that wait until rays are cut: enough that all threads have work, few enough to keep.
+// Bodies in a batch: enough work for all threads, and little memory.
 constexpr std::size_t kBatch = 8192;
-// Of these, cells with all their facets.
+// Cells in a batch; cells are larger, because they have all facets.
 constexpr std::size_t kMostCells = 1024;
-// Runs of rows a thread.
+// Runs of rows per thread.
 constexpr std::size_t kRuns = 4;
 
 cda::Vec3 in_units(cda::Vec3 mm, const cda::Lattice& lattice) {
@@ -91,9 +93,9 @@ public:
         return rays_.value();
     }
     bool has_only_z() const { return parameters_.directions == Directions::OnlyZ; }
-    // By how much the mean of all directions may be off, mm³: whichever direction sees the part
-    // as it is. What is shallower than the rays along the others are apart, those may not see at
-    // all.
+    // Returns the largest error of the mean volume in mm³, if any direction may be the right one.
+    // Features shallower than the distance of the rays along a direction may be missing in that
+    // direction.
     double doubtful_volume() const {
         const std::vector<double> seen = volumes();
         const double mean = mean_volume();
@@ -107,13 +109,13 @@ public:
         }
         return most;
     }
-    // mm², of a ray along the axis.
+    // Returns the area of a ray along the axis, mm².
     double area_of_ray(std::size_t axis) const {
         return grid_->axes[(axis + 1) % 3].pitch * grid_->axes[(axis + 2) % 3].pitch *
                lattice_.unit_mm * lattice_.unit_mm;
     }
 
-    // mm³, of each direction that there is.
+    // Returns the volume of each existing direction, mm³.
     std::vector<double> volumes() const {
         std::vector<double> volumes;
         for (const Rays& along : rays()) {
@@ -133,10 +135,10 @@ public:
     }
 
 private:
-    // By axis: the corners that a body may meet, to be asked without looking at it.
+    // Range of grid corners that a body may meet, by axis; a copy apart from the large body.
     struct Span {
         std::array<std::uint32_t, 3> begin, end;
-        // As a tool above the stock.
+        // True for a tool whose upper end is above the stock.
         bool is_open = false;
     };
 
@@ -161,7 +163,7 @@ private:
         if (waiting_.size() >= kBatch || waiting_cells_ >= kMostCells) settle();
     }
 
-    // Each row by one thread, and all bodies in their order.
+    // Cuts all waiting bodies. One thread cuts each row, by all bodies in order.
     void settle() const {
         const std::scoped_lock lock(mutex_);
         if (waiting_.empty()) return;
@@ -191,7 +193,7 @@ private:
         waiting_cells_ = 0;
     }
 
-    // The rows from `begin` to before `end`, by the bodies of a stretch.
+    // Cuts rows [begin, end) by the bodies of a stretch.
     void cut(std::size_t axis, std::size_t begin, std::size_t end, const Stretch& stretch) const {
         Rays& along = (*rays_)[axis];
         const std::size_t across = along.v_axis();
@@ -214,12 +216,12 @@ private:
 
     DexelParameters parameters_;
     cda::Lattice lattice_;
-    std::optional<Grid> grid_;  // a prototype has none of these
+    std::optional<Grid> grid_;  // empty in a prototype, as are the following members
     std::optional<CuttingCell> stock_;
     mutable std::mutex mutex_;
     mutable std::optional<std::array<Rays, 3>> rays_;
     mutable std::vector<Body> waiting_;
-    mutable std::vector<Span> spans_;  // of these
+    mutable std::vector<Span> spans_;  // ranges of waiting_
     mutable std::size_t waiting_cells_ = 0;
 };
 

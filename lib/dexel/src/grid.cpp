@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions of the rays.
 #include "grid.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ GridAxis::GridAxis(double min, double max, double wanted) {
     at.reserve(n + 2);
     for (std::size_t i = 0; i < n + 2; ++i)
         at.push_back(std::floor(min + (static_cast<double>(i) - 0.5) * pitch) + 0.5);
-    // Of stock thinner than the least pitch.
+    // Needed for stock thinner than the smallest pitch.
     at.front() = std::min(at.front(), min - 0.5);
     at.back() = std::max(at.back(), max + 0.5);
 }

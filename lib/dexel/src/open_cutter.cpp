@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuts of rays along z by tools that are open above, block by block.
 #include "open_cutter.h"
 
 #include "whole_units.h"
@@ -13,7 +15,7 @@ namespace ncsim::dexel {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::max();
-constexpr double kNone = -1.0;  // Below all numbers, so that the stock is first of equals.
+constexpr double kNone = -1.0;  // Below all tool numbers, so that the stock is first among equals.
 
 BlockExtent extent_of(const std::vector<double>& at, std::size_t block) {
     const double first = at[block * kBlock];
@@ -33,7 +35,7 @@ OpenCutter::OpenCutter(const Grid& grid, Rays& rays, Lanes lanes)
 }
 
 void OpenCutter::cut(std::span<const SweptTool* const> tools, std::size_t begin, std::size_t end) {
-    // Of each band, the tools that may reach it, in their order.
+    // Collects, for each band, the tools that may reach the band, in order.
     std::vector<std::size_t> first(end - begin + 1, 0);
     const auto bands = [&](const SweptTool& tool) {
         const std::size_t from = std::max(tool.box.begin[1] / kBlock, begin);
@@ -65,7 +67,7 @@ void OpenCutter::cut(std::span<const SweptTool* const> tools, std::size_t begin,
     }
 }
 
-// Of each block of the band, the tools that may get lower than what is left there.
+// Collects, for each block of the band, the tools that may get below the remaining material.
 void OpenCutter::find_visits(std::span<const SweptTool* const> tools,
                              std::span<const std::uint32_t> of_band, std::size_t band) {
     for (std::vector<Visit>& each : visits_)
@@ -89,8 +91,8 @@ void OpenCutter::find_visits(std::span<const SweptTool* const> tools,
 void OpenCutter::cut_block(std::span<const SweptTool* const> tools, std::size_t column,
                            std::size_t band) {
     std::vector<Visit>& visits = visits_[column];
-    // Those that are low in the middle are low on most rays. The lowest comes first, so that few
-    // others are left to be sorted, and its plane is what heights are compared over.
+    // Tools that are low in the middle are low on most rays. The lowest tool is first, so that few
+    // tools remain to be sorted; heights are relative to this tool's plane.
     const auto is_before = [](const Visit& a, const Visit& b) {
         return a.bound.middle != b.bound.middle ? a.bound.middle < b.bound.middle : a.tool < b.tool;
     };
@@ -99,7 +101,8 @@ void OpenCutter::cut_block(std::span<const SweptTool* const> tools, std::size_t 
     lowest_.slope_x = visits.front().bound.slope_x;
     lowest_.slope_y = visits.front().bound.slope_y;
     load(column, band);
-    // Over a level plane, nothing is rounded of flat tools, so that equal ones are known to be.
+    // Relative to a level plane, heights of flat tools are not rounded, so equal heights are
+    // recognised.
     const double rounding = lowest_.slope_x != 0.0 || lowest_.slope_y != 0.0 ? 1.0 : 0.0;
     const auto look_at = [&](const Visit& visit) {
         tools[visit.tool]->lower_block(&x_[column * kBlock], &y_[band * kBlock],
@@ -118,7 +121,7 @@ void OpenCutter::cut_block(std::span<const SweptTool* const> tools, std::size_t 
     std::ranges::sort(visits, is_before);
     for (const Visit& visit : visits) {
         if (visit.bound.least > lowest_.highest) continue;
-        // It may get as low as what is left, but is not the first to do so.
+        // The tool may reach the remaining height, but is not the first to do so.
         if (visit.bound.least == lowest_.highest && visit.tool > lowest_.last) continue;
         look_at(visit);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tools that are open above the stock against rays along z: what is left of a ray ends where the
-// lowest of all of them is. That is asked of a block of rays at a time. The tools come to it with
-// the one first that may get lowest there, so that soon all others are known to stay above what is
-// left and need not be looked at: of a raster of many passes, nearly all.
+// Tools that are open above the stock against rays along z: a ray ends at the lowest of all tools.
+// A block of rays is processed at a time. The tool that may get lowest in the block is first, so
+// that most tools are soon proven to stay above the remaining material and are skipped: in a raster
+// of many passes, nearly all.
 #pragma once
 
 #include "grid.h"
@@ -18,14 +18,14 @@
 
 namespace ncsim::dexel {
 
-/// Cuts the rays along z. Of each it makes what would be left after one tool after the other; its
-/// end has the origin of the one that is lowest there, in whole units, the first of several. The
-/// same in pieces of any size.
+/// Cuts the rays along z as if by the tools in sequence. The end of a ray has the origin of the
+/// tool that is lowest there, in integer units, the first among equals. The result does not depend
+/// on the division into pieces.
 class OpenCutter {
 public:
     OpenCutter(const Grid& grid, Rays& rays, Lanes lanes = widest_lanes());
 
-    /// In the rows of blocks from `begin` to before `end`. All is_open_above() the grid.
+    /// Cuts the rows of blocks [begin, end). Requires: all tools are is_open_above() the grid.
     void cut(std::span<const SweptTool* const> tools, std::size_t begin, std::size_t end);
 
 private:
@@ -43,9 +43,9 @@ private:
     const Grid& grid_;
     Rays& rays_;
     Lanes lanes_;
-    std::vector<double> x_, y_;  // of rays, and beyond the last of them as many as fill a block
-    std::vector<BlockExtent> columns_;        // of blocks, along x
-    std::vector<std::vector<Visit>> visits_;  // of each block of a band
+    std::vector<double> x_, y_;               // coordinates of rays, padded to full blocks
+    std::vector<BlockExtent> columns_;        // extents of blocks along x
+    std::vector<std::vector<Visit>> visits_;  // per block of a band
     BlockBounds bounds_;
     LowestBlock lowest_;
 };

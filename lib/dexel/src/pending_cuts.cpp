@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Storage of pending cuts.
 #include "pending_cuts.h"
 
 #include "whole_units.h"

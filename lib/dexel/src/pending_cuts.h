@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What bodies take of rays, put together before the rays are cut: neighbouring moves overlap, so
-// that of hundreds a ray is cut once or twice, and asked for two normals.
+// Union of cuts before rays are cut. Consecutive moves overlap, so that of hundreds of moves a ray
+// is cut once or twice, and few normals are computed.
 #pragma once
 
 #include "rays.h"
@@ -16,30 +16,31 @@
 
 namespace ncsim::dexel {
 
-/// Of the rays of some rows an interval each, from which all is to be taken away: whole units, the
-/// body that each of its ends is from (the first of several), and what that body knows of the end.
+/// A pending interval per ray of some rows, to be removed: in integer units, with the body of each
+/// end (the first among equals) and the body's data about the end.
 class PendingCuts {
 public:
     PendingCuts(std::size_t rows, std::size_t in_row, Lanes lanes);
 
-    /// Of one ray.
+    /// The pending cut of a ray.
     struct Cut {
         std::int32_t low, high;
         std::uint32_t low_body, high_body;
         double s_low, s_high;
     };
 
-    /// Adds what a body meets of `count` rays of a row from `begin` on. Where that is apart from
-    /// what is pending of a ray, do_cut(ray, Cut) is called of the latter first.
+    /// Adds the intervals of a body on `count` rays of a row from `begin` on. If an interval is
+    /// disjoint from the pending interval of the ray, calls do_cut(ray, Cut) for the pending
+    /// interval first.
     template <class DoCut>
     void add(std::size_t row, std::size_t begin, std::size_t count, RowMeeting& met,
              std::uint32_t body, const DoCut& do_cut);
-    /// Is everything between these places pending of the ray?
+    /// True if the pending interval of the ray covers [low, high].
     bool covers(std::size_t row, std::size_t ray, double low, double high) const {
         const std::size_t at = row * stride_ + ray;
         return arrays_[0][at] <= low && arrays_[1][at] >= high;
     }
-    /// Calls do_cut(ray, Cut) of all that is pending in a row.
+    /// Calls do_cut(ray, Cut) for all pending intervals of a row.
     template <class DoCut>
     void flush(std::size_t row, const DoCut& do_cut);
 
@@ -48,13 +49,13 @@ private:
         std::size_t begin, end;
     };
     PendingRow of(std::size_t row, std::size_t begin);
-    // Of one ray, and forgets it.
+    // Returns the pending cut of a ray and clears the cut.
     static Cut take(const PendingRow& pending, std::size_t i);
 
     std::size_t stride_;
     Lanes lanes_;
-    std::array<std::vector<double>, 6> arrays_;  // as in PendingRow
-    std::vector<Range> used_;                    // of each row
+    std::array<std::vector<double>, 6> arrays_;  // the arrays of PendingRow
+    std::vector<Range> used_;                    // range in use per row
 };
 
 template <class DoCut>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Intervals of rays and packed normals.
 #include "rays.h"
 
 #include <algorithm>

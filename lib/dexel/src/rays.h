@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rays along one axis, and where each is in the material.
+// Rays along an axis, with the intervals in the material.
 #pragma once
 
 #include "ncsim/cda/origin.h"
@@ -17,7 +17,7 @@
 
 namespace ncsim::dexel {
 
-/// A unit normal in 32 bits, off by 1e-4 at most: the octahedron unfolded to a square.
+/// A unit normal in 32 bits, error at most 1e-4: the octahedron unfolded to a square.
 struct PackedNormal {
     std::int16_t u = 0, v = 0;
 
@@ -27,7 +27,7 @@ struct PackedNormal {
     cda::Vec3 unpacked() const;
 };
 
-// Asked for each end; signs are as good as random, so that nothing branches on one.
+// Called for each end. Signs are random, so the code avoids branches on signs.
 inline PackedNormal PackedNormal::of(cda::Vec3 n) {
     const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
     if (!(sum > 0.0)) return {};
@@ -43,11 +43,11 @@ inline PackedNormal PackedNormal::of(cda::Vec3 n) {
     return {whole(u), whole(v)};
 }
 
-/// Where a ray enters or leaves the material.
+/// The end of an interval, where a ray enters or leaves the material.
 struct End {
     std::int32_t at = 0;  ///< Units.
     cda::Origin origin = cda::kStockOrigin;
-    PackedNormal normal;  ///< Out of the material.
+    PackedNormal normal;  ///< Normal that points out of the material.
 };
 
 /// The material between two ends.
@@ -55,14 +55,14 @@ struct Interval {
     End low, high;
 };
 
-/// Where there is none: between two ends, or beyond all.
+/// An interval without material: between two ends, or beyond all.
 struct Gap {
     static constexpr std::int32_t kEver = 1 << 30;
 
     std::int32_t low = 0, high = 0;
 };
 
-/// Most rays have one interval, which is kept in place.
+/// A ray: most rays have one interval, which is stored in place.
 class Ray {
 public:
     Ray() = default;
@@ -72,26 +72,27 @@ public:
     Ray& operator=(Ray&&) = default;
     ~Ray() = default;
 
-    /// All there is of it.
+    /// Replaces all intervals.
     void set(const Interval& interval);
-    /// Takes what is between the two places away, and tells the gap that they are in then. The end
-    /// of what is left below is end(true), of what is left above end(false); each is asked for once
-    /// at most.
+    /// Removes the material between two places and returns the gap that then contains both.
+    /// end(true) is the new end of the rest below, end(false) of the rest above; each is called at
+    /// most once.
     template <class MakeEnd>
     Gap cut(std::int32_t low, std::int32_t high, const MakeEnd& end);
 
-    /// Takes everything above the place away. end(): of what is left, if it is shorter now.
+    /// Removes the material above a place and returns the gap above. end() is the new end of the
+    /// rest; called only if the ray gets shorter.
     template <class MakeEnd>
     Gap cut_above(std::int32_t low, const MakeEnd& end);
 
-    /// In order.
+    /// Returns the intervals, ascending.
     std::span<const Interval> intervals() const {
         return several_ ? std::span<const Interval>(*several_)
                         : std::span(&only_, is_empty() ? 0U : 1U);
     }
     bool contains(double place) const;
     std::int64_t length() const;
-    /// Beyond its own size.
+    /// Returns the memory in bytes in addition to the object.
     std::size_t bytes() const;
 
 private:
@@ -102,14 +103,14 @@ private:
     void split(std::size_t at, const Interval& below, const Interval& above);
     void erase(std::size_t begin, std::size_t end);
 
-    Interval only_;                                   // where there are not several
-    std::unique_ptr<std::vector<Interval>> several_;  // of a ray that has ever had two
+    Interval only_;                                   // valid unless several_
+    std::unique_ptr<std::vector<Interval>> several_;  // for rays that have ever had two intervals
 };
 
 template <class MakeEnd>
 Gap Ray::cut(std::int32_t low, std::int32_t high, const MakeEnd& end) {
     const std::span<Interval> known = all();
-    std::size_t first = 0;  // of those that are cut
+    std::size_t first = 0;  // first interval that is cut
     while (first < known.size() && known[first].high.at <= low)
         ++first;
     std::size_t last = first;
@@ -147,13 +148,13 @@ Gap Ray::cut_above(std::int32_t low, const MakeEnd& end) {
     return {top.at, Gap::kEver};
 }
 
-/// Rays of a block, along each side.
+/// Rays along each side of a block.
 inline constexpr std::size_t kBlock = 8;
 
-/// All rays along an axis: `u` and `v` are the next two axes.
+/// All rays along an axis; `u` and `v` are the next two axes.
 class Rays {
 public:
-    /// None.
+    /// Creates an empty set.
     Rays() = default;
     Rays(const Grid& grid, std::size_t axis);
 
@@ -162,25 +163,25 @@ public:
     std::size_t v_axis() const { return (axis_ + 2) % 3; }
     std::size_t rows() const { return row_ == 0 ? 0 : rays_.size() / row_; }
     std::span<Ray> row(std::size_t v) { return std::span(rays_).subspan(v * row_, row_); }
-    /// Of each ray of a row a gap that it has: where it was cut last.
+    /// Returns a gap of each ray of a row: the gap of the last cut.
     std::span<Gap> gaps(std::size_t v) { return std::span(gaps_).subspan(v * row_, row_); }
-    /// Rows of blocks.
+    /// Returns the number of rows of blocks.
     std::size_t bands() const { return blocks_ == 0 ? 0 : ceilings_.size() / blocks_; }
-    /// Of each block of a row of blocks: no ray has material at or above that. Whoever cuts may
-    /// know a lower one, or leave it.
+    /// Returns the ceiling of each block of a row of blocks: no ray of the block has material at or
+    /// above the ceiling. A cutter may lower ceilings or leave them unchanged.
     std::span<std::int32_t> ceilings(std::size_t band) {
         return std::span(ceilings_).subspan(band * blocks_, blocks_);
     }
     const Ray& operator()(std::size_t u, std::size_t v) const { return rays_[v * row_ + u]; }
     std::span<const Ray> all() const { return rays_; }
-    /// The sum of the lengths of all, units.
+    /// Returns the sum of all lengths, units.
     double length() const;
     std::size_t bytes() const;
 
 private:
     std::size_t axis_ = 0;
-    std::size_t row_ = 0;     // rays a row
-    std::size_t blocks_ = 0;  // in a row of blocks
+    std::size_t row_ = 0;     // rays per row
+    std::size_t blocks_ = 0;  // blocks per row of blocks
     std::vector<Ray> rays_;
     std::vector<Gap> gaps_;
     std::vector<std::int32_t> ceilings_;

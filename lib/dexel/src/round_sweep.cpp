@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Round tools on their way: parameters, choice of SIMD lanes, normals.
 #include "round_sweep.h"
 
 #include <algorithm>
@@ -15,13 +17,13 @@ namespace ncsim::dexel {
 
 namespace {
 
-// Of rays along x or y: how the tool goes along them and across.
+// Motion of the tool relative to rays along x or y.
 struct Side {
     double from, way;  // along the rays
     double other_from, other_way;
     double by_other_way;  // 1 / other_way
-    double best;          // Aside of the axis over the radius: where the upper end is met.
-    double toward;        // s of the upper end, if it does not go across.
+    double best;    // Ratio of the axis's distance from the ray to the radius at the upper end.
+    double toward;  // s of the upper end, if the tool does not move across the rays.
 };
 
 struct RowTask {
@@ -101,7 +103,7 @@ using Tip = SweptTool::Tip;
 Tip tip_of(const cda::RoundSweep& sweep) {
     if (sweep.tip_height <= 0.0) return Tip::Flat;
     if (sweep.is_cone) return Tip::Cone;
-    // Of a ball, the upper half has to be in the cylinder.
+    // For a ball, the cylinder must contain the upper half.
     const bool is_ball = sweep.flat_radius <= 0.0 && sweep.height >= 2.0 * sweep.radius;
     return is_ball ? Tip::Ball : Tip::Round;
 }
@@ -169,8 +171,7 @@ SweptTool::SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, 
         n.way[a] = sweep.to[axis] / lattice.unit_mm - n.from[a];
     }
     n.across = n.way[0] * n.way[0] + n.way[1] * n.way[1];
-    // Along what is shorter than a unit nothing goes, so that nothing is divided by next to
-    // nothing.
+    // Motions shorter than half a unit along an axis count as zero, so that no divisor is tiny.
     const auto is_short = [](double length) { return std::abs(length) < 0.5; };
     if (is_short(n.way[0]) && is_short(n.way[1])) n.way[0] = n.way[1] = n.across = 0.0;
     if (is_short(n.way[2])) n.way[2] = 0.0;
@@ -261,15 +262,16 @@ Vec3 SweptTool::normal(std::size_t axis, double u, double v, bool is_high, doubl
         if (below < 0.0)
             return {u - (n.from[0] + s * n.way[0]), v - (n.from[1] + s * n.way[1]), below};
     }
-    std::array<double, 3> q{};  // where the tool is met, from its lowest point
+    std::array<double, 3> q{};  // point on the tool, relative to the tip
     q[axis] = at;
     q[(axis + 1) % 3] = u;
     q[(axis + 2) % 3] = v;
     for (std::size_t a = 0; a < 3; ++a)
         q[a] -= n.from[a] + s * n.way[a];
     const bool is_side = axis != 2;
-    // On the way, its surface has the direction of the way and that of the circle around the axis.
-    // Going level, that may be one direction, and is the tool's own surface; a ball's always is.
+    // During the motion, the swept surface is tangent to the direction of motion and to the circle
+    // around the axis. For a level motion the two may be parallel, and the surface is the tool's;
+    // for a ball, always.
     constexpr double kLevel = 1e-6;
     const bool is_on_ball = tip_ == Tip::Ball && q[2] < n.tip && (is_side || !is_high);
     if (0.0 < s && s < 1.0 && !is_on_ball && std::abs(n.way[2]) > kLevel * n.way_across) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where rays meet what an upright round tool passes over, a row of them at a time. What a convex
-// body passes over is convex, so that each ray has one interval of it.
+// Intersection of rays with the sweep of an upright round tool, a row of rays at a time. A convex
+// tool sweeps a convex volume, so each ray has one interval.
 //
-// With s the share of the way that is done, the tool's lower end on a ray is convex in s and its
-// upper end concave: the best s of the whole line, clamped to where the ray is in the tool, is the
-// best of the way. It has a closed form wherever the tool goes level or straight down, or is flat
-// or a ball; of other tools that go down a slope it is found by halving.
+// Let s be the share of the way. On a ray, the tool's lower end is convex in s and the upper end
+// concave. So the best s of the whole line, clamped to the range in which the ray is in the tool,
+// is the best s of the way. The best s has a closed form if the tool moves level or straight down,
+// or is flat or a ball; for other tools on a slope, bisection finds the best s.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -24,53 +24,53 @@
 
 namespace ncsim::dexel {
 
-/// Of the rays of a row: where each enters and leaves what the tool passes over, units, and at
-/// which share of the way the tool is there. low > high: they do not meet.
+/// Intervals of the rays of a row in the sweep, units, with the share of the way at both ends. low
+/// > high if the ray does not meet the sweep.
 struct RowMeeting {
     void resize(std::size_t count);
     std::vector<double> low, high, s_low, s_high;
 };
 
-/// Of rays that are looked at together.
+/// Largest number of rays in a vector.
 inline constexpr std::size_t kWidest = 4;
 
-/// Of the rays of a row: an interval of each, in whole units, and of both of its ends the share of
-/// the way and the body. low > high: none. There is room for kWidest more rays.
+/// Pending intervals of the rays of a row, in integer units, with the share of the way and the body
+/// of both ends. low > high: no interval. Arrays have space for kWidest more rays.
 struct PendingRow {
     double *low, *high, *s_low, *s_high, *low_body, *high_body;
 };
 
-/// Of a block of rays along z, row by row: the lowest that any of some tools reaches, in whole
-/// units, at which share of its way, and which it is. Of kWidest rays in a row at a time the
-/// highest above a plane through 0 in the middle of the block; of all of them, too, and the last of
-/// the numbers.
+/// Heights of a block of rays along z, row by row: the lowest height of all tools, in integer
+/// units, with the share of the way and the tool's number. Also the highest value above a plane
+/// through 0 at the middle of the block, for each group of kWidest rays and for the block, and the
+/// largest number.
 struct LowestBlock {
     static constexpr std::size_t kGroups = kBlock * kBlock / kWidest;
 
-    double slope_x = 0.0, slope_y = 0.0;  // of the plane
+    double slope_x = 0.0, slope_y = 0.0;  // slopes of the plane
     alignas(32) std::array<double, kBlock * kBlock> plane{};
     alignas(32) std::array<double, kBlock * kBlock> at{}, s{}, number{};
     alignas(32) std::array<double, kGroups> group_highest{};
     double highest = 0.0, last = 0.0;
 };
-/// Of the rays of a block along an axis: the middle between the first and the last, and how far
-/// these are from it; units.
+/// Extent of a block of rays along an axis, units: the middle between the first and the last ray,
+/// and the half distance.
 struct BlockExtent {
     double middle, half;
 };
-/// How low a tool gets on the rays of a block: nowhere lower than `least`, nor than a plane and a
-/// parabola over it, which opens across the way, and beyond its ends along it, too.
+/// Lower bound of a tool's height on the rays of a block: at least `least`, and at least a plane
+/// plus a parabola, which opens across the way and, beyond the ends of the way, along the way.
 struct BlockBound {
     static constexpr double kNoReach = 1e30;
 
-    double least;             ///< Units; kNoReach where it does not get there.
-    double middle;            ///< The plane in the middle of the block, units.
-    double slope_x, slope_y;  ///< Of the plane.
-    double opening;           ///< Of the parabola, 1 / units.
+    double least;             ///< Units; kNoReach if the tool does not reach the block.
+    double middle;            ///< Height of the plane at the middle of the block, units.
+    double slope_x, slope_y;  ///< Slopes of the plane.
+    double opening;           ///< Coefficient of the parabola, 1 / units.
     double ahead, behind,
-        aside;  ///< From the middle of the block to its ends and its middle, units.
+        aside;  ///< Distances from the block's middle to the ends and the middle line of the way.
 };
-/// Of blocks that lie beside each other.
+/// Bounds of consecutive blocks.
 struct BlockBounds {
     void resize(std::size_t count);
     BlockBound operator[](std::size_t i) const {
@@ -80,63 +80,64 @@ struct BlockBounds {
     std::vector<double> least, middle, slope_x, slope_y, opening, ahead, behind, aside;
 };
 
-/// How many rays are looked at together: the results are the same.
+/// Number of rays per vector; the results are identical.
 enum class Lanes { Two, Four };
-/// What this machine has.
+/// Returns the widest vectors that this machine supports.
 Lanes widest_lanes();
 
-/// Makes the intervals of the first `count` rays enclose what is met of them, too, rounded. Those
-/// that do not overlap it are handed over first: take(context, ray) makes them none.
+/// Extends the pending intervals of the first `count` rays by the rounded intervals in `met`. If
+/// the two are disjoint, take(context, ray) is called first and must clear the pending interval.
 void join_row(const PendingRow& pending, std::size_t count, RowMeeting& met, double body,
               Lanes lanes, void (*take)(void*, std::size_t), void* context);
 
+/// The sweep of a round tool in lattice units, prepared for intersection with rays.
 class SweptTool {
 public:
     SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, const Grid& grid);
 
-    /// Rays along `axis` through u[0] … u[count - 1] and `v`, their coordinates along the next two
-    /// axes.
+    /// Computes the intervals of the rays along `axis` through u[0] … u[count - 1] and `v`, the
+    /// coordinates along the next two axes.
     void meet_row(std::size_t axis, const double* u, std::size_t count, double v, Lanes lanes,
                   RowMeeting& row) const;
-    /// Along z, of a tool that is_open_above(): makes `lowest` what it reaches where that is lower,
-    /// or as low and its number lower, and its number `number`. Leaves out where the bound tells
-    /// that it stays above.
+    /// Lowers `lowest` along z where the tool is lower, or equally low with a lower number, and
+    /// stores `number`. Groups that the bound excludes are skipped. Requires: is_open_above().
     void lower_block(const double* x, const double* y, std::size_t rows, const BlockBound& bound,
                      double number, Lanes lanes, LowestBlock& lowest) const;
-    /// How far it stays above the plane of `lowest` in the block, at least; units.
+    /// Returns a lower bound of the tool's height above the plane of `lowest` in the block, units.
     double least_above(const BlockBound& bound, const LowestBlock& lowest, double half_x,
                        double half_y) const;
-    /// Of the blocks columns[0] … columns[count - 1] in a band. The bounds have room for kWidest
-    /// more.
+    /// Computes bounds for the blocks columns[0] … columns[count - 1] of a band. The vectors of
+    /// `bounds` have space for kWidest more entries.
     void bound_blocks(const BlockExtent* columns, std::size_t count, const BlockExtent& band,
                       Lanes lanes, BlockBounds& bounds) const;
-    /// Is its upper end above that all the way, units?
+    /// True if the tool's upper end is above `top` on the whole way, units.
     bool is_open_above(double top) const;
-    /// Where the tool passes over the line along x at this y, units; first > second: nowhere.
+    /// Returns the range of the sweep on the line along x at this y, units; first > second if
+    /// empty.
     std::pair<double, double> reach_along_x(double y) const;
-    /// On the rays along z at this y, it reaches no lower, units.
+    /// Returns a lower bound of the sweep on rays along z at this y, units.
     double lowest_at(double y) const;
-    /// Out of what the tool passes over where the ray enters (leaves) it, at `at` and `s` as found
-    /// by meet_row; not of unit length.
+    /// Returns the normal of the sweep at the end where the ray leaves (`is_high`) or enters, with
+    /// `at` and `s` from meet_row(); points outwards, not of unit length.
     cda::Vec3 normal(std::size_t axis, double u, double v, bool is_high, double at, double s) const;
 
     GridBox box;
     cda::Origin origin;
 
-    /// The lower end of the tool.
+    /// Shape of the lower end of the tool.
     enum class Tip { Flat, Ball, Round, Cone };
     enum class Course { Level, Plunge, Slope };
-    /// Units. What is the same for all rays.
+    /// Values in units that are the same for all rays.
     struct Numbers {
-        double radius, height, flat, tip;  ///< As in RoundSweep.
-        double steepness;                  ///< Of a cone: how far it rises a unit outwards.
-        std::array<double, 3> from, way;   ///< Of the lowest point on the axis.
-        double across, way_across;         ///< Of the way along x and y: squared, and not.
-        double by_across;                  ///< 1 / across.
-        double by_way_across;              ///< 1 / way_across.
-        double along_x, along_y;  ///< Of length 1, as the way across; some, if there is none.
-        double opening;  ///< Of a ball: of the parabola that is nowhere above it, 1 / units.
-        double lead;  ///< Of a ball: how much less of the way is best for a root of room (along_z).
+        double radius, height, flat, tip;  ///< Same meaning as in RoundSweep.
+        double steepness;                  ///< Rise of a cone per unit outwards.
+        std::array<double, 3> from, way;   ///< Tip, and motion of the tip.
+        double across, way_across;  ///< Horizontal length of the way: squared, and not squared.
+        double by_across;           ///< 1 / across.
+        double by_way_across;       ///< 1 / way_across.
+        double along_x, along_y;  ///< Horizontal unit direction of the way; arbitrary if vertical.
+        double opening;           ///< Coefficient of a parabola below a ball, 1 / units.
+        double lead;              ///< Shift of a ball's best s per root of `room` (along_z).
     };
 
 private:
@@ -151,8 +152,8 @@ inline double SweptTool::least_above(const BlockBound& bound, const LowestBlock&
     const double slope_y = bound.slope_y - lowest.slope_y;
     const double c = bound.opening;
     if (c == 0.0) return bound.middle - std::abs(slope_x) * half_x - std::abs(slope_y) * half_y;
-    // Along and across the way, each by itself. Where it falls by g a unit, it is lowest g / 2c
-    // beyond where the parabola begins to rise, or at an end of the block.
+    // Minimises along and across the way separately. If the height falls by g per unit, the minimum
+    // is g / 2c beyond the beginning of the parabola, or at an end of the block.
     const auto least = [c](double g, double begin, double half) {
         const double place = std::clamp(begin + g / (2.0 * c), -half, half);
         const double risen = std::max(place - begin, 0.0);

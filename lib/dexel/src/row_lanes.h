@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several rays at once against a tool on its way, without a branch that depends on a ray. This is
-// included once for each number of rays, each time into a namespace of its own; what comes out is
-// the same to the last bit, for nothing is fused and nothing is summed across rays.
+// SIMD code for several rays against a moving tool, without branches that depend on a ray. The file
+// is included once per vector length, each time into a separate namespace. The results are
+// bit-identical, because there is no fused multiplication and no sum across rays.
 //
-// NCSIM_DEXEL_LANES: the namespace; NCSIM_DEXEL_WIDTH: how many rays.
+// NCSIM_DEXEL_LANES: the namespace; NCSIM_DEXEL_WIDTH: the number of rays.
 
 namespace ncsim::dexel {
 namespace {
@@ -18,17 +18,19 @@ constexpr std::size_t kWidth = NCSIM_DEXEL_WIDTH;
 using V [[gnu::vector_size(8 * kWidth)]] = double;
 
 constexpr double kNowhere = 1e30;
-// Halvings of an interval of the way: the best place is flat, or is wanted to so many bits.
+// Steps of a bisection on the way: the optimum is flat, or is needed to this number of bits.
 constexpr int kHalvings = 26;
 
 #define NCSIM_DEXEL_INLINE [[gnu::always_inline]] inline
 
-// Where halving came to: exactly to an end, if it always went there.
+// Returns the result of a bisection: exactly an end of the interval if every step went towards this
+// end.
 NCSIM_DEXEL_INLINE V end_of(V low, V high, V first, V last) {
     const V middle = 0.5 * (low + high);
     return low == first ? first : high == last ? last : middle;
 }
 
+/// Intervals of kWidth rays, as in RowMeeting.
 struct Ray {
     V low, high, s_low, s_high;
 };
@@ -36,7 +38,7 @@ struct Ray {
 NCSIM_DEXEL_INLINE V all(double x) {
     return V{} + x;
 }
-// a < b ? a : b, and a > b ? a : b: the second of equals.
+// Returns a < b ? a : b, and a > b ? a : b: the second of equals.
 NCSIM_DEXEL_INLINE V least(V a, V b) {
 #if defined(__x86_64__) && NCSIM_DEXEL_WIDTH == 2
     return reinterpret_cast<V>(
@@ -78,7 +80,7 @@ NCSIM_DEXEL_INLINE std::uint32_t bits_of(Is is) {
     return bits;
 #endif
 }
-// 0 for what is below it.
+// Returns the square root; 0 for negative values.
 NCSIM_DEXEL_INLINE V root(V x) {
     x = most(x, V{});
 #if defined(__x86_64__) && NCSIM_DEXEL_WIDTH == 2
@@ -92,13 +94,13 @@ NCSIM_DEXEL_INLINE V root(V x) {
 #endif
 }
 
-// To a whole number, of less than 2^51.
+// Rounds to an integer. Requires: |x| < 2^51.
 NCSIM_DEXEL_INLINE V rounded(V x) {
     constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52
     return (x + kShift) - kShift;
 }
 
-// Height above the tip's lowest point, at a squared distance from the axis.
+// Returns the height above the tip at a squared distance from the axis.
 template <Tip tip>
 NCSIM_DEXEL_INLINE V rise_at(const Numbers& k, V square) {
     if constexpr (tip == Tip::Flat) return V{};
@@ -108,7 +110,7 @@ NCSIM_DEXEL_INLINE V rise_at(const Numbers& k, V square) {
     return k.tip - root(k.tip * k.tip - beyond * beyond);
 }
 
-// Radius at a height above it, from 0 to the tool's.
+// Returns the radius at a height above the tip, from 0 to the tool's height.
 template <Tip tip>
 NCSIM_DEXEL_INLINE V radius_at(const Numbers& k, V height) {
     if constexpr (tip == Tip::Flat) return all(k.radius);
@@ -118,13 +120,13 @@ NCSIM_DEXEL_INLINE V radius_at(const Numbers& k, V height) {
     return k.flat + root(k.tip * k.tip - below * below);
 }
 
-// Along z, at (x, y).
+// Returns the intersection with rays along z at (x, y).
 template <Tip tip, Course course>
 NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
     const V dx = k.from[0] - x, dy = k.from[1] - y;
     const double wx = k.way[0], wy = k.way[1], wz = k.way[2];
     const double square = k.radius * k.radius;
-    V first = V{}, last = all(1.0);  // while the ray is in the cylinder
+    V first = V{}, last = all(1.0);  // range of s in which the ray is in the cylinder
     V s, room, nearest;
     if constexpr (course == Course::Plunge) {
         room = square - (dx * dx + dy * dy);
@@ -145,8 +147,8 @@ NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
     } else if constexpr (tip == Tip::Ball) {
         s = between(nearest - k.lead * root(room), first, last);
     } else {
-        // How far from the nearest place, and from the axis there; the tool's lower end is level as
-        // far as its disc goes.
+        // Distance from the nearest point along the way, and distance from the axis there. The
+        // tool's lower end is level within the disc.
         const V aside = square - room;
         const V of_disc = root(k.flat * k.flat - aside);
         const double slope = (wz < 0.0 ? -wz : wz) / k.way_across;
@@ -182,7 +184,7 @@ NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
     return ray;
 }
 
-// The circle of this radius while s is in the interval.
+// Returns the intersection with a circle of this radius while s is in [first, last].
 NCSIM_DEXEL_INLINE Ray circle(const Side& k, V w, V radius, V first, V last, V margin) {
     Ray ray;
     const V aim = radius * k.best;
@@ -210,9 +212,9 @@ NCSIM_DEXEL_INLINE Ray joined(const Ray& a, const Ray& b) {
     return ray;
 }
 
-// Of the whole ball, when its way has parts across the ray.
+// Returns the intersection with the whole ball. Requires: the way has a component across the ray.
 NCSIM_DEXEL_INLINE Ray ball(const Numbers& n, const Side& k, V w, V below) {
-    // (w, below): from the ray to the centre. Across the ray it goes (other_way, wz).
+    // (w, below): vector from the ray to the centre. (other_way, wz): the way across the ray.
     const double wz = n.way[2];
     const double across = k.other_way * k.other_way + wz * wz;
     const double by_across = 1.0 / across;
@@ -235,16 +237,17 @@ NCSIM_DEXEL_INLINE Ray ball(const Numbers& n, const Side& k, V w, V below) {
     return ray;
 }
 
-// Of a cone or a rounded end that goes down a slope: the circles of growing radius.
+// Returns the intersection with circles of increasing radius: a cone or a rounded end on a slope.
 template <Tip tip>
 NCSIM_DEXEL_INLINE Ray circles(const Numbers& n, const Side& k, V w, V above) {
-    // `above`: of the ray, over the tip at s = 0. While it is beside the tip:
+    // `above`: height of the ray above the tip at s = 0. Range of s in which the ray is at the
+    // tip's height:
     const double wz = n.way[2];
     const double by_fall = 1.0 / wz;
     const V one = above * by_fall, two = (above - n.tip) * by_fall;
     const V first = most(V{}, least(one, two)), last = least(all(1.0), most(one, two));
     const double of_cone = (n.radius - n.flat) / n.tip;
-    // How fast the radius grows with height is of_cone, or below / q.
+    // The derivative of the radius by height is of_cone, or below / q.
     const auto at = [&](V s, V& radius, V& aside, V& below, V& q) NCSIM_DEXEL_INLINED {
         const V height = between(above - s * wz, V{}, all(n.tip));
         aside = w + s * k.other_way;
@@ -259,7 +262,7 @@ NCSIM_DEXEL_INLINE Ray circles(const Numbers& n, const Side& k, V w, V above) {
         }
     };
     V radius, aside, below, q;
-    // Where the ray is deepest in the circle.
+    // s at which the ray is deepest in the circle.
     V low = first, high = last;
     for (int i = 0; i < kHalvings; ++i) {
         const V s = 0.5 * (low + high);
@@ -272,7 +275,7 @@ NCSIM_DEXEL_INLINE Ray circles(const Numbers& n, const Side& k, V w, V above) {
     const V deepest = end_of(low, high, first, last);
     at(deepest, radius, aside, below, q);
     const auto meets = (first <= last) & (radius >= size_of(aside));
-    // Where it reaches farthest.
+    // Finds s at which the circle reaches farthest along the ray.
     const auto farthest = [&](double sign, V& s_best) NCSIM_DEXEL_INLINED {
         V from = first, to = last;
         for (int i = 0; i < kHalvings; ++i) {
@@ -297,12 +300,13 @@ NCSIM_DEXEL_INLINE Ray circles(const Numbers& n, const Side& k, V w, V above) {
     return ray;
 }
 
-// Across z: `o` along the other level axis, and z.
+// Returns the intersection with rays perpendicular to z; `o` is the coordinate along the second
+// level axis.
 template <Tip tip, Course course>
 NCSIM_DEXEL_INLINE Ray across_z(const Numbers& n, const Side& k, V o, V z) {
     const V w = k.other_from - o;
     const double wz = n.way[2];
-    const V above = z - n.from[2];  // the tip at s = 0
+    const V above = z - n.from[2];  // height above the tip at s = 0
     if constexpr (course == Course::Level) {
         return circle(k, w, radius_at<tip>(n, above), V{}, all(1.0),
                       least(above, n.height - above));
@@ -347,7 +351,8 @@ NCSIM_DEXEL_INLINE double highest_of(V v) {
     return highest;
 }
 
-// Rays along `axis` through u[0] … u[count - 1] and v; the results have room for kWidth more.
+// Computes the rays along `axis` through u[0] … u[count - 1] and v; the results have space for
+// kWidth more.
 template <Tip tip, Course course>
 void row_of(const Numbers& n, const Side& side, std::size_t axis, const double* u,
             std::size_t count, double v, RowMeeting& row) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What waits in one batch, in its order: tools that are open above the stock, which rays along z
-// take many at a time (open_cutter.h), and others, which they take one after the other. One tool
-// of the second kind does not send the whole batch that way.
+// Division of a batch into stretches of two kinds, in order: tools that are open above the stock,
+// which rays along z process in blocks (open_cutter.h), and all other bodies, which are processed
+// one by one. So a single body of the second kind does not slow the whole batch down.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace ncsim::dexel {
 
-/// Bodies from `begin` to before `end`.
+/// Bodies [begin, end).
 struct Stretch {
     std::size_t begin, end;
     bool is_open;
     bool operator==(const Stretch&) const = default;
 };
 
-/// Of fewer open ones in a row than these, one after the other is as cheap.
+/// Shorter runs of open tools are processed one by one at the same cost.
 inline constexpr std::size_t kFewOpen = 32;
 
-/// All of `count` bodies, none of them empty and no two of one kind in a row.
+/// Divides `count` bodies into non-empty stretches; consecutive stretches have different kinds.
 template <class IsOpen>
 std::vector<Stretch> stretches_of(std::size_t count, const IsOpen& is_open) {
     std::vector<Stretch> stretches;

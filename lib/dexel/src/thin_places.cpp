@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Search for thin places, and the error of volumes.
 #include "thin_places.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace ncsim::dexel {
 
 namespace {
 
-// Between two ends of a ray: its material, or what is missing between two intervals.
+// Two ends of a ray with material or a gap between.
 struct Between {
     const End& low;
     const End& high;
@@ -76,14 +78,15 @@ void look_for_thin(const Rays& rays, const Grid& grid, const cda::Lattice& latti
 
 namespace {
 
-// How much longer the next ray along an axis is, by the planes at the ends of this one.
+// Returns the expected difference in length of the next ray along an axis, from the planes at the
+// ends of this ray.
 double slope_of(const Ray& ray, std::size_t along, std::size_t axis) {
     double sum = 0.0;
     for (const Interval& interval : ray.intervals()) {
         for (const End* end : {&interval.low, &interval.high}) {
             const cda::Vec3 n = end->normal.unpacked();
             const double up = std::abs(n[static_cast<int>(along)]);
-            // Steeper ones are walls.
+            // Steeper planes are walls.
             constexpr double kSteepest = 0.05;
             if (up > kSteepest) sum -= n[static_cast<int>(axis)] / up;
         }
@@ -102,7 +105,7 @@ double doubtful_volume(const Rays& rays, const Grid& grid) {
         return std::min(std::abs(change), std::abs(change - expected));
     };
     double along_u = 0.0, along_v = 0.0;
-    // The outermost are outside of the stock, whose walls are where they are.
+    // The outermost rays are outside of the stock, whose walls are exact.
     for (std::size_t v = 1; v + 1 < rays.rows(); ++v) {
         for (std::size_t u = 1; u + 1 < row; ++u) {
             if (u + 2 < row) along_u += step(rays(u, v), rays(u + 1, v), rays.u_axis());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What rays tell about their own limits: how much surface they met, and where material and gaps are
-// thinner than the grid.
+// Limits of resolution that rays can detect: walls of unknown position, and places where material
+// or gaps are thinner than the grid.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -11,14 +11,14 @@
 
 namespace ncsim::dexel {
 
-/// Adds what is thinner along these rays than the grid is there. What holds no corner of the grid
-/// is missing in the surface.
+/// Adds the places that are thinner along these rays than the grid. A place that contains no corner
+/// of the grid is missing in the surface.
 void look_for_thin(const Rays& rays, const Grid& grid, const cda::Lattice& lattice,
                    cda::Aliasing& found);
 
-/// Units³ by which the volume may be off, as far as the rays themselves can tell: between two
-/// neighbours, whatever the planes at their ends do not explain is a wall, and is anywhere. What is
-/// between all rays is not in it.
+/// Returns the largest error of the volume in cubic units, as far as the rays can bound the error.
+/// Between adjacent rays, a difference in length that the planes at the ends do not explain is a
+/// wall of unknown position. Features between all rays are not included.
 double doubtful_volume(const Rays& rays, const Grid& grid);
 
 }  // namespace ncsim::dexel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places in whole lattice units.
+// Rounding to integer lattice units.
 #pragma once
 
 #include "rays.h"
@@ -9,7 +9,8 @@
 
 namespace ncsim::dexel {
 
-/// The nearest, away from 0 of two; beyond all of the stock it makes no difference which.
+/// Returns the nearest integer; halves round away from 0. Values are clamped to ±Gap::kEver, which
+/// is beyond the stock.
 [[gnu::always_inline]] inline std::int32_t whole_units(double place) {
     constexpr double kMost = Gap::kEver;
     const double kept = place < -kMost ? -kMost : place > kMost ? kMost : place;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Forward kinematics of a chain.
 #include "ncsim/machine/chain.h"
 
 #include "ncsim/trig/angles.h"
@@ -15,9 +17,10 @@ namespace {
 
 using Rows = std::array<Vec3, 3>;
 
-constexpr std::size_t kFirstSecond = 6;  // of U
+constexpr std::size_t kFirstSecond = 6;  // Index of U.
 
-// About X, Y or Z what stays is exact, and a product with it is that of a plane rotation.
+// Returns the rotation about `u`. About X, Y or Z, the entries 0 and 1 are exact, and a product
+// with the matrix equals that of a plane rotation.
 Rows rotation(Vec3 u, double degrees) {
     const trig::SinCos q = trig::sin_cos(degrees);
     const double c = q.cos;
@@ -32,7 +35,8 @@ Rows rotation(Vec3 u, double degrees) {
              {k * u.x * u.z - w.y, k * u.y * u.z + w.x, c + k * u.z * u.z}}};
 }
 
-// 0 + v keeps the sign of a zero, so that equal places have equal bits.
+// Returns a + v, or v itself for a = 0: v keeps the sign of a zero, so equal positions have equal
+// bits.
 double sum(double a, double v) {
     return a == 0.0 ? v : a + v;
 }
@@ -50,7 +54,7 @@ Vec3 times(const Rows& rows, Vec3 v) {
 
 }  // namespace
 
-// Asked for each joint of each pose.
+// The table is fast, because pose() calls the function for each joint.
 std::optional<std::size_t> index_of(char letter) {
     constexpr auto table = [] {
         std::array<std::uint8_t, 256> places{};
@@ -106,8 +110,8 @@ bool Chain::has_head() const {
 }
 
 Chain Chain::placed(Vec3 zero, double length) const {
-    // Where the axes are linear joints stand so far from 0 that the tip is at the program's zero;
-    // what lies behind them moved with them.
+    // Values of X, Y and Z at which the tip is at the program zero. The joints behind a linear
+    // joint move with that joint.
     const Vec3 stand{zero.x, zero.y, zero.z + length};
     Vec3 shift = -zero;
     Chain chain = *this;
@@ -125,7 +129,7 @@ Pose Chain::pose(const Values& values) const {
     Pose X_WT;
     int count = 0;
     bool is_least = true;
-    // Not by a view: clang 14 does not know those of this library.
+    // A reverse iterator, because clang 14 does not accept the views of this standard library.
     for (auto next = joints.rbegin(); next != joints.rend(); ++next) {
         const Joint& joint = *next;
         const std::size_t i = *index_of(joint.letter);
@@ -135,14 +139,13 @@ Pose Chain::pose(const Values& values) const {
             X_WT.translation = shifted(X_WT.translation, joint.direction, value);
             continue;
         }
-        // Turned only about axes that are turned: a product with the identity is exact, but for
-        // -0.0.
+        // A joint at 0 is skipped: a product with the identity is exact, except for -0.0.
         if (value == 0.0) continue;
         const Rows rows = rotation(joint.direction, value);
         X_WT.translation = X_WT.translation - joint.through;
         X_WT = Pose{rows, {}} * X_WT;
         X_WT.translation = X_WT.translation + joint.through;
-        // About one axis at right angles to the tool's it is the least one already.
+        // A single rotation about an axis perpendicular to z is the least rotation.
         is_least = ++count == 1 && joint.direction.z == 0.0;
     }
     if (!is_least) X_WT.rows = least_rotation_to(axis_of(X_WT));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closed-form inverse kinematics for at most two rotary joints.
 #include "ncsim/machine/inverse.h"
 
 #include "ncsim/trig/angles.h"
@@ -12,7 +14,7 @@ using cda::Vec3;
 
 namespace {
 
-constexpr double kNothing = 1e-12;  // of unit vectors: what rounding leaves
+constexpr double kNothing = 1e-12;  // Rounding error of unit vectors.
 constexpr Vec3 kTool{0, 0, 1};
 
 double wrapped(double degrees) {
@@ -20,8 +22,8 @@ double wrapped(double degrees) {
     return degrees <= -180.0 ? degrees + 360.0 : degrees;
 }
 
-// By how much the right hand turns `from` about n into `to`, in degrees; nothing if either lies
-// along n.
+// Returns the right-handed angle about n from `from` to `to`, in degrees; no value if either is
+// parallel to n.
 std::optional<double> turn_between(Vec3 n, Vec3 from, Vec3 to) {
     from = from - dot(n, from) * n;
     to = to - dot(n, to) * n;
@@ -46,7 +48,8 @@ std::vector<Turns> turns_for(const Chain& placed, Vec3 axis, const Values& now) 
     }
     if (rotary.size() > 2) return {};
     std::vector<Turns> found;
-    // The second one is the one next to the tool, the first must do the rest.
+    // `v` is the direction after the joint next to the tool; the first joint must rotate `v` to
+    // `axis`.
     const auto add = [&](Vec3 v, Turns turns) {
         if (!rotary.empty()) {
             const Joint& first = *rotary.front();
@@ -71,7 +74,7 @@ std::vector<Turns> turns_for(const Chain& placed, Vec3 axis, const Values& now) 
     const double b = dot(n1, cross(n2, kTool));
     const double size = trig::length_of(a, b);
     const double rest = dot(n1, axis) - c;
-    if (size <= kNothing) {  // it turns nothing that the first one does not
+    if (size <= kNothing) {  // The second joint does not change the angle to n1.
         add(turned(second, of(now, second), kTool), {now, true});
         return found;
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Choice of a solution by preference, travel and motion.
 #include "ncsim/machine/orient.h"
 
 #include <algorithm>
@@ -10,9 +12,9 @@ namespace ncsim::machine {
 namespace {
 
 constexpr double kTurn = 360.0;
-constexpr double kEqual = 1e-9;  // degrees: what rounding leaves of equal ways
+constexpr double kEqual = 1e-9;  // degrees: rounding error of equal motions
 
-// One joint's places: the angle and its whole turns that the travel allows, near `now`.
+// Returns the values of a joint, `angle` plus whole turns, that the travel allows near `now`.
 std::vector<double> places_of(char letter, double angle, double now, const Travels& travels) {
     const auto told = travels.find(letter);
     double low = now - kTurn, high = now + kTurn;
@@ -23,7 +25,7 @@ std::vector<double> places_of(char letter, double angle, double now, const Trave
     std::vector<double> places;
     for (double turns = std::ceil((low - angle) / kTurn); angle + turns * kTurn <= high; ++turns)
         places.push_back(angle + turns * kTurn);
-    // Of a joint that stands far outside of its travel.
+    // The joint is far outside its travel.
     if (places.empty() && told != travels.end()) {
         const double turns = std::ceil((told->second.min - kEqual - angle) / kTurn);
         if (angle + turns * kTurn <= told->second.max + kEqual)
@@ -43,7 +45,7 @@ bool is_wanted(Prefer prefer, double way, double place) {
     return true;
 }
 
-// The less the better, one after the other; what differs by rounding is equal.
+// Compares costs lexicographically; values that differ by rounding are equal.
 using Cost = std::array<double, 4>;
 bool is_less(const Cost& a, const Cost& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Products of poses, and the least rotation to a direction.
 #include "ncsim/machine/pose.h"
 
 namespace ncsim::machine {
@@ -37,7 +39,7 @@ std::array<Vec3, 3> least_rotation_to(Vec3 axis) {
     const double x = axis.x + 0.0, y = axis.y + 0.0, z = axis.z + 0.0;
     const double aside = x * x + y * y;
     if (aside == 0.0 && z < 0.0) return {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
-    // 1/(1 + z), without the loss where z is nearly -1.
+    // 1 / (1 + z), without cancellation for z near -1.
     const double k = z < 0.0 ? (1 - z) / aside : 1 / (1 + z);
     const double xy = 0.0 - x * y * k;
     return {{{1 - x * x * k, xy, x}, {xy, 1 - y * y * k, y}, {0.0 - x, 0.0 - y, z}}};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Table of the predefined machines.
 #include "ncsim/machine/presets.h"
 
 namespace ncsim::machine {
@@ -17,7 +19,8 @@ Joint iso(char letter, Vec3 about) {
     return joint_of(letter, true, about);
 }
 
-// `part` carries the part, the nearest to it first; `head` the tool, the nearest to it last.
+// Returns X, Y and Z between the joints `part`, which carry the part, the joint nearest to the part
+// first, and `head`, which carry the tool, the joint nearest to the tool last.
 Chain chain(std::vector<Joint> part, const std::vector<Joint>& head = {}) {
     for (const auto& [letter, along] : {std::pair{'X', kX}, {'Y', kY}, {'Z', kZ}})
         part.push_back(joint_of(letter, false, along));

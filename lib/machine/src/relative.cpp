@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chains between two bodies, and bounds of their relative motion.
 #include "ncsim/machine/relative.h"
 
 #include "ncsim/trig/angles.h"
@@ -68,11 +70,12 @@ Ball moved(const Chain& chain, const Going& going, Ball body) {
             body.bend += turn * turn * distance + 2.0 * turn * body.speed;
             body.speed += turn * distance;
             body.centre = moved(joint, 0.5 * (from + to), body.centre);
-            // No farther from the middle than across the axis.
+            // The centre's distance from its middle position is at most the arc, and at most the
+            // diameter.
             body.radius += std::min(0.5 * turn, 2.0) * aside;
             continue;
         }
-        // Those that follow one another move it as one.
+        // Consecutive linear joints are combined into one translation.
         double square = 0.0;
         bool is_of_three = true;  // X, Y and Z
         std::size_t first = i + 1;

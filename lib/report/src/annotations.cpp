@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Findings as workflow commands of GitHub Actions.
 #include "annotations.h"
 
 #include "ncsim/report/file_names.h"
@@ -14,8 +16,8 @@ namespace ncsim::report {
 
 namespace {
 
-// Of workflow commands: data, and the properties before it. Printable, too: the log that shows
-// them is a terminal of a kind, and may be that of another service.
+// Escapes the data or a property of a workflow command. The text is also made printable, because a
+// log is shown in a terminal or by another service.
 std::string escaped_command(std::string_view text, bool property) {
     std::string out;
     for (const char c : printable(text)) {

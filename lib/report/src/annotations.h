@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Findings beside the lines of a change, on GitHub.
+// Findings next to the lines of a change, on GitHub.
 #pragma once
 
 #include "ncsim/report/checked.h"
@@ -9,8 +9,8 @@
 
 namespace ncsim::report {
 
-/// Workflow commands that GitHub Actions shows beside the lines of a change; a line each. Notes
-/// only where `notes`.
+/// Returns workflow commands that GitHub Actions shows next to the lines of a change, one a line.
+/// Notes are included only if `notes`.
 std::string github_annotations(const Checked& checked, bool notes);
 
 }  // namespace ncsim::report

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// fmt::format() that appends.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,8 +9,8 @@
 
 namespace ncsim::report {
 
-/// Adds to `text` what fmt::format() would make. fmt::format_to() with an iterator is compiled anew
-/// in every file that names it, 3 seconds each; this calls the library.
+/// Appends the result of fmt::format() to `text`. fmt::format_to() with an iterator would be
+/// compiled again in every file that uses it, 3 seconds each; this function calls the library.
 template <class... Args>
 void append(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
     text += fmt::vformat(format, fmt::make_format_args(args...));

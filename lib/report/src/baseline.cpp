@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Comparison of findings with known findings, and the baseline file.
 #include "ncsim/report/baseline.h"
 
 #include "ncsim/report/check_text.h"
@@ -30,11 +32,12 @@ using verify::Severity;
 
 constexpr int kBaselineFormat = 1;
 
-// Places of the part are the same within a thousandth of a millimetre; other numbers to rounding.
+// Places of the part are the same within a thousandth of a millimetre, quantities within rounding.
 constexpr double kSamePlace = 1e-3;
 constexpr double kSameNumber = 1e-6;
 
-// A line as people would call it the same: without its number, blanks and small letters.
+// Returns the line in capitals, without its number and blanks. A long line is cut and gets a
+// fingerprint.
 std::string block_of(std::string_view line) {
     std::string block;
     for (const char c : line) {
@@ -52,7 +55,7 @@ std::string block_of(std::string_view line) {
     return block;
 }
 
-// As it comes back from a file: bytes that are no UTF-8 do not.
+// Returns `text` as a file would return it: bytes that are not UTF-8 change.
 std::string as_kept(const std::string& text) {
     return Json::parse(to_line(Json(text))).get<std::string>();
 }
@@ -73,7 +76,7 @@ KnownFinding known_of(const Checked& checked, const Finding& f, const std::strin
     known.goes_on = f.goes_on;
     known.quantity = f.quantity;
     if (f.row != 0) known.row = fmt::format("{:016x}", f.row);
-    // Of links of the machine the box is that of the whole path.
+    // For links of the machine, the box covers the whole path, so only the point counts.
     if (!f.point || !f.rule.starts_with("machine-")) known.box = f.box;
     if (f.point) known.box.add(*f.point);
     known.why = as_kept(f.accepted.value_or(""));
@@ -104,7 +107,7 @@ cda::Vec3 vector_from(const Json& json) {
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-// Throws Json::exception, or std::runtime_error on a key that means nothing.
+// Throws: Json::exception, or std::runtime_error for an unknown key.
 KnownFinding known_from(const Json& json) {
     KnownFinding known;
     for (const auto& [key, value] : json.items()) {
@@ -152,7 +155,7 @@ KnownFinding known_from(const Json& json) {
     return known;
 }
 
-// Findings of different names never are the same.
+// Returns a key for comparison: findings with different keys are never the same.
 std::string name_of(const KnownFinding& f) {
     std::string name = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", f.rule, f.code, f.severity,
                                    f.certain, f.tool, f.message, f.file);
@@ -168,16 +171,18 @@ bool is_within(const cda::Box& inner, const cda::Box& outer) {
     return std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= 0.0;
 }
 
-// Of one name and unit.
+// True if `now` is no worse than `known`.
+// Requires: both have the same name and unit.
 bool is_no_worse(const verify::Quantity& now, const verify::Quantity& known) {
     const double room = kSameNumber * std::max(1.0, std::abs(known.value));
-    // Too slow is as wrong as too fast.
+    // Too low a speed is as wrong as too high a speed.
     if (now.unit == "rpm") return std::abs(now.value - known.value) <= room;
     if (verify::less_is_worse(now)) return now.value >= known.value - room;
     return now.value <= known.value + room;
 }
 
-// Is `now`, of the same name, what was known, or less of it?
+// True if `now` is `known` or less severe.
+// Requires: both have the same key.
 bool is_covered(const KnownFinding& now, const KnownFinding& known) {
     if (now.quantity.has_value() != known.quantity.has_value()) return false;
     if (now.quantity && !is_no_worse(*now.quantity, *known.quantity)) return false;
@@ -187,12 +192,13 @@ bool is_covered(const KnownFinding& now, const KnownFinding& known) {
 
 constexpr std::size_t kNoOne = ~std::size_t{0};
 
-// For each of `now` which of `known` it is, or kNoOne. All of one name.
+// Sets the index of the known finding for each finding of `of_now`, or kNoOne. All findings have
+// the same key.
 void match(const std::vector<KnownFinding>& now, const std::vector<KnownFinding>& known,
            std::span<const std::size_t> of_now, std::span<const std::size_t> of_known,
            std::vector<std::size_t>& known_as) {
     std::set<std::size_t> free(of_known.begin(), of_known.end());
-    // First who is the same to the last digit, then who is less.
+    // Exact matches come first, then less severe findings.
     for (const bool exactly : {true, false}) {
         for (const std::size_t i : of_now) {
             if (known_as[i] != kNoOne) continue;
@@ -204,7 +210,8 @@ void match(const std::vector<KnownFinding>& now, const std::vector<KnownFinding>
             free.erase(found);
         }
     }
-    // Which of them is the new one nobody can tell.
+    // The new finding cannot be distinguished from the known findings in the same place, so all of
+    // these findings count as new.
     const auto known_before = known_as;
     for (const std::size_t i : of_now) {
         if (known_before[i] != kNoOne) continue;
@@ -228,12 +235,14 @@ std::vector<std::size_t> matched(const std::vector<KnownFinding>& now,
     return known_as;
 }
 
-// Notes fail nothing, and what a comment suppresses is accepted already.
+// True for findings that a baseline keeps: notes fail no program, and suppressed findings are
+// accepted by a comment.
 bool is_kept(const Finding& f) {
     return !f.suppressed && f.severity != Severity::Note;
 }
 
-// A finding of a file with several programs begins with the label of its program: "O0101: …".
+// Returns the label of the program at the start of a message: "O0101: …" in a file with several
+// programs.
 std::string_view label_of(std::string_view message) {
     const std::size_t end = message.find(": ");
     const std::string_view label = message.substr(0, end == std::string_view::npos ? 0 : end);
@@ -242,7 +251,7 @@ std::string_view label_of(std::string_view message) {
     return is_number || label == "program 1" ? label : std::string_view();
 }
 
-// How a file in the folder of the baseline would name the program.
+// Returns the path of the program relative to the folder of the baseline.
 std::string seen_from(const std::string& baseline, const std::string& program) {
     namespace fs = std::filesystem;
     std::error_code error;
@@ -345,7 +354,7 @@ void write_baseline(std::ostream& out, const std::string& file, const Entries& a
                     const Baseline* before) {
     std::map<std::string, std::vector<KnownFinding>> known;
     if (before) known = before->known_;
-    // All programs of a file share its place.
+    // All programs of a file share an entry.
     std::map<std::string, std::vector<KnownFinding>> found;
     all([&](const Entry& entry) {
         if (entry.word == "not-verified") return;
@@ -361,7 +370,7 @@ void write_baseline(std::ostream& out, const std::string& file, const Entries& a
         }
         kept = std::move(now);
     }
-    // A finding a line: who changes one does not get in the way of who changes another.
+    // Each finding is on a line of its own, so changes of different findings do not conflict.
     out << "{\"ncsim-baseline\": " << kBaselineFormat << ", \"findings\": [";
     const char* comma = "";
     for (const auto& [program, findings] : known) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Verdicts as JSON.
 #include "ncsim/report/check_json.h"
 
 #include "ncsim/report/file_names.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Verdicts as text.
 #include "ncsim/report/check_text.h"
 
 #include "ncsim/report/describe.h"
@@ -24,8 +26,8 @@ namespace {
 using verify::Finding;
 using verify::Severity;
 
-// The line, cut to what a terminal shows, with the span marked below; set off, so that nothing in
-// it is taken for a line of ours.
+// Appends the line, cut to the width of a terminal, with a marker below the span. The quote mark at
+// the start distinguishes the line from text of ncsim.
 void put_excerpt(std::string& text, const std::string& line, gcode::SourceSpan span) {
     constexpr std::size_t kWidth = 100;
     if (line.empty()) return;
@@ -61,7 +63,7 @@ void put_place(std::string& text, const Finding& f) {
 
 void put_finding(std::string& text, const Checked& checked, const Finding& f,
                  const std::string& line) {
-    // As it was given, so that a click in a terminal finds it.
+    // The path is shown as specified, so a click in a terminal finds the file.
     text += shown_path(f.place.file == 0 ? checked.path : file_of(checked, f.place));
     if (f.place.span.line > 0) {
         append(text, ":{}:{}", f.place.span.line, f.place.span.column);
@@ -96,10 +98,10 @@ void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d
 }
 
 constexpr std::string_view kSkipped = "  skipped";
-// How reasons of deselected rules begin.
+// Start of the reason of a deselected rule.
 constexpr std::string_view kDeselectedBy = "deselected by ";
 
-// Rules that could not be asked for the same reason share a line.
+// Appends the rules that could not be checked, in a line for each reason.
 void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped) {
     std::vector<std::string_view> told;
     for (const verify::Skipped& s : skipped) {
@@ -113,7 +115,7 @@ void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped)
     }
 }
 
-// Rules whose severity the user lowered.
+// Appends the rules whose severity the user lowered.
 void put_demotions(std::string& text, const std::vector<verify::Demotion>& demotions) {
     for (const verify::Demotion& d : demotions)
         append(text, "{}  {}\n", kSkipped, one_line(demotion_text(d)));
@@ -133,14 +135,14 @@ std::string name_of_verdict(const Checked& checked) {
     return name;
 }
 
-// Programs of one kind that are named at the end.
+// Largest number of programs of one verdict that the summary names.
 constexpr std::uint64_t kMostListed = 20;
 
 std::string counted(std::uint64_t n, const char* what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-// Lines of what programs tell, each once, in the order in which they came up.
+// Lines from the programs, without repetition, in the order of their first occurrence.
 class Lines {
 public:
     void add(const std::string& lines) {
@@ -153,7 +155,7 @@ public:
             at = end + 1;
         }
     }
-    /// Of so many programs; with how many of them, where that is not all.
+    /// Returns the lines; a line of fewer than `programs` programs gets their number.
     std::string text(std::uint64_t programs = 0) const {
         std::string text;
         for (const auto& [line, count] : lines_) {
@@ -170,7 +172,7 @@ private:
     std::map<std::string, std::size_t> places_;
 };
 
-// What to tell, so that programs can be proven: a line for each reason, and how to accept them all.
+// Appends the remedies, a line for each reason, and the option that accepts all reasons.
 void put_remedies(std::string& text, const std::string& remedies) {
     std::string ids;
     for (std::size_t at = 0; at < remedies.size();) {
@@ -183,7 +185,7 @@ void put_remedies(std::string& text, const std::string& remedies) {
     if (!ids.empty()) append(text, "  or       --accept {}\n", ids);
 }
 
-// The rules that some program could not be asked, in one line.
+// Returns the rules that some program could not be checked, in one line.
 std::string rules_of(const Lines& skipped) {
     std::string rules;
     std::set<std::string_view> told;

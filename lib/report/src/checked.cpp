@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names of programs and files, and headlines of findings.
 #include "ncsim/report/checked.h"
 
 #include "ncsim/report/file_names.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Descriptions of boxes, stock, volumes and lines.
 #include "ncsim/report/describe.h"
 
 #include "ncsim/report/file_names.h"

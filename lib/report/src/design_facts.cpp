@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Text of the comparison with a design.
 #include "ncsim/report/design_facts.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Text and JSON of the comparison of two programs.
 #include "ncsim/report/difference.h"
 
 #include "ncsim/report/describe.h"

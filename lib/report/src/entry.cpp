@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Entries as lines of JSON.
 #include "ncsim/report/entry.h"
 
 #include "json.h"
@@ -11,7 +13,7 @@ namespace ncsim::report {
 
 namespace {
 
-// The texts of an entry and how a line calls them.
+// Calls `take` with the key and the value of each text of an entry.
 template <class EntryType, class Take>
 void for_each_text(EntryType& entry, Take take) {
     take("path", entry.path);
@@ -33,7 +35,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("reads", entry.reads);
 }
 
-// How many bytes the character at the head of `text` has; 0 if it is no UTF-8 (RFC 3629).
+// Returns the number of bytes of the first character of `text`; 0 if it is not UTF-8 (RFC 3629).
 std::size_t character_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(0);
@@ -49,8 +51,9 @@ std::size_t character_length(std::string_view text) {
     return is_overlong || is_surrogate || is_beyond ? 0 : length;
 }
 
-// JSON is UTF-8, programs need not be: a byte B that is not stands there as the character 10FFB,
-// and so does each byte of such a character: F4 8F BC..BF, then the low six bits.
+// JSON is UTF-8, but programs need not be. A byte B that is not UTF-8 is stored as the character
+// U+10FF00 + B: F4 8F BC..BF, then a byte with the low six bits of B. Each byte of a character in
+// this range is stored the same way.
 constexpr std::string_view kByteMark = "\xf4\x8f";
 
 std::string with_bytes_marked(std::string_view text) {

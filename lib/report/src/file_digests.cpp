@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Digests of files as a line of JSON.
 #include "ncsim/report/file_digests.h"
 
 #include "json.h"

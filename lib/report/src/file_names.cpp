@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names of files in reports.
 #include "ncsim/report/file_names.h"
 
 #include <filesystem>

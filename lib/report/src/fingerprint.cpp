@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// FNV-1a hash.
 #include "fingerprint.h"
 
 #include <fmt/format.h>

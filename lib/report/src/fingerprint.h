@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Fingerprints of texts.
 #pragma once
 
 #include <string>
@@ -6,7 +8,8 @@
 
 namespace ncsim::report {
 
-/// 64 bits in hexadecimal, FNV-1a (Fowler, Noll, Vo): told apart, not kept secret.
+/// Returns a hash of 64 bits in hexadecimal, which distinguishes texts but is not cryptographic.
+/// Source: Fowler, Noll, Vo: FNV-1a.
 std::string fingerprint(std::string_view text);
 
 }  // namespace ncsim::report

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Values and texts for JSON output.
 #include "json.h"
 
 #include "ncsim/report/plain_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What all JSON of ncsim has in common: keys in the order in which they are told, numbers without
-// dust, text that nobody obeys.
+// Conventions for all JSON of ncsim: keys in the order of insertion, rounded numbers, and text
+// without commands for CI services.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -15,12 +15,12 @@ namespace ncsim::report {
 
 using Json = nlohmann::ordered_json;
 
-/// To a millionth: what a length (mm), an area or a volume can mean; the dust of decimal fractions
-/// in binary is not worth a reader's time.
+/// Rounds to a millionth of the unit, finer than any meaningful length (mm), area or volume, to
+/// hide the rounding errors of binary fractions.
 double tidy(double value);
 
-/// A whole number that is not negative, of a file that anybody may have written. Throws
-/// Json::exception if it is none, or larger than a T may be.
+/// Returns a non-negative whole number from an untrusted file.
+/// Throws: Json::exception if `json` is not a non-negative whole number, or is too large for T.
 template <class T>
 T whole_number(const Json& json) {
     const auto value = json.get_ref<const Json::number_unsigned_t&>();
@@ -29,15 +29,16 @@ T whole_number(const Json& json) {
     return static_cast<T>(value);
 }
 
-/// [x, y, z]
+/// Returns [x, y, z].
 Json vector_json(cda::Vec3 v);
 
-/// An array of {severity, code, message, file, line, column, count}.
+/// Returns an array of {severity, code, message, file, line, column, count}.
 Json findings_json(const gcode::Diagnostics& diagnostics);
 
-/// One line of JSON; bytes that are no UTF-8 become U+FFFD.
+/// Returns one line of JSON; bytes that are not UTF-8 become U+FFFD.
 std::string to_line(const Json& json);
-/// JSON for files and for the standard output, a line for each thing; the same of bytes.
+/// Returns indented JSON for files and for the standard output; bytes that are not UTF-8 become
+/// U+FFFD.
 std::string to_text(const Json& json);
 
 }  // namespace ncsim::report

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// JSON written piece by piece.
 #include "json_stream.h"
 
 #include "ncsim/report/plain_text.h"
@@ -8,7 +10,7 @@
 
 namespace ncsim::report {
 
-// To where the next value stands.
+// Writes the comma, the indentation and the key before the next value.
 void JsonStream::next(std::string_view key) {
     if (open_.empty()) return;
     if (!open_.back().is_empty) out_ << ',';
@@ -25,7 +27,7 @@ void JsonStream::begin(std::string_view key, char bracket) {
 
 void JsonStream::value(std::string_view key, const Json& value) {
     next(key);
-    // Its line ends are between values: those of texts are escaped.
+    // Line ends in the text are between values, because line ends within strings are escaped.
     std::string text = to_text(value);
     text.pop_back();
     const std::string indent(open_.size(), ' ');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// JSON that is written while it is made: the same bytes as to_text() of all of it.
+// JSON written piece by piece, with the same bytes as to_text() of the whole value.
 #pragma once
 
 #include "json.h"
@@ -11,16 +11,18 @@
 
 namespace ncsim::report {
 
+/// Writer of nested objects and arrays.
 class JsonStream {
 public:
     explicit JsonStream(std::ostream& out) : out_(out) {}
 
-    /// In an object each with its key, in an array and at the beginning without.
+    /// Begins an object or array, or writes a value. Inside an object, `key` is required; inside an
+    /// array and at the top level, `key` is empty.
     void begin_object(std::string_view key = {}) { begin(key, '{'); }
     void begin_array(std::string_view key = {}) { begin(key, '['); }
     void value(std::string_view key, const Json& value);
     void element(const Json& value) { this->value({}, value); }
-    /// The object or array that was begun last; after the outermost comes the end of the line.
+    /// Ends the innermost object or array; the outermost is followed by a line end.
     void end();
 
 private:

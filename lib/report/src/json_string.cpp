@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Quoted strings for JSON and TOML.
 #include "ncsim/report/json_string.h"
 
 #include "json.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Verdicts as JUnit XML.
 #include "ncsim/report/junit.h"
 
 #include "ncsim/report/check_text.h"
@@ -23,7 +25,8 @@ namespace {
 using verify::Finding;
 using verify::Severity;
 
-// Text of XML 1.0: line ends stay in attributes, what may not stand there becomes '?'.
+// Returns text for XML 1.0: line ends are kept in attributes, and control characters and characters
+// beyond ASCII become '?'.
 std::string xml(std::string_view text) {
     std::string out;
     for (const char c : escaped(text)) {
@@ -39,7 +42,7 @@ std::string xml(std::string_view text) {
 struct Case {
     std::string_view rule;
     std::string skipped;
-    std::string failures, remarks;  // a line a finding
+    std::string failures, remarks;  // a line for each finding
     std::size_t failed = 0;
 };
 
@@ -61,7 +64,7 @@ std::string line_of(const Checked& checked, const verify::Doubt& d) {
     return text + fmt::format(": {}: {}\n", d.reason, d.message);
 }
 
-// One more case, of all doubts.
+// Name of the additional case for all doubts.
 constexpr std::string_view kProven = "proven";
 
 std::vector<Case> cases_of(const Checked& checked, bool warnings_as_errors) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The ledger as CSV.
 #include "ncsim/report/ledger_csv.h"
 
 #include "ncsim/report/file_names.h"
@@ -15,8 +17,8 @@ namespace ncsim::report {
 
 namespace {
 
-// Nine digits: beyond them is the dust of decimal fractions in binary. Nothing for what is not
-// known.
+// Returns nine digits, which hide the rounding errors of binary fractions; empty for an unknown
+// value.
 std::string number(std::optional<double> value) {
     return value ? fmt::format("{:.9g}", *value) : std::string();
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Blocks, motions and codes of a program, as text or JSON.
 #include "ncsim/report/listing.h"
 
 #include "ncsim/gcode/print.h"
@@ -20,8 +22,7 @@ namespace ncsim::report {
 
 namespace {
 
-// Buffers text on its way to a sink and passes it on in chunks: memory does not grow with the
-// program.
+// Passes text to a sink in chunks, so memory does not grow with the program.
 class BufferedText {
 public:
     explicit BufferedText(const TextSink& sink) : sink_(sink) {}
@@ -39,7 +40,7 @@ private:
     std::string text_;
 };
 
-// The elements of one JSON array, a line each, between a head and a tail.
+// Writes the elements of a JSON array, one a line, between a head and a tail.
 class JsonLines {
 public:
     JsonLines(const std::string& program, const char* name, const TextSink& sink) : out_(sink) {
@@ -60,7 +61,7 @@ private:
     bool first_ = true;
 };
 
-// "G1" or "X[#1*2]", the way blocks are printed.
+// Returns a word as blocks are printed: "G1" or "X[#1*2]".
 std::string text_of(const gcode::Word& word) {
     std::string text;
     if (word.comma) text += ',';
@@ -99,7 +100,7 @@ Json to_json(const gcode::Block& block) {
     return json;
 }
 
-// As in the text of motions: to 1e-9 mm.
+// Rounds to 1e-9 mm, as in the text of motions.
 double tidy_mm(gcode::Length length) {
     const double mm = length.mm();
     return std::abs(mm) < 1e6 ? std::round(mm * 1e9) / 1e9 + 0.0 : mm;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Machining times as text.
 #include "ncsim/report/machining_time.h"
 
 #include "append.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Share of a verified program in the reports.
 #include "ncsim/report/make_entry.h"
 
 #include "ncsim/report/check_text.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Text for HTML and XML.
 #include "markup.h"
 
 #include "ncsim/report/plain_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Text that stands in HTML or XML.
+// Text for HTML and XML.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace ncsim::report {
 
-/// `text`, printable, for places between tags and in quoted attributes. Bytes beyond ASCII stay as
-/// they are.
+/// Returns printable(text) for use between tags and in quoted attributes. Bytes beyond ASCII stay
+/// unchanged.
 std::string escaped(std::string_view text);
 
 }  // namespace ncsim::report

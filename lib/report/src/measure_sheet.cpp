@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Measures of a part as text and JSON.
 #include "ncsim/report/measure_sheet.h"
 
 #include "ncsim/report/describe.h"
@@ -20,7 +22,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 40, kMostNumbers = 6;
 
-// As a drawing has it: micrometres, without zeros behind.
+// Returns a length as on a drawing: three decimals, without trailing zeros.
 std::string length_text(double mm) {
     std::string text = fmt::format("{:.3f}", mm);
     while (text.back() == '0')
@@ -123,7 +125,8 @@ private:
             append(text_, "{:<10} and {} more (--json)\n", "", features.size() - kMostRows);
     }
 
-    // What is left of the top of the stock is often in many pieces.
+    // Appends the floors. The rest of the top of the stock often has many pieces, so floors of the
+    // stock at the same height share a row.
     void floors() {
         struct Floors {
             MeasuredFloor first;
@@ -175,7 +178,7 @@ private:
         });
     }
 
-    // Equal ones together: a pocket has four.
+    // Appends the corners. Equal corners share a row, because a pocket has four.
     void corners() {
         struct Equal {
             std::size_t count = 0;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// List of the files of a surface.
 #include "ncsim/report/mesh_list.h"
 
 #include "ncsim/report/version.h"

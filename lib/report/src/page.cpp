@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pages and their index as HTML.
 #include "ncsim/report/page.h"
 
 #include "ncsim/report/check_text.h"
@@ -49,7 +51,7 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
-// Little-endian, as typed arrays of browsers are.
+// Appends four bytes, little-endian, as typed arrays of browsers require.
 template <class Word>
 void put_word(std::string& bytes, Word word) {
     const auto bits = std::bit_cast<std::uint32_t>(word);
@@ -57,7 +59,7 @@ void put_word(std::string& bytes, Word word) {
         bytes += static_cast<char>(bits >> shift & 0xffU);
 }
 
-// From -1 to 1 in 16 bits, which is 0.002°.
+// Appends a number from -1 to 1 in 16 bits; for a unit normal, a step is below 0.002°.
 void put_share(std::string& bytes, double share) {
     constexpr double kWhole = 32767.0;
     const auto bits = static_cast<std::uint16_t>(std::lround(kWhole * share));
@@ -87,7 +89,7 @@ Json mesh_json(const Look& look) {
             {"normals", base64(normals)}};
 }
 
-// Joints by their numbers: the place of the value, whether it turns, direction, a point.
+// Returns for each joint: index of the value, rotary or linear, direction, a point of the axis.
 Json joints_json(const std::vector<MachineLook::Joint>& joints) {
     Json all = Json::array();
     for (const MachineLook::Joint& j : joints) {
@@ -142,7 +144,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// What the script wants to know. Marks: the heaviest finding of a line.
+// Returns the data for the script. The mark of a line is its highest severity.
 Json data_json(const Checked& checked) {
     const Look& look = *checked.look;
     Json data;
@@ -170,7 +172,7 @@ Json data_json(const Checked& checked) {
     return data;
 }
 
-// JSON within a script element: what could end the element is escaped.
+// Returns JSON for a script element, with '<' escaped because "</script>" would end the element.
 std::string for_script(const Json& json) {
     std::string out;
     for (const char c : to_line(json)) {
@@ -311,7 +313,7 @@ std::string header_html(const Checked& checked) {
     return text + "</header>\n";
 }
 
-// Bytes that are no UTF-8, wherever they came from, become U+FFFD.
+// Replaces bytes that are not UTF-8 by U+FFFD.
 std::string valid_utf8(const std::string& text) {
     const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
     return Json::parse(quoted).get<std::string>();

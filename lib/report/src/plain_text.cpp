@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Removal of commands from text.
 #include "ncsim/report/plain_text.h"
 
 #include <algorithm>
@@ -17,7 +19,8 @@ bool is_graphic(char c) {
     return c > ' ' && c < '\x7f';
 }
 
-// The character at the head of `text` and its bytes; one byte, and no character, if it is no UTF-8.
+// The first character of a text and its number of bytes; U+FFFD and 1 if the text does not begin
+// with UTF-8.
 struct Character {
     std::uint32_t code = 0xfffd;
     std::size_t bytes = 1;
@@ -37,15 +40,16 @@ Character first_character(std::string_view text) {
     return {code, bytes};
 }
 
-// ASCII's and Latin-1's control characters, separators of lines, and what turns the direction.
+// True for control characters of ASCII and Latin-1, line separators, and characters that change the
+// writing direction.
 bool is_obeyed(std::uint32_t code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
            code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
            (code >= 0x2066 && code <= 0x2069);
 }
 
-// "##[error]", "##vso[…" and the like: GitHub's runner and Azure's agent take them anywhere in a
-// line. Not "##[100]", which programs have.
+// True for "##[error]", "##vso[…" and similar markers, which GitHub's runner and Azure's agent
+// recognise anywhere in a line. "##[100]", which occurs in programs, is no marker.
 bool is_mark(std::string_view text) {
     if (!text.starts_with("##")) return false;
     std::size_t at = 2;
@@ -55,7 +59,8 @@ bool is_mark(std::string_view text) {
     return at > 2 || is_letter(text[at + 1]);
 }
 
-// Services skip blanks of all alphabets before a command; what is no ASCII is taken for one.
+// Returns the position of the first graphic character of ASCII. Services skip blanks of all
+// alphabets before a command, so all characters beyond ASCII count as blanks.
 std::size_t first_graphic(std::string_view line) {
     const auto* const found = std::ranges::find_if(line, is_graphic);
     return static_cast<std::size_t>(found - line.begin());
@@ -73,7 +78,7 @@ std::string printable(std::string_view text) {
     for (std::size_t at = 0; at < result.size();) {
         const Character c = first_character(std::string_view(result).substr(at));
         const auto byte = static_cast<std::uint8_t>(result[at]);
-        // A byte that is no UTF-8 may be a control character where terminals take Latin-1.
+        // A byte that is not UTF-8 is a control character in a Latin-1 terminal.
         const bool is_stray = c.bytes == 1 && byte >= 0x80 && byte < 0xa0;
         if ((is_obeyed(c.code) || is_stray) && byte != '\n') {
             const char instead = byte == '\t' ? ' ' : '?';
@@ -101,7 +106,7 @@ std::string one_line(std::string_view text) {
 }
 
 std::string shown_path(std::string_view path) {
-    // Spreadsheets calculate what begins with one of these.
+    // Spreadsheets evaluate a cell that begins with any of these characters.
     constexpr std::string_view kFormula = "=+-@\t\r";
     const bool is_safe = path.empty() || (kFormula.find(path.front()) == std::string_view::npos &&
                                           !begins_like_a_command(path));

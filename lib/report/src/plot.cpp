@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Curves of the ledger as SVG.
 #include "plot.h"
 
 #include "append.h"
@@ -14,9 +16,9 @@ namespace ncsim::report {
 namespace {
 
 constexpr double kWidth = 560, kHeight = 170, kLeft = 62, kBottom = 30, kTop = 10, kRight = 12;
-constexpr std::size_t kBins = 400;  // about a pixel each
+constexpr std::size_t kBins = 400;  // bins of about one pixel
 
-// One row as the plots see it: how long it lasts on their x axis, and what it took.
+// A row of the ledger: its interval on the x axis and the removed volume.
 struct Span {
     double from = 0.0, to = 0.0, removed = 0.0;
 };
@@ -29,7 +31,7 @@ struct Course {
 
 Course course_of(const verify::Ledger& ledger) {
     Course course;
-    // A first move from an unknown place has no length and no time; it takes nothing away.
+    // A first move from an unknown position has no length and no time, and it removes no material.
     course.is_time = std::ranges::all_of(ledger.rows, [](const verify::LedgerRow& row) {
         return row.seconds.has_value() || row.length_mm <= 0.0;
     });
@@ -41,7 +43,7 @@ Course course_of(const verify::Ledger& ledger) {
     return course;
 }
 
-// The largest power of ten that is not above `x`, to the last bit; 0 for 0.
+// Returns the largest power of ten that is at most `x`, exactly; 0 for 0.
 double decade_below(double x) {
     double whole = 1.0;
     while (whole < 1e300 && 10.0 * whole <= x)
@@ -53,7 +55,7 @@ double decade_below(double x) {
     return 1.0 / parts;
 }
 
-// 1, 2 or 5 times a power of ten, so that about four of them fit.
+// Returns 1, 2 or 5 times a power of ten, so about four ticks fit into `range`.
 double tick_for(double range) {
     const double rough = range / 4;
     const double power = decade_below(rough);
@@ -89,7 +91,7 @@ std::string frame(double x_max, double y_max, const std::string& x_name,
     return svg;
 }
 
-// Values at the ends of kBins equal steps, as a line from left to right.
+// Draws values at the ends of equal steps as a line from left to right.
 std::string curve(const std::vector<double>& values, double y_max, bool filled) {
     const double w = kWidth - kLeft - kRight;
     const double h = kHeight - kTop - kBottom;
@@ -106,7 +108,7 @@ std::string curve(const std::vector<double>& values, double y_max, bool filled) 
                        path, filled ? "#d0ebff" : "none");
 }
 
-// How much of each row falls into each of the bins.
+// Returns the removed volume in each bin.
 std::vector<double> binned(const Course& course) {
     std::vector<double> bins(kBins, 0.0);
     const double width = course.length / static_cast<double>(kBins);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The ledger as two curves: what was removed so far, and how fast.
+// The ledger as two curves: removed volume and removal rate.
 #pragma once
 
 #include "ncsim/verify/ledger.h"
@@ -9,11 +9,11 @@
 
 namespace ncsim::report {
 
-/// An SVG element: removed volume (mm³) over time, or over the path where times are not known.
-/// Empty without rows that removed anything.
+/// Returns an SVG element: removed volume (mm³) over time, or over the path if times are unknown;
+/// empty if no row removed material.
 std::string removed_plot(const verify::Ledger& ledger);
 
-/// The rate: mm³ per minute over time, or mm³ per mm of path.
+/// Returns an SVG element: the rate in mm³ per minute over time, or in mm³ per mm of path.
 std::string rate_plot(const verify::Ledger& ledger);
 
 }  // namespace ncsim::report

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// List of the rules as text and JSON.
 #include "ncsim/report/rules.h"
 
 #include "ncsim/verify/doubt.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Report at the end of a run.
 #include "ncsim/report/run_report.h"
 
 #include "ncsim/report/describe.h"
@@ -33,7 +35,7 @@ Json source(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text
     return json;
 }
 
-// null: a feed is not told.
+// Returns the times; a time is null if a feed is not specified.
 Json time_json(const verify::Distances& distances) {
     const MachiningTime time = time_of(distances);
     const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
@@ -47,7 +49,7 @@ Json time_json(const verify::Distances& distances) {
             {"dwell_seconds", tidy(time.dwells)}};
 }
 
-// Gives null where a rate is not specified.
+// Returns the times; a time is null if a rate is not specified.
 Json machine_time_json(const verify::Ledger& ledger) {
     const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
     return {{"feed_seconds", known(ledger.feed_seconds)},
@@ -82,7 +84,8 @@ Json tools_json(const RunFacts& run) {
     return tools;
 }
 
-// "47 faces: 21 planes, 20 cylinders, 3 tori; edges within 1e-09 mm", and what was not recognised.
+// Returns "47 faces: 21 planes, 20 cylinders, 3 tori; edges within 1e-09 mm", and the facets that
+// were not recognised.
 std::string solid_text(const SolidFacts& solid) {
     std::string text = fmt::format("step      {} face{}", solid.faces, solid.faces == 1 ? "" : "s");
     const char* before = ": ";
@@ -92,7 +95,7 @@ std::string solid_text(const SolidFacts& solid) {
         text += fmt::format("{}{} {}", before, count, count == 1 ? kind : many);
         before = ", ";
     }
-    // Nobody measures less.
+    // Smaller distances cannot be measured.
     constexpr double kLeast = 1e-9;
     text += fmt::format("; edges within {:.2g} mm\n", std::max(solid.miss_mm, kLeast));
     if (solid.own_cut) {
@@ -126,7 +129,7 @@ std::string solid_text(const SolidFacts& solid) {
     return text + (solid.facet_lines.size() > kMostLines ? ", …\n" : "\n");
 }
 
-// "section   z=-4: 2 outlines, 4421.46 mm2 of material; 6 lines, 2 arcs"
+// Returns "section   z=-4: 2 outlines, 4421.46 mm2 of material; 6 lines, 2 arcs".
 std::string section_text(const SectionFacts& section) {
     std::string text = fmt::format("section   {}: ", section.plane);
     if (section.outlines == 0) return text + "nothing of the part is there\n";
@@ -342,7 +345,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
         json["blocks"] = std::move(blocks);
     }
     json["findings"] = findings_json(run.program->diagnostics);
-    // Bytes of the program that are no UTF-8 become U+FFFD.
+    // Bytes of the program that are not UTF-8 become U+FFFD.
     out << to_text(json);
 }
 

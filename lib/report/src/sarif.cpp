@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Static Analysis Results Interchange Format (SARIF) Version 2.1.0, OASIS Standard, 2020.
+// Findings as SARIF.
+// Source: Static Analysis Results Interchange Format (SARIF) Version 2.1.0, OASIS Standard, 2020.
 #include "ncsim/report/sarif.h"
 
 #include "ncsim/report/check_text.h"
@@ -28,10 +29,10 @@ namespace {
 using verify::Finding;
 using verify::Severity;
 
-// What GitHub takes in of one run; more would refuse the whole file.
+// Largest number of results of a run that GitHub accepts; GitHub rejects a file with more.
 constexpr std::size_t kMaxResults = 25000;
 
-// Everything but unreserved characters and '/', as RFC 3986 wants it in a path.
+// Escapes all characters except unreserved characters and '/', as RFC 3986 requires in a path.
 std::string uri_of(const std::string& path) {
     std::string uri;
     for (const char c : path) {
@@ -56,7 +57,7 @@ const char* level_of(Severity severity) {
     return "error";
 }
 
-// Levels, the heaviest first: so results are written.
+// Levels in the order of output: highest severity first.
 constexpr std::array<const char*, 3> kWeights{"error", "warning", "note"};
 
 std::string_view trimmed(std::string_view text) {
@@ -88,7 +89,7 @@ Json sarif_rules() {
     return rules;
 }
 
-// Rules first, then reasons for doubt.
+// Returns the index in the list of rules, followed by the reasons for doubt.
 std::size_t index_of(const std::string& id) {
     const auto rules = verify::rules();
     const auto rule = std::ranges::find(rules, id, &verify::RuleInfo::id);
@@ -98,7 +99,7 @@ std::size_t index_of(const std::string& id) {
     return index;
 }
 
-// Of a file, or of what lies between two places in it.
+// Returns the location of a file, or of the text between two places in the file.
 Json location(const std::string& path, const verify::Place& place = {},
               const verify::Place& last = {}) {
     Json physical{{"artifactLocation", {{"uri", uri_of(path)}}}};
@@ -126,7 +127,8 @@ std::string message_of(const Finding& f) {
     return text + " " + f.hint;
 }
 
-// Numbers the fingerprints that would be equal, from the top of the program down.
+// Number of earlier results with the same identity, from the top of the program down; makes
+// fingerprints unique.
 using Seen = std::map<std::string, int>;
 
 Json result(const Checked& checked, const Finding& f, const std::string& line, Seen& seen) {

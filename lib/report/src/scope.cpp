@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Subprograms judged with their callers, and files that are left out.
 #include "ncsim/report/scope.h"
 
 #include "ncsim/report/plain_text.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shard files: writing, reading and the distribution of programs.
 #include "ncsim/report/shard.h"
 
 #include "ncsim/report/plain_text.h"
@@ -55,7 +57,7 @@ std::optional<Head> head_from(const std::string& line) {
     }
 }
 
-// "17 {…}": the place in the list, and the entry.
+// Returns the position in the list from a line "17 {…}".
 std::optional<std::uint64_t> index_in(const std::string& line) {
     std::uint64_t index = 0;
     std::size_t at = 0;
@@ -69,7 +71,7 @@ std::string end_of(std::uint64_t programs) {
     return fmt::format("end {}", programs);
 }
 
-// Is this line the last one, with its end, and of so many programs?
+// True if the line is the end line for `programs` programs and the last line of the file.
 bool is_end(std::ifstream& in, const std::string& line, std::uint64_t programs) {
     return line == end_of(programs) && !in.eof() && in.peek() == std::ifstream::traits_type::eof();
 }
@@ -119,7 +121,7 @@ std::vector<std::size_t> dealt(std::span<const std::uint64_t> sizes, std::uint32
     std::vector<std::size_t> order(sizes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t i) { return sizes[i]; });
-    // Who has least: by load, then by number.
+    // Smallest load first, then smallest number.
     using Load = std::pair<std::uint64_t, std::uint32_t>;
     std::vector<Load> loads;
     for (std::uint32_t i = 0; i < of; ++i)
@@ -130,7 +132,7 @@ std::vector<std::size_t> dealt(std::span<const std::uint64_t> sizes, std::uint32
         std::ranges::pop_heap(loads, comes_later);
         Load& least = loads.back();
         if (least.second == shard) mine.push_back(program);
-        // Each costs something, however small.
+        // Constant cost of a program of any size.
         constexpr std::uint64_t kStart = 1000;
         least.first += sizes[program] + kStart;
         std::ranges::push_heap(loads, comes_later);

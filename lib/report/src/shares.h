@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The share that one program has in each report, as JSON; the writers of the reports make them and
-// read them.
+// Share of one program in each report, as JSON, made and read by the writers of the reports.
 #pragma once
 
 #include "ncsim/report/checked.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The assumption sheet.
 #include "ncsim/report/sheet.h"
 
 #include "ncsim/report/describe.h"

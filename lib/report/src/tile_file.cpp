@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tile files: writing, reading, and the order of tiles.
 #include "ncsim/report/tile_file.h"
 
 #include "ncsim/report/plain_text.h"
@@ -26,7 +28,7 @@ constexpr std::uint32_t kMost = 1'000'000;
     throw std::runtime_error(fmt::format("'{}': {}", file, why));
 }
 
-// Words and names of files are what they are, UTF-8 or not: as numbers they come back.
+// Returns the bytes as numbers, for words and file names that are not UTF-8.
 Json bytes_json(const std::string& text) {
     Json json = Json::array();
     for (const char c : text)
@@ -136,7 +138,7 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
         at = static_cast<std::size_t>(hulls.ptr - bytes.data()) + 1;
         file.met.push_back(met);
     }
-    // Up to the next empty line.
+    // The evidence ends at the next empty line.
     const std::size_t begin = std::min(at + 1, bytes.size());
     at = begin;
     while (at < bytes.size() && bytes[at] != '\n')

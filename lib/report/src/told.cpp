@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sources of values, as text.
 #include "ncsim/report/told.h"
 
 #include "ncsim/report/plain_text.h"

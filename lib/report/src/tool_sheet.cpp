@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tool sheet as text and JSON.
 #include "ncsim/report/tool_sheet.h"
 
 #include "ncsim/report/describe.h"
@@ -19,7 +21,7 @@ namespace ncsim::report {
 
 namespace {
 
-// How far a tool moves; null if it does not.
+// Returns the distances of a tool; null if the tool does not move.
 const verify::Distances* distances_of(const ProgramFacts& program, int number) {
     const auto found = program.distances.find(number);
     if (found == program.distances.end()) return nullptr;
@@ -27,7 +29,7 @@ const verify::Distances* distances_of(const ProgramFacts& program, int number) {
     return d.rapid_mm > 0.0 || d.feed_mm > 0.0 ? &d : nullptr;
 }
 
-// The numbers of all tools that move or are described, in order.
+// Returns the numbers of all tools that move or are described, ascending.
 std::set<int> numbers_of(const std::vector<toolpath::ToolEntry>& described,
                          const ProgramFacts& program) {
     std::set<int> numbers;
@@ -43,7 +45,7 @@ std::set<int> numbers_of(const std::vector<toolpath::ToolEntry>& described,
     return numbers;
 }
 
-// A tool as it is used, else as it is described; with a length that nobody told left open.
+// Returns the shape of a tool as used, or as described. An unspecified length is omitted.
 std::string shape_of(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program,
                      int number) {
     const auto used = program.tools.find(number);

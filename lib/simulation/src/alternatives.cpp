@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Readings of a program that could change the verdict, and their comparison.
 #include "alternatives.h"
 
 #include "ncsim/gcode/interpreter.h"
@@ -35,7 +37,7 @@ bool is_serious(const verify::Finding& finding) {
     return finding.severity != verify::Severity::Note && finding.counts();
 }
 
-// Returns: the most severe finding of `of` missing in `other`, or null.
+// Returns the most severe finding of `of` missing in `other`, or null.
 const verify::Finding* missing_finding(const verify::Verdict& of, const verify::Verdict& other) {
     std::set<FindingKey> known;
     for (const verify::Finding& f : other.findings) {
@@ -60,8 +62,8 @@ double widest_radius(const Survey& survey) {
     return radius;
 }
 
-// Returns: the first rapid move in several axes whose box comes near the stock or a fixture; only
-// such moves can meet a body on one path and miss it on the other. Null if there is none.
+// Returns the first rapid move in several axes whose box comes near the stock or a fixture, or
+// null. Only such moves can meet a body on one path and miss the body on the second.
 const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(const Survey& survey,
                                                                    const Questions& questions) {
     if (!survey.is_ready()) return nullptr;
@@ -124,8 +126,8 @@ std::set<std::string> objections(const gcode::Diagnostics& diagnostics) {
     return codes;
 }
 
-// Returns: the hash of the motions of the program as `control` executes it, or nothing if that
-// control objects to more than `accepted`: then it is not the one the program was written for.
+// Returns the hash of the motions of the program as `control` executes it. Empty if that control
+// objects to more than `accepted`, because then the program was not written for that control.
 std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control,
                                         const std::set<std::string>& accepted) {
     gcode::InterpreterOptions options = plan.job.interpreter;
@@ -140,8 +142,8 @@ std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control
     return hash.value();
 }
 
-// Adds the controls on which the program moves otherwise, where neither the user nor the program
-// names its control.
+// Adds the controls on which the program moves otherwise, if neither the user nor the program names
+// its control.
 void add_other_controls(const Plan& plan, const gcode::Interpretation& read,
                         std::vector<Alternative>& found) {
     const bool is_named = read.dialect.stated || !read.dialect.evidence.empty();
@@ -213,8 +215,8 @@ std::string difference(const report::Checked& verdict, const report::Checked& ot
 
 namespace {
 
-// True if the parts differ by a hundredth of what is removed. Smaller differences are corners where
-// compensation begins; whether these matter, a design decides.
+// True if the parts differ by a hundredth of the removed volume. Smaller differences are corners
+// where compensation begins; a design decides whether these matter.
 bool is_another_part(const report::Checked& verdict, double more_mm3) {
     constexpr double kLeastShare = 0.01;
     constexpr double kLeastVolume = 0.01;  // mm³

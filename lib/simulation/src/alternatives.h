@@ -19,23 +19,24 @@ namespace ncsim::simulation {
 
 struct Questions;
 
-/// Reading besides the one that was verified.
+/// A second reading of the program.
 struct Alternative {
-    std::string_view reason;  ///< Id in verify::reasons(), which has the option that settles it.
-    std::string message;      ///< Condition of the other verdict: "with blocks skipped".
-    verify::Place place;      ///< First place with two readings.
+    /// Id in verify::reasons(), which has the option that decides the reading.
+    std::string_view reason;
+    std::string message;  ///< Condition of the second verdict: "with blocks skipped".
+    verify::Place place;  ///< First place with two readings.
     std::function<void(Plan&, Questions&)> apply;
-    bool compares_parts = false;  ///< A part of another volume is a doubt, too.
+    bool compares_parts = false;  ///< True if a part of a different volume is a doubt, too.
 };
 
-/// Returns: readings besides the one of `plan`, except where an option settles the reading.
+/// Returns the further readings of `plan`, except where an option decides the reading.
 std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
                                          const Questions& questions);
 
-/// Returns: the most severe difference of `other` from `verdict`, or an empty string.
+/// Returns the most severe difference of `other` from `verdict`, or an empty string.
 std::string difference(const report::Checked& verdict, const report::Checked& other);
 
-/// Returns: the doubt about `verdict` if `other`, the verdict of `alternative`, differs.
+/// Returns the doubt about `verdict` if `other`, the verdict of `alternative`, differs.
 std::optional<verify::Doubt> doubt_between(const report::Checked& verdict,
                                            const report::Checked& other,
                                            const Alternative& alternative);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prepares the set-up of a verification, runs the simulation with a verifier, and compares further
+// readings.
 #include "ncsim/simulation/check.h"
 
 #include "ncsim/export/camera.h"
@@ -33,7 +36,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Adds a shank taller than any cut is deep if its length is not specified, as thick as the flutes.
+// Adds a shank taller than any cut is deep if its length is unspecified, as thick as the flutes.
 void extend_shank(toolpath::Tool& tool, const toolpath::ToolSpec& spec) {
     constexpr double kTall = 1000.0;  // mm
     if (spec.shank_length || spec.stick_out || !spec.shaft.empty()) return;
@@ -92,8 +95,8 @@ verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts
     return facts;
 }
 
-// Moves fixtures that were told in another system to W. Those of which nobody knows how far that is
-// are left out, and named.
+// Moves fixtures of further coordinate systems to W. Returns, in words, the fixtures that are left
+// out because the distance of their system is unknown.
 std::vector<std::string> place_fixtures(verify::MachineDescription& machine, const Plan& plan,
                                         const Survey& survey) {
     std::vector<std::string> lost;
@@ -129,7 +132,7 @@ std::set<std::string, std::less<>> accepted_reasons(const std::vector<std::strin
     return accepted;
 }
 
-// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
+// Returns the path of rapid moves, at the machine's rates if all are specified.
 toolpath::RapidPath rapid_path(const Questions& questions) {
     const verify::MachineDescription& machine = questions.machine.machine;
     toolpath::RapidPath path;
@@ -248,7 +251,7 @@ std::vector<std::string> unused_settings(const Plan& plan, const Survey& survey)
     return unused;
 }
 
-// Does anything that was asked for look at the part?
+// True if a selected check needs the part.
 bool needs_simulation(const verify::Setup& setup) {
     return verify::needs_part(setup) || setup.ledger || setup.pieces_counted || setup.design ||
            setup.air_cuts;
@@ -273,14 +276,14 @@ void name_program(verify::Verdict& verdict, const std::string& label) {
         d.message = fmt::format("{}: {}", label, d.message);
 }
 
-// In the order of reasons().
+// Sorts doubts in the order of reasons().
 void sort_doubts(verify::Verdict& verdict) {
     std::ranges::stable_sort(verdict.doubts, {},
                              [](const verify::Doubt& d) { return verify::find_reason(d.reason); });
 }
 
-// A control that stops at a block, or does something else there, does what nobody simulated,
-// whoever accepts that it is a fault.
+// Adds doubts for accepted errors of the program: a control that stops at a block, or reads it
+// differently, does not execute the simulated motions.
 void doubt_accepted_blocks(verify::Verdict& verdict,
                            const std::set<std::string, std::less<>>& accepted) {
     constexpr std::string_view kReason = "not-simulated";
@@ -299,7 +302,7 @@ void doubt_accepted_blocks(verify::Verdict& verdict,
     sort_doubts(verdict);
 }
 
-// With warnings as errors.
+// Returns the outcome with warnings as errors.
 verify::Outcome stricter(verify::Outcome outcome, const verify::Verdict& verdict) {
     if (verdict.count(verify::Severity::Warning) > 0) return verify::Outcome::Failed;
     const bool is_accepted = std::ranges::any_of(verdict.findings, [](const verify::Finding& f) {
@@ -335,12 +338,12 @@ std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile&
 
 namespace {
 
-// What is asked of whom.
+// Plan, survey and set-up of a verification.
 struct Prepared {
     Plan plan;
     Survey survey;
     verify::Setup setup;
-    std::vector<std::string> not_used;  // of what was told
+    std::vector<std::string> not_used;  // specified values that are not used
 
     bool is_simulated() const { return survey.is_ready() && needs_simulation(setup); }
     cda::Box stock() const { return survey.is_ready() ? survey.stock->box : cda::Box{}; }
@@ -385,8 +388,8 @@ void observe_frames(Plan& plan, verify::Verifier& verifier) {
 
 namespace {
 
-// Fixtures that overlap the stock when the program starts, in words: one of both is not where the
-// set-up has it.
+// Returns, in words, the fixtures that overlap the stock when the program starts: the position of
+// the fixture or of the stock is wrong.
 std::vector<std::string> fixtures_in_stock(const Plan&, const Survey& survey,
                                            const Questions& questions) {
     constexpr double kDeep = 0.01;  // mm
@@ -444,8 +447,8 @@ void add_doubts_of_offsets(const Survey& survey, verify::Verifier& verifier) {
     }
 }
 
-// Doubts about files that were written by runs with assumptions, and about axes that the program
-// never positions.
+// Adds doubts about files that were written by runs with assumptions, and about axes that the
+// program never positions.
 void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Questions& questions,
                           verify::Verifier& verifier) {
     const auto add = [&verifier](const std::string& what) {
@@ -477,7 +480,7 @@ void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Question
     }
 }
 
-// Doubts about the tools, the stock and the motions, none about the part.
+// True for doubts about the tools, the stock and the motions, not about the part.
 bool is_assumption(const verify::Doubt& doubt) {
     constexpr std::string_view kOthers[] = {"setting-not-used", "required", "nothing-removed"};
     return std::ranges::find(kOthers, doubt.reason) == std::end(kOthers);
@@ -511,8 +514,8 @@ std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
     Questions questions;
     questions.machine = machine;
     Prepared all{plan, survey, setup_for(plan, survey, questions), {}};
-    // Nothing is cut here, so the polytopes of the tools may be coarse: fine ones take milliseconds
-    // a tool.
+    // Without cutting, the polytopes of the tools may be coarse; fine polytopes take milliseconds
+    // per tool.
     constexpr double kCoarse = 1.0;  // mm
     all.setup.accuracy.tolerance_mm = kCoarse;
     verify::Verifier verifier(all.setup, all.stock(), all.lattice(), {});
@@ -529,7 +532,8 @@ std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
         if (is_assumption(doubt))
             assumed.push_back(with_line(doubt.reason + ": " + doubt.message, doubt.place));
     }
-    // Nothing was cut here that could show how high the flutes cut.
+    // Without cutting, the height of the cuts on the flutes is unknown; the depth of the program is
+    // a bound.
     const double deep = all.stock().max.z - survey.tip_positions.min.z;
     for (const auto& [number, facts] : all.setup.tools) {
         if (facts.certain_flutes && deep > *facts.certain_flutes)
@@ -544,7 +548,7 @@ std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
 
 namespace {
 
-// Returns: the readings to compare the verdict with.
+// Returns the readings to compare the verdict with.
 std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& questions,
                                            report::Checked& checked) {
     checked.path = told_plan.job.program.name;
@@ -606,7 +610,8 @@ std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& ques
             checked.look->machine = machine_look(plan, survey, questions.machine);
         }
     } else {
-        // That a program does not end is known; the rules need not see each turn of its loop.
+        // The program is known not to end, so the rules need not examine each iteration of its
+        // loop.
         if (survey.never_ends) plan.job.interpreter.limits.repeated_blocks /= 4;
         gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
             verifier.begin(motion);
@@ -638,7 +643,7 @@ std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& ques
     return alternatives_to(plan, survey, questions);
 }
 
-// Verifies another reading, without pictures and ledger.
+// Verifies a second reading, without pictures and ledger.
 report::Checked check_alternative(const Plan& plan, const Questions& questions,
                                   const Alternative& alternative) {
     Plan other = plan;
@@ -681,7 +686,7 @@ SeenTile check_tile(Plan told_plan, const Questions& questions) {
     Verification verification = all.verification();
     verification.verifier = &verifier;
     const Simulation simulation = simulate(all.plan, all.survey, verification, {});
-    // As often as it is asked for where there are no tiles.
+    // A run without tiles computes the volume here, too.
     (void)simulation.part->volume();
     seen.met = simulation.met;
     seen.evidence = verifier.take_evidence();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Material in A that is not in B is what the cells of B find in A, one after another; so the
-// other program is run on the finished part, measured, and its ledger names the lines.
+// Comparison of two parts. The material of A that is not in B is the volume that the cells of B
+// remove from A. So the second program is run on the finished part and measured, and its ledger
+// gives the lines.
 #include "ncsim/simulation/compare_parts.h"
 
 #include "ncsim/simulation/simulate.h"
@@ -18,7 +19,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-// What of a motion the part can tell.
+// Values of a motion that affect the part.
 struct Trace {
     explicit Trace(const gcode::Motion& m)
         : what(m.what),
@@ -35,7 +36,7 @@ struct Trace {
 };
 
 bool moves_alike(const Surveyed& a, const Surveyed& b) {
-    // On machines that are told, motions are not all that makes poses.
+    // On specified machines, poses depend on more than the motions.
     if (a.plan.kinematics || b.plan.kinematics) return false;
     const auto same_tool = [](const auto& s, const auto& t) {
         return s.first == t.first && s.second.tool == t.second.tool;
@@ -55,7 +56,7 @@ bool moves_alike(const Surveyed& a, const Surveyed& b) {
     return same && next == traces.size();
 }
 
-// What `side` still takes away from the finished `part`.
+// Returns what the program of `side` still removes from the finished part of `other`.
 report::OneSided remainder(const Surveyed& side, const Simulation& other) {
     verify::Setup setup;
     setup.ledger = true;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Comparison of feed, spindle, coolant and dwells of two programs.
 #include "compare_processes.h"
 
 #include "ncsim/gcode/interpreter.h"
@@ -16,18 +18,19 @@ namespace ncsim::simulation {
 
 namespace {
 
+/// Conditions of a feed move or a dwell.
 struct Condition {
-    double dwell_s = 0.0;  ///< Of a dwell; 0: feed moves.
+    double dwell_s = 0.0;  ///< Seconds of a dwell; 0 for feed moves.
     int tool = 0;
     gcode::FeedMode feed_mode = gcode::FeedMode::PerMinute;
     double feed = 0.0;
     gcode::SpindleTurning spindle = gcode::SpindleTurning::Stopped;
     double rpm = 0.0;
     gcode::Coolant coolant;
-    std::uint32_t file = 0, line = 0;  ///< Of the first block.
+    std::uint32_t file = 0, line = 0;  ///< Place of the first block.
 };
 
-// Values in mm of a program in inches are rounded.
+// True if equal except for the rounding of values in inches.
 bool nearly(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }

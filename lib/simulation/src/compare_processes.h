@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Comparison of the process values of two programs.
 #pragma once
 
 #include "ncsim/report/difference.h"
@@ -7,8 +9,8 @@
 
 namespace ncsim::simulation {
 
-/// Compares feed, spindle, coolant and tool of the feed moves, and dwells, in their order. Moves in
-/// a row under one condition count once, so a move in two halves is no difference.
+/// Compares feed, spindle, coolant and tool of the feed moves, and dwells, in their order.
+/// Successive moves under the same conditions count once, so a move in two halves is no difference.
 /// Cost: one interpretation of each program.
 report::ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
                                             const Plan& new_plan, const Survey& new_survey);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Search for the cuts that separate pieces from the part.
 #include "cut_free.h"
 
 #include "ncsim/verify/solids.h"
@@ -14,21 +16,22 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Pieces for which a block is searched; more are only told.
+// Number of pieces for which the separating block is searched; further pieces are only reported.
 constexpr std::size_t kMostPieces = 16;
 
-// The part as it was after some of its cuts.
+// The part after some of its cuts.
 struct Moment {
     verify::Solids solids;
     verify::Place place;
     std::uint64_t motion = 0;
 };
 
+// Moments of the simulation, computed on demand.
 class History {
 public:
     History(const Plan& plan, const Survey& survey, const Verification& verification)
         : plan_(plan), survey_(&survey), verification_(verification) {
-        plan_.tiles = nullptr;  // what is cut here is cut now
+        plan_.tiles = nullptr;  // the part is cut again here
         verification_.verifier = nullptr;
     }
 
@@ -51,8 +54,8 @@ private:
     std::map<std::uint32_t, std::unique_ptr<Moment>> known_;
 };
 
-// The first number of cuts after which both points are in different pieces. Once apart, material
-// stays apart; the last candidate separates.
+// Returns the first number of cuts after which both points are in different pieces. Material that
+// was separated stays separated; the last candidate separates.
 std::uint32_t separation(History& history, const std::vector<cda::Origin>& origins, cda::Vec3 a,
                          cda::Vec3 b) {
     const auto apart = [&](std::uint32_t cuts) {
@@ -68,7 +71,8 @@ std::uint32_t separation(History& history, const std::vector<cda::Origin>& origi
             low = middle + 1;
         }
     }
-    // Walls that a later cut took over hide the one that separated: look between.
+    // If a later cut replaced the walls of the separating cut, the search continues between the
+    // candidates.
     std::uint32_t last = static_cast<std::uint32_t>(origins[high]);
     std::uint32_t first = high > 0 ? static_cast<std::uint32_t>(origins[high - 1]) + 1 : 1;
     if (first < last && !apart(last - 1)) return last;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which block cuts a piece of the part free?
+// Search for the block that separates a piece from the part.
 #pragma once
 
 #include "ncsim/simulation/simulate.h"
@@ -10,11 +10,11 @@
 
 namespace ncsim::simulation {
 
-/// A finding of the rule part-cut-free for each piece beside the largest, at the block that
-/// separated it: found by cutting again up to some of the motions whose walls it has, so that it
-/// costs a few simulations where there is such a piece, and one boundary where there is none.
-/// Pieces no thicker than the tools are accurate are noted together, at no place. Pieces that were
-/// milled away later are not seen.
+/// Returns a finding of the rule part-cut-free for each piece except the largest, at the block that
+/// separated it. The block is found by simulations up to some of the motions that left the piece's
+/// walls. Pieces not thicker than the accuracy of the tools are reported together, without a place.
+/// Pieces that were milled away later are not found.
+/// Cost: a few simulations if there is a piece; otherwise one boundary.
 std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
                                       const Verification& verification,
                                       const Simulation& simulation);

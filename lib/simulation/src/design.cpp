@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Findings of the rules gouge and excess.
 #include "ncsim/simulation/design.h"
 
 #include "ncsim/cda/check.h"
@@ -41,7 +43,7 @@ Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
     return f;
 }
 
-// What of a triangle lies in a box, mm².
+// Returns the area of a triangle in a box, mm².
 double area_within(const cda::Corners& triangle, const cda::Box& box) {
     std::vector<cda::Vec3> polygon(triangle.begin(), triangle.end());
     for (int axis = 0; axis < 3; ++axis) {
@@ -64,14 +66,16 @@ double area_within(const cda::Corners& triangle, const cda::Box& box) {
     return 0.5 * cda::norm(twice);
 }
 
+// Names of the design's faces near a region.
 class FaceNames {
 public:
     explicit FaceNames(const Design& design) : design_(design), tree_(design.mesh) {}
 
-    // Of the face that most of what a region has of the design is of; empty where nobody named it.
+    // Returns the name of the face that has the largest area of the design in the region; empty
+    // without a name.
     std::string of(const cda::Box& region) const {
         if (design_.face_names.empty()) return {};
-        constexpr double kAround = 0.02;  // mm; surfaces at its sides are its own
+        constexpr double kAround = 0.02;  // mm; includes surfaces on the sides of the region
         const cda::Vec3 around{kAround, kAround, kAround};
         const cda::Box box{region.min - around, region.max + around};
         std::map<std::uint32_t, double> areas;
@@ -84,7 +88,7 @@ public:
             areas, [](const auto& a, const auto& b) { return a.second < b.second; });
         if (largest == areas.end() || largest->second <= 0.0) return {};
         const std::string& name = design_.face_names.at(largest->first);
-        // What CAD programs call what nobody called anything.
+        // Default name of CAD programs.
         return name == "NONE" ? std::string() : name;
     }
 
@@ -93,7 +97,7 @@ private:
     cda::TriangleTree tree_;
 };
 
-// How much more the tools of a region may have taken away than they would, mm.
+// Returns how much the tools of a region may have removed in excess, mm.
 double gained_in(const DesignRegion& region, const Simulation& simulation) {
     double error = 0.0;
     for (const cda::Origin origin : region.origins) {
@@ -109,8 +113,9 @@ Finding gouge(const DesignRegion& region, const Design& design, const Simulation
     Finding f = finding_for(region, simulation);
     f.rule = "gouge";
     const double off = design.deflection_mm + gained_in(region, simulation);
-    // A sharp edge goes back by many times of what was taken from its sides. They are cut into if
-    // what is missing lies deeper than the tools are off.
+    // A thin layer removed from the sides of a sharp edge moves the edge by many times its
+    // thickness. The sides are gouged only if the missing material is deeper than the error of the
+    // tools.
     const bool certain = region.depth_mm > design.tolerance_mm + off && region.below_mm > off;
     f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
     f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
@@ -127,8 +132,8 @@ Finding excess(const DesignRegion& region, const Design& design, const Simulatio
     Finding f = finding_for(region, simulation);
     f.rule = "excess";
     const double off = design.deflection_mm + simulation.bounds.missed_mm;
-    // Facets of a design in triangles end beside its curves. Along a sharp edge that is many times
-    // the distance from its sides; material thinner than the tolerance is not certain.
+    // Facets of a design deviate from its curves. Along a sharp edge the deviation is many times
+    // the distance from the sides; so material thinner than the tolerance is not certain.
     const bool certain = region.depth_mm > design.tolerance_mm + off &&
                          region.below_mm > design.tolerance_mm / 2 + off;
     f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
@@ -167,7 +172,8 @@ std::vector<Finding> compare_with(const Design& design, const Simulation& simula
         facts.gouge.volume_mm3 = cda::volume(design.mesh);
         findings.push_back(nothing_left(design));
     } else {
-        // What the triangles of the design may hide is looked for, too: it is not certain then.
+        // Deviations that the triangles of the design may hide are searched, too; they are not
+        // certain.
         const double looked_for = design.tolerance_mm - design.deflection_mm;
         const verify::DesignComparison c = verify::compare(part, design.mesh, looked_for);
         facts.resolution_mm = c.resolution_mm;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Choice of model, directions of rays, resolution and tolerances of drafts.
 #include "ncsim/simulation/draft.h"
 
 #include "ncsim/dexel/dexel.h"
@@ -16,7 +18,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Wider nowhere than above.
+// True if the radius of the cutting part never decreases upwards.
 bool is_open_above(const toolpath::Tool& tool) {
     double widest = 0.0;
     for (const toolpath::ToolPiece& piece : tool.pieces) {
@@ -29,7 +31,7 @@ bool is_open_above(const toolpath::Tool& tool) {
     return true;
 }
 
-// A ball, a point, or what is rounded that far.
+// True if the lower end is a ball, a point, or fully rounded.
 bool has_no_flat(const toolpath::Tool& tool) {
     if (tool.kind == toolpath::ToolKind::Drill) return false;
     for (const toolpath::ToolPiece& piece : tool.pieces) {
@@ -93,7 +95,7 @@ void choose_resolution(Plan& plan, const Survey& survey) {
 }
 
 double exact_work(const Plan& plan, const Survey& survey) {
-    // A chord of a coarse tolerance becomes this many of the plan's.
+    // Number of chords at the plan's tolerance for each chord of the coarse tolerance.
     constexpr double kToleranceOfChords = 0.01;  // mm
     const double finer = std::sqrt(kToleranceOfChords / plan.tolerance);
     constexpr double kWorkOfIndexed = 2.0, kWorkOfTurning = 100.0, kWorkOfRound = 3.0;
@@ -116,10 +118,10 @@ void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_to
     plan.is_draft_exact = !tolerance_told && !tool_tolerance_told && model &&
                           !model->has_resolution && exact_work(plan, survey) <= kQuickWork;
     if (plan.is_draft_exact) return;
-    constexpr double kCoarser = 4.0;  // than usual, at least
+    constexpr double kCoarser = 4.0;  // relative to the default, at least
     constexpr double kOfBlock = 1.0 / 1200.0;
     constexpr double kToolOfBlock = 1.0 / 300.0;
-    constexpr double kOfTool = 1.0 / 15.0;  // of a diameter
+    constexpr double kOfTool = 1.0 / 15.0;  // share of a diameter
     constexpr double kMost = 1.0;           // mm
     const double size = norm(survey.stock->box.size());
     double thinnest = std::numeric_limits<double>::infinity();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joining of short moves.
 #include "join_moves.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ bool moves_xyz_only(const gcode::Linear& line) {
     return from == line.to;
 }
 
-/// A straight move at feed of which everything is known.
+/// Returns the straight feed move if all its values are known; otherwise null.
 const gcode::Linear* plain_line(const gcode::Motion& motion) {
     const auto* line = std::get_if<gcode::Linear>(&motion.what);
     if (!line || motion.kind != gcode::MoveKind::Feed || motion.machine_coordinates) return nullptr;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// For drafts: short moves in a row that lie on one line, as well as a picture shows it, become one.
-// Posts that write a curve as points a tenth of a millimetre apart make a program of a thousand
-// cuts where fifty look the same.
+// Joining of successive short moves on a line, for drafts. Post-processors that write a curve as
+// points 0.1 mm apart make a program of a thousand cuts whose picture fifty cuts would show as
+// well.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -13,18 +13,19 @@
 
 namespace ncsim::simulation {
 
+/// Joins successive straight moves.
 class MoveJoiner {
 public:
-    /// Hands motions on to `sink`, in order. A joined move stays within `tolerance_mm` of every
-    /// place that it stands for, comes by them in order, and has the block of its first; 0 joins
-    /// nothing.
+    /// Passes motions on to `sink`, in order. A joined move stays within `tolerance_mm` of every
+    /// end of its moves, passes the ends in order, and has the block of its first move; 0 joins no
+    /// moves.
     MoveJoiner(double tolerance_mm, gcode::MotionSink sink);
 
-    /// Cost: what a row has so far, 256 places at most.
+    /// Adds a motion. Cost: the length of the current row, at most 256 places.
     void take(const gcode::Motion& motion);
-    /// After the last motion.
+    /// Passes on the held move. Requires: the last motion was added.
     void flush();
-    /// Were any?
+    /// True if any moves were joined.
     bool has_joined() const { return has_joined_; }
 
 private:
@@ -32,8 +33,9 @@ private:
 
     double tolerance_mm_;
     gcode::MotionSink sink_;
-    std::optional<gcode::Motion> held_;  ///< From the start of the row to where it ends by now.
-    std::vector<cda::Vec3> passed_;      ///< Places between, mm.
+    /// Joined move from the start of the row to its current end.
+    std::optional<gcode::Motion> held_;
+    std::vector<cda::Vec3> passed_;  ///< Intermediate ends, mm.
     bool has_joined_ = false;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joint positions over time, with keys where the motion deviates from a line.
 #include "ncsim/simulation/joint_course.h"
 
 #include "ncsim/report/machining_time.h"
@@ -21,9 +23,10 @@ using machine::Values;
 constexpr double kDegreesPerSecond = 180.0;
 constexpr double kRapidPerSecond = report::kAssumedRapid / 60.0;
 
-// Halvings of a leg: so many keys at most, whatever its joints do.
+// Largest number of halvings of a leg, which limits its keys.
 constexpr int kMostHalvings = 12;
 
+// Writes the keys of a program's motions.
 class CourseWriter {
 public:
     explicit CourseWriter(const toolpath::Kinematics& machine) : machine_(machine) {}
@@ -61,7 +64,7 @@ public:
 
     JointCourse finish() {
         if (!course_.tools.empty()) course_.tools.back().to_seconds = course_.seconds;
-        // Time that passes at the end.
+        // Adds the time at the end without motion.
         if (!course_.keys.empty() && course_.keys.back().seconds < course_.seconds)
             course_.keys.push_back({course_.seconds, course_.keys.back().values});
         return std::move(course_);
@@ -75,7 +78,7 @@ private:
         return norm(poses.place(line->to) - poses.place(line->from));
     }
 
-    // As the report counts them, one by one.
+    // Returns the time of a motion, as in the report.
     double seconds_of(const gcode::Motion& motion) {
         verify::Distances distances;
         verify::add(distances, motion, &machine_);
@@ -94,7 +97,7 @@ private:
         course_.tools.push_back(now);
     }
 
-    // The time that the joints need at least: none of them turns faster than that.
+    // Returns the least time of the rotary joints at their largest speed.
     static double least_seconds(const Values& from, const Values& to) {
         double degrees = 0.0;
         for (std::size_t i = 3; i < 6; ++i)
@@ -104,7 +107,7 @@ private:
 
     void add_key(double seconds, const Values& values) {
         auto& keys = course_.keys;
-        // Of those that stand still, the first and the last.
+        // Joints at rest have only a first and a last key.
         if (keys.size() >= 2 && keys.back().values == values &&
             keys[keys.size() - 2].values == values) {
             keys.back().seconds = seconds;
@@ -136,12 +139,13 @@ private:
         course_.seconds += seconds;
     }
 
-    // From where a motion ended to where the next one begins, if that is elsewhere.
+    // Adds the time from the end of a motion to the start of the next motion, if the positions
+    // differ.
     void go_over(const Values& from, const Values& to) {
         double square = 0.0;
         for (std::size_t i = 0; i < 3; ++i)
             square += (to[i] - from[i]) * (to[i] - from[i]);
-        // What rounding makes of one place.
+        // Rounding of a position.
         constexpr double kSame = 1e-6;
         const double turns = least_seconds(from, to);
         if (square < kSame * kSame && turns < kSame) return;
@@ -153,7 +157,7 @@ private:
         Values values{};
     };
 
-    // Adds keys after the one at `a`, to the one at `b`.
+    // Adds keys after the key at `a` up to the key at `b`.
     void divide(const toolpath::JointPath& path, const End& a, const End& b, double seconds,
                 int halvings) {
         const auto going = path.going(a.t, a.values, b.t, b.values);
@@ -174,7 +178,7 @@ private:
         add_key(course_.seconds + b.t * seconds, b.values);
     }
 
-    // Halvings where no bound is known.
+    // Number of halvings without a known bound.
     static constexpr int kUnknown = 6;
 
     const toolpath::Kinematics& machine_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Kinematics for the interpreter, by a chain of joints.
 #include "joint_solver.h"
 
 #include <algorithm>
@@ -41,7 +43,7 @@ public:
         return at;
     }
 
-    // What turns the table stands before X, Y and Z.
+    // The rotary joints of the table are before X, Y and Z in the chain.
     Triple with_table(const Triple& v, const Axes& from, const Axes& to) const override {
         std::vector<machine::Joint> table;
         for (const machine::Joint& joint : placed_.chain.joints) {
@@ -66,7 +68,7 @@ public:
                                                           : prefer_;
         const cda::Vec3 to{axis[0], axis[1], axis[2]};
         const machine::Values now = in_W(joints);
-        machine::Travels travels = travels_;  // of the machine; values are seen from W
+        machine::Travels travels = travels_;  // machine travels, converted to W
         for (auto& [letter, travel] : travels) {
             const double zero = origin_[*machine::index_of(letter)];
             travel.min -= zero;
@@ -85,7 +87,7 @@ private:
         return placed_.chain.placed(placed_.zero, length_mm);
     }
 
-    // U, V and W are at 0: X, Y and Z of the tip do not tell what these move it by.
+    // U, V and W are 0, because X, Y and Z of the tip do not include their motion.
     machine::Values in_W(const Axes& joints) const {
         machine::Values values{};
         for (std::size_t i = 0; i <= gcode::kC; ++i)

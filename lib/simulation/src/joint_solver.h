@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A chain of joints as the interpreter asks it.
+// Adapter of a chain of joints to the interpreter's JointSolver.
 #pragma once
 
 #include "ncsim/gcode/joints.h"
@@ -11,8 +11,8 @@
 
 namespace ncsim::simulation {
 
-/// `workpiece`: where W is, in the coordinates that the interpreter counts in; `placed.zero` is the
-/// same place as the chain has it.
+/// Returns the solver. `workpiece` is the position of W in the interpreter's coordinates;
+/// `placed.zero` is the same position in the chain's coordinates.
 std::shared_ptr<const gcode::JointSolver> make_joint_solver(const toolpath::Kinematics& placed,
                                                             const gcode::WorkOffset& workpiece,
                                                             const machine::Travels& travels,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies and joint positions of a machine for the page of a program.
 #include "machine_look.h"
 
 #include "ncsim/cda/flat.h"
@@ -20,7 +22,7 @@ namespace {
 
 using report::MachineLook;
 
-// Round enough to look at; coarse enough for the longest tool to fit on it.
+// Round enough for a picture, and coarse enough for the longest tool.
 constexpr cda::Lattice kToolLattice{1e-4};
 constexpr toolpath::ToolAccuracy kToolAccuracy{0.1, toolpath::Side::Circumscribed};
 
@@ -45,7 +47,7 @@ machine::Values values_at(const JointCourse& course, double seconds) {
     return values;
 }
 
-// Its pieces, the tip `length` below the spindle nose.
+// Adds the pieces of a tool, with the tip `length` below the spindle nose.
 void add_tool(const toolpath::Tool& tool, double length, std::int32_t number,
               const machine::Chain& moved_by, MachineLook& look) {
     for (const toolpath::ToolPiece& piece : tool.pieces) {
@@ -93,7 +95,7 @@ std::optional<MachineLook> machine_look(const Plan& plan, const Survey& survey,
             i + 1 < course.lines.size() ? course.lines[i + 1].seconds : course.seconds;
         MachineLook::Stand stand;
         stand.values = values_at(course, end);
-        // That with which the line was run: a change comes after it.
+        // The tool with which the line was run; a change takes effect after the line.
         for (std::size_t k = 0; k < course.tools.size(); ++k) {
             const ToolTime& time = course.tools[k];
             if (time.from_seconds <= course.lines[i].seconds) stand.tool = tool_of[k];

@@ -12,8 +12,8 @@
 
 namespace ncsim::simulation {
 
-/// Links that have a mesh, the tools, and where joints stand after each line. Nothing where no link
-/// has one, or nobody tells how the machine turns, or from where it moves.
+/// Returns links with meshes, the tools, and joint positions after each line. Empty if no link has
+/// a mesh, or if the kinematics or the start positions are unknown.
 std::optional<report::MachineLook> machine_look(const Plan& plan, const Survey& survey,
                                                 const setup::MachineFile& machine);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Times of a program by a verifier without rules.
 #include "ncsim/simulation/machine_time.h"
 
 #include "ncsim/verify/rule.h"

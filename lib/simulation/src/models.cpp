@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Table of the models.
 #include "ncsim/simulation/models.h"
 
 #include "ncsim/cda/flat.h"

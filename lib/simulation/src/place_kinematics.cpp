@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Position of the program zero on a machine, and assumptions about the kinematics.
 #include "place_kinematics.h"
 
 #include "joint_solver.h"
@@ -17,7 +19,7 @@ std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
 
 void place_kinematics(Plan& plan) {
     if (!plan.kinematics) return;
-    // First to see where the program's zero is, which no turn of the tool moves.
+    // A first interpretation finds the program zero, which does not depend on the kinematics.
     plan.job.interpreter.joints = make_joint_solver(
         {plan.kinematics->chain, {}}, {}, plan.kinematics->travels, plan.kinematics->prefer);
     const gcode::Interpretation seen = gcode::interpret(plan.job.program, plan.job.interpreter, {});
@@ -34,8 +36,8 @@ void place_kinematics(Plan& plan) {
 
 namespace {
 
-// Where U, V and W lead is told of tables, on which they go along X, Y and Z. Of a head that turns
-// only what its machine file tells is, and that under tip control.
+// Returns the assumption about U, V and W. On a table they move along X, Y and Z. On a rotary head
+// only the machine file specifies their motion, and only under tip control.
 std::string guess_of_second_axes(const setup::ToldKinematics& told, const AxesInUse& axes) {
     if (!told.chain.has_head()) return {};
     bool as_told = false, as_axes = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the program's zero is on the machine that turns.
+// Position of the program zero on a specified machine.
 #pragma once
 
 #include "ncsim/gcode/interpreter.h"
@@ -12,22 +12,22 @@
 
 namespace ncsim::simulation {
 
-/// Where the program's zero, W, lies in the machine, mm; nothing if nobody tells.
+/// Returns the program zero W in machine coordinates, mm; empty if unknown.
 std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece);
 
-/// plan.placed from plan.kinematics and what the program says of its zero. Axes of which nobody
-/// told where they lie are taken to pass through it.
+/// Sets plan.placed from plan.kinematics and the program zero. Rotary axes of unknown position are
+/// assumed to pass through the program zero.
 void place_kinematics(Plan& plan);
 
-/// Which axes stand elsewhere than at 0 in some move of a program.
+/// Axes that are not at 0 in some move of a program.
 struct AxesInUse {
     std::array<bool, 3> turns{};  ///< A, B, C.
-    /// U, V and W: with X, Y and Z as places of the axes, and of the tip.
+    /// U, V and W, without and with tip control.
     std::array<bool, 3> uvw{}, uvw_of_tip{};
 };
 
-/// What of the way they go nobody told, in words, empty: nothing. `of_tip`: where the program tells
-/// places of the tip; then only directions count.
+/// Returns the assumptions about the motion of these axes, in words; empty if none. `of_tip` is
+/// true if the program gives positions of the tip; then only directions count.
 std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiece,
                              const AxesInUse& axes, bool of_tip);
 

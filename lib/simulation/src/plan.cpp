@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Requirements and facts of a plan.
 #include "ncsim/simulation/plan.h"
 
 #include "ncsim/simulation/models.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Counts moves along inclined tools.
 #include "ncsim/simulation/plunges.h"
 
 #include "ncsim/gcode/interpreter.h"
@@ -23,9 +25,10 @@ namespace {
 
 using cda::Vec3;
 
+/// A possible machine.
 struct Candidate {
     std::string name;
-    machine::Chain turning;  // the joints that turn alone
+    machine::Chain turning;  // rotary joints only
     std::uint64_t moves = 0;
 };
 
@@ -55,6 +58,7 @@ bool is_along(Vec3 way, Vec3 direction) {
     return norm(cross(way, direction)) <= trig::sin_cos(kPlungeDegrees).sin * norm(way);
 }
 
+// Counts plunges for all candidates.
 class PlungeCount {
 public:
     explicit PlungeCount(const Plan& plan) : candidates_(candidates_of(plan)) {}
@@ -75,7 +79,7 @@ public:
         for (Candidate& candidate : candidates_) {
             if (!has_all(candidate, to)) continue;
             const Vec3 axis = axis_of(candidate.turning.pose(to));
-            // Along Z all are alike.
+            // With an upright tool, all candidates are equal.
             constexpr double kUpright = 0.02;
             if (norm(cross(axis, kZ)) < kUpright) continue;
             is_tilted = true;
@@ -100,7 +104,7 @@ public:
             if (candidate.moves > 0 && has_all(candidate, turned)) left.push_back(&candidate);
         }
         std::ranges::stable_sort(left, std::ranges::greater{}, &Candidate::moves);
-        // Those that turn a tool alike, as far as the program turns it, in one.
+        // Candidates with equal rotations, for the axes that the program uses, are combined.
         std::vector<machine::Chain> chains;
         for (const Candidate* candidate : left) {
             machine::Chain chain;

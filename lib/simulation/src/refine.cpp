@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Decides open contacts by simulations of small boxes.
 #include "refine.h"
 
 #include "ncsim/cda/polytope.h"
@@ -16,7 +18,7 @@ namespace {
 
 using verify::Certainty;
 
-// The stock, as far as it lies in `box` (mm).
+// Returns the part of the stock in `box` (mm).
 toolpath::Stock within(const toolpath::Stock& stock, const cda::Box& box, double tolerance_mm) {
     auto shape = std::make_shared<cda::Shape>(toolpath::stock_shape(stock, tolerance_mm));
     const cda::Lattice& lattice = shape->lattice;
@@ -66,13 +68,13 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     };
     Plan plan = *plan_;
     plan.job.interpreter.observe_frame = nullptr;
-    plan.tiles = nullptr;  // what is cut here is cut now
+    plan.tiles = nullptr;  // the box is cut here
     plan.tool_tolerance = finer(plan.tool_tolerance);
     plan.tolerance = finer(plan.tolerance);
     Survey survey = *survey_;
     static_cast<toolpath::Stock&>(*survey.stock) = within(*survey.stock, box, plan.tool_tolerance);
     const cda::Shape& shape = *survey.stock->shape;
-    // A finer bar may not reach there.
+    // A bar of finer tolerance may not reach the box.
     if (!cda::ConvexPolytope::of(shape.outer, shape.lattice)) return std::nullopt;
 
     verify::Setup setup;

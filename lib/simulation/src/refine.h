@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A second look with finer tools where the accuracy of the tools leaves open whether something
-// touches: the program once more up to that motion, but only in the small boxes that are open.
+// Repeated simulation with finer tools, if the accuracy of the tools leaves a contact open: the
+// program is run up to that motion, but only in the small open boxes.
 #pragma once
 
 #include "ncsim/simulation/simulate.h"
@@ -12,20 +12,22 @@
 
 namespace ncsim::simulation {
 
+/// Decides contacts that the accuracy of the tools leaves open.
 class Refiner {
 public:
-    /// `setup` is what is verified against; all three must outlive it.
+    /// Keeps references. `setup` is the set-up of the verification. Requires: all arguments outlive
+    /// this object.
     Refiner(const Plan& plan, const Survey& survey, const verify::Setup& setup);
 
-    /// Tools sixteen times as fine, then once more so. Certain as soon as one of the boxes is,
-    /// nothing if none of them is open any more. Costs a simulation of the boxes each; after
-    /// kMostLooks of them, or about as much work as the simulation of the program, everything
-    /// stays open. The result depends on what was asked so far.
+    /// Decides a contact with tools 16 times, then 256 times as fine. Certain as soon as a box is
+    /// certain; empty if no box is open any more. After kMostLooks simulations, or after about as
+    /// much work as the simulation of the program, all contacts stay open. The result depends on
+    /// the preceding calls. Cost: a simulation per box and accuracy.
     std::optional<verify::Certainty> decide(const verify::OpenContact& contact);
 
 private:
     static constexpr int kMostLooks = 64;
-    // A step that meets no box costs a hundredth of one that cuts.
+    // A step without contact costs a hundredth of a cutting step.
     static constexpr std::uint64_t kStepsPerMove = 64;
     static constexpr std::uint64_t kLeastSteps = 20'000;
 

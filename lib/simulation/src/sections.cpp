@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sections of true surfaces, compared with sections of facets.
 #include "ncsim/simulation/sections.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-// How far true surfaces and facets may be from each other, mm.
+// Returns the largest distance between true surfaces and facets, mm.
 double error_of(const Plan& plan, const Simulation& simulation, const Solid& solid) {
     double polygons = std::max(plan.tool_tolerance, solid.tool_tolerance_mm);
     for (const auto& [tool, cutter] : simulation.cutters)

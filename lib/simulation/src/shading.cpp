@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shading from the surfaces that motions left.
 #include "ncsim/simulation/shading.h"
 
 #include "ncsim/simulation/models.h"

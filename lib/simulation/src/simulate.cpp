@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// NC text → motions → poses → hulls → part, as in the architecture's own sentence. Everything
-// flows: no stage keeps more than one motion.
+// Simulation: NC text → motions → poses → hulls → part. The data flow through all stages, and no
+// stage keeps more than a motion.
 #include "ncsim/simulation/simulate.h"
 
 #include "ncsim/cda/cell.h"
@@ -32,8 +32,8 @@ double now_in_seconds() {
         .count();
 }
 
-// More blocks where there is more to do: of the program, so that everybody makes the same ones,
-// tiles or not.
+// Returns the number of halvings: more blocks for longer programs. The number depends on the
+// program alone, so runs with and without tiles have the same blocks.
 int halvings_for(std::uint64_t moves) {
     constexpr int kLeast = 6;
     constexpr std::uint64_t kMovesOfABlock = 512;
@@ -58,7 +58,7 @@ std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan, std::uint64_t m
 toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
                          const Verification& verification) {
     toolpath::ToolAccuracy accuracy;
-    // What is saved may be checked later, which has to know as well.
+    // Saved cells may be verified later, which needs a known side of the error.
     accuracy.side = !plan.keep_carved ? verification.side : toolpath::Side::Circumscribed;
     accuracy.tolerance_mm = plan.tool_tolerance;
     toolpath::SamplingOptions sampling;
@@ -74,6 +74,7 @@ toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Latt
     throw std::runtime_error("the tiles do not agree on which motions met the stock");
 }
 
+// Cuts the part, motion by motion.
 class Mill {
 public:
     Mill(const Plan& plan, const Survey& survey, const Verification& verification,
@@ -93,7 +94,7 @@ public:
           budget_(plan.budget),
           tolerance_mm_(plan.tolerance),
           machine_(plan.placed),
-          // Volumes that tiles measured are in their files, in the order of the tool changes.
+          // Volumes measured by tiles are in their files, in the order of the tool changes.
           tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume) {
@@ -110,7 +111,7 @@ public:
         if (places_ || (verifier_ && verifier_->needs_account())) result.part->keep_account();
     }
 
-    /// Makes no motion after the first `count`.
+    /// Ignores all motions after the first `count`.
     void stop_after(std::uint64_t count) { most_motions_ = count; }
 
     void take(const gcode::Motion& motion) {
@@ -157,15 +158,15 @@ public:
         result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, bounds.gained_mm);
     }
 
-    /// Makes the result say what is known by now.
+    /// Updates surface and volume of the result.
     void pause(bool needs_surface) {
         if (needs_surface) result_.boundary = result_.part->boundary();
         result_.part_volume = result_.part->volume();
     }
 
-    /// After the last motion.
+    /// Completes the result. Requires: the last motion was added.
     void finish(bool needs_surface) {
-        // The surface first: on the way to it, the volume is found.
+        // Computes the surface first, because this also computes the volume.
         if (needs_surface) result_.boundary = result_.part->boundary();
         if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
         if (tiles_ && next_met_ != tiles_->met.size()) refuse_tiles();
@@ -202,7 +203,7 @@ private:
         paths.back().points.push_back(step.X_WB.translation);
     }
 
-    // Takes the cells of the step away. How much that was, mm³, if it is measured.
+    // Removes the cells of the step. Returns the removed volume, mm³, if it is measured.
     double cut(const toolpath::Step& step, cda::Origin origin) {
         double removed = 0.0;
         if (verifier_ && !step.straight.empty()) result_.part->subtract_step({}, {}, step.straight);
@@ -214,22 +215,22 @@ private:
             ++result_.hulls;
             if (keeps_cells_) result_.carved.push_back(cell);
             if (measured_) {
-                // A difference of sums: rounding may leave less than nothing; so may one of tiles.
+                // Rounding of a difference of sums may be negative; so may the share of a tile.
                 const double volume = result_.part->subtract(cell);
                 removed += tile_ ? volume : std::max(0.0, volume);
             } else if (verifier_) {
                 result_.part->subtract_unmeasured(cell);
             }
         }
-        // Or those before it did.
+        // The combined cells may include the current motion.
         has_covered_ |= std::ranges::any_of(
             step.covering, [&](const cda::Cell& cell) { return cell.origin == origin; });
         if (verifier_) {
             if (!step.covering.empty()) result_.part->subtract_step({}, step.covering);
             return removed;
         }
-        // Steps near the stock are counted, by tiles as well, so what comes with another one waits
-        // for the next.
+        // Only steps near the stock are counted, by tiles as well; so cells of a step that is not
+        // near are kept for the next near step.
         if (!step.is_near || !late_.empty())
             late_.insert(late_.end(), step.straight.begin(), step.straight.end());
         if (step.is_near) {
@@ -243,8 +244,9 @@ private:
         return removed;
     }
 
-    // Which cells of the next motion are made, and what it is called. A tile does not know which
-    // motions met the stock where it is not, and calls each by its number: their order is the same.
+    // Limits the cells of the next motion and returns its origin. A tile does not know which
+    // motions met the stock elsewhere, so it uses the number of the motion as origin; the order is
+    // the same.
     cda::Origin begin_cut() {
         if (!tile_) {
             if (tiles_) walk_.want_cells(result_.part->wanted());
@@ -255,7 +257,8 @@ private:
         return cda::Origin{static_cast<std::uint32_t>(motions_)};
     }
 
-    // Did the motion at hand? Of a tile: where it was its turn to look, and nobody asks for more.
+    // True if the current motion met the stock. A tile records the motions of its turn, and returns
+    // false.
     bool has_met_stock(std::uint64_t hulls_before) {
         if (tiles_) {
             const auto& met = tiles_->met;
@@ -271,7 +274,7 @@ private:
         return !tile_ && has_met;
     }
 
-    // What a tool removed is the difference of volumes.
+    // Sets the tool. The volume that a tool removed is the difference of volumes.
     void change_tool(int next) {
         if (is_near_stock_ && tool_volumes_ && !verifier_) {
             const double volume = result_.part->volume();
@@ -302,8 +305,9 @@ private:
     std::uint64_t motions_ = 0;
     std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();
     bool shows_path_;
-    bool measured_;                                                    // cell by cell
-    std::optional<std::map<cda::Origin, report::BlockPlace>> places_;  // where blocks are asked for
+    bool measured_;  // cell by cell
+    // By origin, if volumes of blocks are requested.
+    std::optional<std::map<cda::Origin, report::BlockPlace>> places_;
     bool keep_cuts_;
     bool keeps_cells_;
     std::optional<cda::TileNumber> tile_;
@@ -311,15 +315,15 @@ private:
     setup::Budget budget_;
     double tolerance_mm_;
     std::shared_ptr<const toolpath::Kinematics> machine_;
-    std::uint32_t line_ = 0;  // of the motion at hand
+    std::uint32_t line_ = 0;  // line of the current motion
     int tool_ = 0;
     bool tool_volumes_;
     std::optional<cda::Box> place_of_tile_;
     double volume_;                // at the last tool change
-    bool is_near_stock_ = false;   // was the tool, since it was changed
-    bool has_covered_ = false;     // the motion at hand: more than its own steps took
-    std::vector<cda::Cell> late_;  // what steps that are not near came with
-    std::size_t next_met_ = 0;     // of tiles_
+    bool is_near_stock_ = false;   // whether the tool was near the stock since its change
+    bool has_covered_ = false;     // whether combined cells belong to the current motion
+    std::vector<cda::Cell> late_;  // combined cells of steps that are not near
+    std::size_t next_met_ = 0;     // index into the motions of tiles_
 };
 
 }  // namespace

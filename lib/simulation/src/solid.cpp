@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Recognition of solids, with further cuts.
 #include "ncsim/simulation/solid.h"
 
 #include "ncsim/export/simplify.h"
@@ -17,8 +19,8 @@ namespace ncsim::simulation {
 
 brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                           double tolerance_mm) {
-    // What lies in one plane is not yet of one surface: the bottoms of all grooves of a ball do. So
-    // facets of different motions stay apart, as lines would.
+    // Facets in one plane need not be on a common surface: the bottoms of all grooves of a ball end
+    // mill are in one plane. So facets of different motions stay separate, as with different lines.
     exporter::Provenance apart;
     for (std::uint32_t i = 0; i < simulation.provenance.entries.size(); ++i)
         apart.entries.push_back({i, 0});
@@ -36,8 +38,8 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
 
 namespace {
 
-// Of many facets a finer cut takes long, and helps where the rest is known; of few it is worth it
-// for any.
+// True if a further cut may help. With many facets, a cut takes long and only helps if the rest is
+// recognised; with few facets, any facet given up is worth a cut.
 bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simulation) {
     constexpr std::size_t kMany = 20'000, kMost = 60'000, kFew = 100;
     const std::size_t facets = simulation.boundary->faces.size();
@@ -45,15 +47,15 @@ bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simul
            solid.facets_given_up > (facets <= kMany ? 0 : solid.part.faces.size() / kFew);
 }
 
-// Another cut: by so much its tolerances are smaller. Finer facets tell better which surfaces meet
-// where. Others as fine tell it by other corners, and that helps as often.
+// Factors of the tolerances of a further cut. Finer facets show more clearly which surfaces meet.
+// Equally fine facets have other corners, which helps as often.
 struct Cut {
-    double of_tools, of_arcs;  // joined moves as arcs
+    double of_tools, of_arcs;  // arcs and joined moves
 };
 constexpr std::array kCuts{Cut{0.25, 0.25}, Cut{0.0625, 0.0625}, Cut{0.5, 1.0},
                            Cut{1.0, 0.25},  Cut{0.5, 0.25},      Cut{0.25, 1.0}};
-// As soon as those that were made have more facets than that together, there are no more: what they
-// cost grows with these.
+// No further cuts are made if the cuts so far have had more facets together, because the cost grows
+// with the number of facets.
 constexpr std::size_t kMostOfAllCuts = 60'000;
 
 }  // namespace
@@ -64,7 +66,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
                plan.tool_tolerance, plan.tolerance};
     bool is_coarse = are_facets_too_large(best.recognised, simulation);
     Plan other = plan;
-    // cda-flat costs the square of the facets, and the part is the same.
+    // cda-flat has quadratic cost in the facets; this model makes the same part.
     other.model = verifying_model().name;
     other.keep_boundary = true;
     other.keep_paths = other.keep_carved = other.hull_times = false;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sources of the faces of a part, by a second interpretation of the program.
 #include "sources.h"
 
 #include "ncsim/toolpath/machine.h"
@@ -19,12 +21,12 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Straight moves at feed of an upright tool in a row, one as the other. What these take together is
-// one hull, named for the last of them (toolpath::Walk), and so is what they leave where the first
-// one starts.
+// Successive straight feed moves of an upright tool along one line. The moves remove one hull,
+// which has the origin of the last move (toolpath::Walk). So the surfaces at the start of the row
+// have that origin, too.
 class Row {
 public:
-    // Where the row of a move started, if it is not the first one.
+    // Returns the start of the row of `motion`; empty if the motion starts a row or is in none.
     std::optional<gcode::Position> start_of(const gcode::Motion& motion) {
         if (!gcode::start_of(motion)) return std::nullopt;
         const gcode::Linear* line = toolpath::straight_upright(motion);
@@ -41,7 +43,7 @@ public:
     }
 
 private:
-    // As far as the lattice tells.
+    // True if the line continues the row, to the accuracy of the lattice.
     bool is_ahead(const gcode::Linear& line) const {
         constexpr double kLattice = 2e-5;  // mm
         const cda::Vec3 from = toolpath::linear_axes(line.from);
@@ -51,7 +53,7 @@ private:
                cda::norm(cda::cross(way, on)) <= kLattice * (cda::norm(way) + cda::norm(on));
     }
 
-    std::optional<gcode::Position> start_;  // of a row
+    std::optional<gcode::Position> start_;  // start of the row
     gcode::Position end_;
     int tool_ = 0;
 };
@@ -60,7 +62,7 @@ private:
 
 void for_each_source(const Plan& plan, const Survey& survey, const Simulation& simulation,
                      const cda::Boundary& boundary, double tolerance_mm, const SourceSink& sink) {
-    // Of the lattice, and of what sums of these lack in accuracy.
+    // Rounding of the lattice, and of sums of lattice positions.
     constexpr double kRounding = 1e-3;
     const double rounding = kRounding + tolerance_mm;
     std::vector<bool> is_there(simulation.cuts.size(), false);
@@ -84,7 +86,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const double polygon =
             cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
         brep::Source source = brep::surfaces_of(motion, tool->second.tool, plan.placed.get());
-        // On machines that are told no moves are put together.
+        // On specified machines no moves are combined.
         if (start_of_row && !plan.placed) {
             gcode::Motion together = motion;
             std::get<gcode::Linear>(together.what).from = *start_of_row;
@@ -95,7 +97,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
             polygon + source.chords * plan.tolerance + source.beside_mm + moved_mm + rounding;
         sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
     });
-    // On machines that are told, tools may turn in any move.
+    // On specified machines, any move may rotate the tool.
     MoveJoiner joiner(plan.join_tolerance, [&](const gcode::Motion& motion) {
         if (plan.placed) runs.flush();
         runs.take(motion);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which surfaces those can have left who cut a part.
+// Surfaces that the motions of a program can leave on the part.
 #pragma once
 
 #include "ncsim/brep/swept.h"
@@ -15,9 +15,9 @@ namespace ncsim::simulation {
 
 using SourceSink = std::function<void(cda::Origin, brep::Source)>;
 
-/// Hands on the source of the stock, and those of the motions that `boundary` names, in their
-/// order. Facets were joined within `tolerance_mm`. `simulation` must have kept its cuts. The
-/// program is interpreted once more.
+/// Passes on the source of the stock, and the sources of the motions that `boundary` names, in
+/// their order. Facets were joined within `tolerance_mm`. Requires: `simulation` kept its cuts.
+/// Cost: one interpretation of the program.
 void for_each_source(const Plan& plan, const Survey& survey, const Simulation& simulation,
                      const cda::Boundary& boundary, double tolerance_mm, const SourceSink& sink);
 

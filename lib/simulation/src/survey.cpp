@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Statistics of the motions, choice of tools and stock, and reasons why a program cannot be
+// simulated.
 #include "ncsim/simulation/survey.h"
 
 #include "ncsim/cda/cell.h"
@@ -29,7 +32,7 @@ namespace {
 
 using toolpath::ToldBy;
 
-// No machine is that large: then a unit is wrong, or a number.
+// mm. No machine is that large: then a unit or a number is wrong.
 constexpr double kLargestStock = 1e5;
 
 void tell(Survey& survey, const gcode::MessageText& message, gcode::SourceSpan span,
@@ -37,22 +40,22 @@ void tell(Survey& survey, const gcode::MessageText& message, gcode::SourceSpan s
     survey.diagnostics.push_back(gcode::diagnostic_of(message, span, arguments));
 }
 
-// What the motions alone tell, gathered in one pass.
+// Statistics of the motions, collected in one pass.
 class MotionSurvey {
 public:
-    /// `told`: how the machine turns; may be null.
+    /// Uses the specified machine, or the default machine if null.
     MotionSurvey(Survey& result, const toolpath::Kinematics* told)
         : result_(result), told_machine_(told) {}
 
     struct ToolTrack {
         gcode::SourceSpan first;
-        gcode::SourceSpan first_cut;     // line 0: it does not cut
-        bool cuts_after_change = false;  // cuts although the program changed tools before
+        gcode::SourceSpan first_cut;     // line 0 if the tool does not cut
+        bool cuts_after_change = false;  // whether it cuts after a tool change
         cda::Box cutting_tips;           // ends of feed moves, mm
         double highest_tip = -std::numeric_limits<double>::infinity();
         toolpath::HighestLevels levels;
-        cda::Vec3 farthest_tip;  // from the axes X, Y and Z
-        cda::Vec3 travelled;     // along X, Y and Z at feed, there and back
+        cda::Vec3 farthest_tip;  // distance from the axes X, Y and Z
+        cda::Vec3 travelled;     // along X, Y and Z at feed, back and forth
         setup::ToolClues clues;
     };
 
@@ -128,7 +131,7 @@ public:
     }
 
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
-    // Which of X, Y, Z some move tells.
+    // Returns which of X, Y, Z any move specifies.
     const std::array<bool, 3>& told() const { return told_; }
     gcode::SourceSpan first_cut_from_nowhere() const { return first_cut_from_nowhere_; }
 
@@ -179,8 +182,8 @@ double lowest_tip(const MotionSurvey& motions) {
     return z;
 }
 
-// A cutting length that is more than the depth of any cut: nothing may be left standing above a
-// tool only because nobody said how long it is. Whole centimetres, for the reader.
+// Returns a cutting length greater than the depth of any cut: no material may remain above a tool
+// only because the tool's length is unspecified. Whole centimetres, for readability.
 double assumed_length(const Survey& survey, const MotionSurvey& motions,
                       const std::optional<toolpath::StockEntry>& stock) {
     double depth = 0.0;
@@ -192,17 +195,17 @@ double assumed_length(const Survey& survey, const MotionSurvey& motions,
     return 10.0 * std::ceil((std::clamp(depth, 20.0, kLargestStock) + 10.0) / 10.0);
 }
 
-// Which description belongs to this tool number?
+// Returns the description for a tool number; null if there is none.
 const toolpath::ToolEntry* entry_for(const Plan& plan, int number, bool is_only_tool,
                                      bool calls_tools) {
     if (const auto* entry = toolpath::find_tool(plan.job.tools, number)) return entry;
-    // A program that never calls a tool uses the only one that is described.
+    // A program without tool calls uses the only described tool.
     if (number == 0 && is_only_tool && !calls_tools && plan.job.tools.size() == 1)
         return &plan.job.tools.front();
     return nullptr;
 }
 
-// A path at Z0 that cuts nothing, whatever the tool is.
+// True for a path at Z0, which cuts nothing with any tool.
 bool touches_only(const Plan& plan, const Survey& result) {
     return result.is_flat() && (!plan.job.stock || plan.job.stock->box.max.z <= 0.0);
 }
@@ -225,7 +228,7 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
             used.told_by = ToldBy::Assumption;
             used.text = spec.description;
         } else if (track.cutting_tips.is_empty() && !(result.only_rapid && plan.draft)) {
-            continue;  // only positioned: for a picture, what it looks like does not matter
+            continue;  // only positioned; its shape does not matter for a picture
         } else if (const std::string guess = track.clues.guess(result.interpretation.uses_inches);
                    plan.draft || touches_only(plan, result)) {
             std::string message;
@@ -265,7 +268,7 @@ toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
                                     const MotionSurvey::ToolTrack& all) {
     const auto& turns = survey.turns;
     if (survey.is_flat()) return toolpath::derive_sheet(all.cutting_tips);
-    // A table that turns about Z leaves what is above it above.
+    // A table that rotates about Z keeps the upper side of the part above.
     if (!turns[0] && !turns[1]) return toolpath::derive_stock(swept, all.highest_tip, all.levels);
     if (turns[0] && turns[1]) return toolpath::derive_block(all.cutting_tips);
     if (turns[2]) return toolpath::derive_block(all.cutting_tips);
@@ -273,21 +276,21 @@ toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
     return toolpath::derive_bar(swept, axis, all.farthest_tip[axis]);
 }
 
-// A face mill comes from beside the block and leaves it whole: along its way, what it covers is a
-// diameter longer than the block at both ends.
+// Shortens the box of a face mill. Face mills enter from outside the block and leave it completely:
+// along the path, the box is a diameter longer than the block at both ends.
 void leave_out_runs(cda::Box& covered, int along, double diameter) {
     if (covered.size()[along] <= 3 * diameter) return;
     covered.min[along] += diameter;
     covered.max[along] -= diameter;
 }
 
-// How much of what lies from `a` to `b` lies from `min` to `max`.
+// Returns the length that the intervals from `a` to `b` and from `min` to `max` share.
 double common(double a, double b, double min, double max) {
     return std::min(b, max) - std::max(a, min);
 }
 
-// A block of which only the size is told has a corner, else its middle, at zero: that one which has
-// most of the cuts in it. Its top is at zero, unless all cuts are above it.
+// Places a block of known size: a corner or the centre is at zero, whichever includes most of the
+// cuts. The top is at zero, unless all cuts are above zero.
 void place_at_zero(cda::Box& box, const cda::Box& tips) {
     if (tips.is_empty()) return;
     const cda::Vec3 size = box.size();
@@ -342,7 +345,7 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
     result.stock = toolpath::StockEntry{derived.stock, ToldBy::Assumption, {}, derived.rule};
 }
 
-// The block around all places of the tip; a point and a line have no volume.
+// Returns a block around all positions of the tip; the margin gives points and lines a volume.
 cda::Box around_tips(const cda::Box& tips) {
     const cda::Vec3 around{1, 1, 1};  // mm
     cda::Box box = tips;
@@ -354,7 +357,7 @@ cda::Box around_tips(const cda::Box& tips) {
     return {box.min - around, box.max + around};
 }
 
-// A stock that is empty; the block is what is looked at.
+// Sets an empty stock; `box` is the visible block.
 void put_nothing(Survey& result, const cda::Box& box) {
     toolpath::Stock nothing{box};
     const cda::Lattice lattice = cda::Lattice::for_stock(box);
@@ -386,10 +389,10 @@ void tell_untold(Survey& result) {
 
 struct Look {
     Survey survey;
-    std::array<bool, 3> told;  // X, Y, Z, by some move or by the start
+    std::array<bool, 3> told;  // X, Y, Z, specified by a move or by the start
 };
 
-// How A, B and C turn the tool, and what of it nobody told.
+// Returns how A, B and C rotate the tool, with the assumptions.
 std::string rotation_of(const Plan& plan, const Survey& survey) {
     if (!plan.kinematics)
         return "assumed: A, B, C turn the tool about X, Y, Z through the program zero";
@@ -416,8 +419,8 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
     result.diagnostics.insert(result.diagnostics.end(), plan.job.diagnostics.begin(),
                               plan.job.diagnostics.end());
 
-    if (result.interpretation.refused) return look;  // and the interpreter said why
-    // What did not end once does not have to be cut to be known not to end.
+    if (result.interpretation.refused) return look;  // and the interpreter reported why
+    // A program that does not end needs no second run to know this.
     result.never_ends = hits_step_limit(result.diagnostics);
     if (result.never_ends) return look;
     result.ready = true;

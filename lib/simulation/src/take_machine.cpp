@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Applies a machine file to a plan.
 #include "ncsim/simulation/take_machine.h"
 
 #include "ncsim/setup/coordinate_systems.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Number of motions up to a line.
 #include "until_line.h"
 
 #include "ncsim/gcode/interpreter.h"
@@ -9,7 +11,7 @@ std::uint64_t motions_until(const Plan& plan, std::uint32_t line) {
     std::uint64_t count = 0;
     std::uint64_t until = 0;
     std::uint32_t nearest = 0;
-    bool is_running = false;  // the nearest line
+    bool is_running = false;  // whether the nearest line is being run
     gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
         ++count;
         const std::uint32_t at = motion.file == 0 ? motion.span.line : 0;

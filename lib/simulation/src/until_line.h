@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Number of motions up to a line of the program.
 #pragma once
 
 #include "ncsim/simulation/plan.h"
@@ -7,8 +9,8 @@
 
 namespace ncsim::simulation {
 
-/// Motions until `line` of the program has been run for the first time. If it makes none, the
-/// nearest line before it that does counts.
+/// Returns the number of motions until `line` of the program was run for the first time. If the
+/// line makes no motion, the nearest preceding line with a motion counts.
 std::uint64_t motions_until(const Plan& plan, std::uint32_t line);
 
 }  // namespace ncsim::simulation

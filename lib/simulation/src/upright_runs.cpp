@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Correction of rounded ends in runs of sloping moves.
 #include "upright_runs.h"
 
 #include "ncsim/toolpath/walk.h"
@@ -16,7 +18,7 @@ using cda::Vec3;
 using gcode::Linear;
 using gcode::Motion;
 
-// From above.
+// Returns the position seen from above.
 Vec3 place(const gcode::Position& p) {
     const Vec3 at = toolpath::linear_axes(p);
     return {at.x, at.y, 0.0};
@@ -37,7 +39,7 @@ const Linear& line_of(const Motion& motion) {
     return std::get<Linear>(motion.what);
 }
 
-// The upright plane through two places.
+// The vertical plane through two positions.
 struct Plane {
     Plane(Vec3 start, Vec3 end)
         : from(start), along(cda::normalized(end - start)), length(cda::norm(end - start)) {}

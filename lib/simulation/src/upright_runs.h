@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moves that go down or up in one upright plane. CAM systems write the arcs by which a tool enters
-// and leaves as short lines, whose ends are rounded: each goes a degree aside of the one before.
-// The walls beside them would be strips that meet at such angles, with more strips of cylinders
-// between, all of them narrower than any side of a round tool.
+// Runs of sloping moves in a vertical plane. CAM systems write the arcs by which a tool enters and
+// leaves as short lines with rounded ends, so that each line deviates from the preceding line by a
+// degree. Without correction, the walls would be strips that meet at these angles, with strips of
+// cylinders between them, all narrower than a side of a round tool's polytope.
 #pragma once
 
 #include "ncsim/gcode/interpreter.h"
@@ -13,22 +13,23 @@
 
 namespace ncsim::simulation {
 
+/// Moves the ends of sloping moves into a vertical plane.
 class UprightRuns {
 public:
-    /// A motion, and how far its ends were moved, mm.
+    /// Receives a motion, and the largest displacement of its ends, mm.
     using Sink = std::function<void(const gcode::Motion&, double moved_mm)>;
 
-    /// Hands all motions on to `sink`, in order. Straight moves at feed of an upright tool that go
-    /// down or up, in a row, are put into the upright plane through the first and the last point,
-    /// if all others lie within kRoundedMm of it.
+    /// Passes all motions on to `sink`, in order. Successive straight feed moves of an upright tool
+    /// that slope are moved into the vertical plane through the first and the last point, if all
+    /// intermediate points lie within kRoundedMm of the plane.
     explicit UprightRuns(Sink sink);
 
-    /// Cost: what a run has so far, kMostMoves at most.
+    /// Adds a motion. Cost: the length of the current run, at most kMostMoves.
     void take(const gcode::Motion& motion);
-    /// After the last motion.
+    /// Passes on the current run. Requires: the last motion was added.
     void flush();
 
-    /// What programs round: three places of millimetres, or four of inches.
+    /// Rounding of programs: three decimals of millimetres, or four of inches.
     static constexpr double kRoundedMm = 2e-3;
     static constexpr std::size_t kMostMoves = 256;
 

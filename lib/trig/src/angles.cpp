@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Trigonometric functions as Taylor series with exact argument reduction.
 #include "ncsim/trig/angles.h"
 
 #include <array>
@@ -9,7 +11,7 @@ namespace ncsim::trig {
 
 namespace {
 
-// 1 / n!, one sign after the other: of x^n in the series of sine and cosine.
+// Returns ±1 / n!, the coefficient of x^n in the series of sine (n odd) or cosine (n even).
 constexpr double taylor(int n) {
     double product = 1.0;
     for (int i = 2; i <= n; ++i)
@@ -17,7 +19,7 @@ constexpr double taylor(int n) {
     return (n / 2 % 2 == 0 ? 1.0 : -1.0) / product;
 }
 
-// Taylor series for |x| <= pi/4; the first term left out is below 2^-54.
+// Sums the Taylor series of the sine for |x| <= pi/4; the first omitted term is below 2^-54.
 double sine_near_zero(double x) {
     constexpr std::array kTerms{taylor(17), taylor(15), taylor(13), taylor(11),
                                 taylor(9),  taylor(7),  taylor(5),  taylor(3)};
@@ -38,8 +40,9 @@ double cosine_near_zero(double x) {
     return 1.0 + q * sum;
 }
 
-// Of t in [0, 1], in degrees. Halving the angle twice leaves t below 0.2, where the series is
-// short.
+// Returns the arctangent of `t` in degrees. The angle is halved twice, which leaves t below 0.2,
+// where the series is short.
+// Requires: 0 <= t <= 1.
 double arctangent(double t) {
     if (t == 0.0) return 0.0;
     if (t == 1.0) return 45.0;
@@ -52,13 +55,16 @@ double arctangent(double t) {
     return 4.0 * (t * sum) / kRadiansPerDegree;
 }
 
-// `x` less the nearest multiple of `step`, a whole number: the remainder of IEEE 754, which the
-// library computes bit by bit. Exact, since what is left is a multiple of the last bit of `x`.
+// Returns `x` minus the nearest multiple of `step`, as IEEE 754 defines the remainder. The result
+// is exact because the remainder is a multiple of the last bit of `x`. std::remainder is slower:
+// the standard library computes the remainder bit by bit.
+// Requires: `step` is a whole number.
 double remainder_of(double x, double step) {
     if (!(std::abs(x) < 0x1p40)) return std::remainder(x, step);
-    constexpr double kToWhole = 0x1.8p52;  // added and taken away, it rounds to even
+    // Adding and subtracting this number rounds to a whole number.
+    constexpr double kToWhole = 0x1.8p52;
     const double rest = x - (x / step + kToWhole - kToWhole) * step;
-    // The quotient was rounded.
+    // The rounded quotient x / step can differ from the nearest whole number by 1.
     if (rest > step / 2) return rest - step;
     if (rest < -step / 2) return rest + step;
     return rest == 0.0 ? std::copysign(0.0, x) : rest;
@@ -73,7 +79,7 @@ SinCos sin_cos(double degrees) {
     const double quarter_turns = std::nearbyint(turned / 90.0);
     double s = sine_near_zero(rest * kRadiansPerDegree);
     double c = cosine_near_zero(rest * kRadiansPerDegree);
-    // The series are a last bit off here, of all places.
+    // The series are wrong in the last bit at 30 and 45 degrees.
     if (std::abs(rest) == 30.0) s = std::copysign(0.5, rest);
     if (std::abs(rest) == 45.0) {
         c = std::sqrt(0.5);
@@ -113,7 +119,7 @@ double angle_of(double x, double y) {
 double length_of(double x, double y) {
     const double square = x * x + y * y;
     if (square > 1e-200 && std::isfinite(square)) return std::sqrt(square);
-    // Too large or too small for a square: divided by a power of two, which rounds nothing.
+    // x² + y² overflows or underflows. Scaling by a power of two is exact.
     const double sum = std::abs(x) + std::abs(y);
     if (sum == 0.0 || !std::isfinite(sum)) return sum;
     const int scale = std::ilogb(sum);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Feed moves that remove nothing: one finding a program, with their share and the blocks.
+// Feed moves that remove nothing: one finding for the program, with the share of the feed path and
+// the lines.
 #pragma once
 
 #include "finding_log.h"
@@ -26,7 +27,7 @@ private:
     double feed_mm_ = 0.0, air_mm_ = 0.0;
     std::uint64_t blocks_ = 0, air_blocks_ = 0;
     bool was_air_ = false;
-    std::vector<Lines> ranges_;  // of the program itself, the first few
+    std::vector<Lines> ranges_;  // in the program itself, the first few
     std::uint64_t ranges_more_ = 0;
     Finding first_;
 };

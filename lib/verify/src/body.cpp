@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Traces watched bodies and intersects them with the part.
 #include "body.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ using toolpath::Step;
 namespace {
 
 toolpath::Tool tool_of(toolpath::ToolPiece piece) {
-    piece.cutting = true;  // what is watched is traced like a cutter
+    piece.cutting = true;  // watched pieces are traced like a cutter
     toolpath::Tool tool;
     tool.pieces.push_back(std::move(piece));
     return tool;
@@ -42,7 +44,7 @@ Cell shrunk(const Cell& cell, double distance, const cda::Lattice& lattice) {
         const double length = std::sqrt(static_cast<double>(plane.nx) * plane.nx +
                                         static_cast<double>(plane.ny) * plane.ny +
                                         static_cast<double>(plane.nz) * plane.nz);
-        // To the side that was asked for: inwards rounds inwards, outwards outwards.
+        // Rounds in the direction of the shift.
         const auto shift = static_cast<std::int64_t>(std::ceil(std::abs(units) * length));
         plane = cda::canonical(plane.nx, plane.ny, plane.nz,
                                distance > 0.0 ? plane.d - shift : plane.d + shift);
@@ -63,7 +65,7 @@ bool is_prism(const toolpath::ToolPiece& piece) {
 }
 
 double rounding_of(const Step& step, bool prism, const cda::Lattice& lattice) {
-    // Two hulls of turned corners, half a unit an axis each, and their planes.
+    // Two hulls of rotated corners, rounded by half a unit on each axis, and their planes.
     constexpr double kUnits = 4.0;
     const auto is_exact = [](const Pose& pose) {
         for (const Vec3& row : pose.rows) {

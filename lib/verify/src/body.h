@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A piece of a tool that is watched on its own: a shank, a holder, the core of a cutter. Both its
-// polytopes, the circumscribed and the inscribed one, so that a contact can be told certain.
+// Piece of a tool that is watched separately: a shank, a holder, the core of a cutter. It has both
+// polytopes, circumscribed and inscribed, so a contact can be proven certain.
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
@@ -13,64 +13,66 @@
 
 namespace ncsim::verify {
 
-/// What a convex body has in common with a part.
+/// Intersection of a convex body with a part.
 struct Meeting {
-    bool is_there = false;  ///< Else they touch at most.
+    bool is_there = false;  ///< False: at most a touch.
     Certainty certainty = Certainty::Within;
-    std::optional<cda::Vec3> point;  ///< In both.
-    cda::Box box;                    ///< Encloses it.
+    std::optional<cda::Vec3> point;  ///< Common point.
+    cda::Box box;                    ///< Encloses the intersection.
 };
 
-/// The pose `distance` mm along the tool axis, towards the spindle.
+/// Returns the pose moved by `distance` mm along the tool axis, towards the spindle.
 toolpath::Pose raised(const toolpath::Pose& X_WT, double distance);
-/// The halfspaces of `cell` drawn in by `distance` (mm, > 0) or moved out (< 0).
+/// Returns `cell` with the halfspaces moved inwards by `distance` (mm, > 0) or outwards (< 0).
 cda::Cell shrunk(const cda::Cell& cell, double distance, const cda::Lattice& lattice);
-/// Is the piece a cylinder? The planes of its polytope are exact then; those of cones and rounded
-/// ends have normals that are rounded to the lattice.
+/// True if the piece is a cylinder. The planes of its polytope are then exact; normals of cones and
+/// rounded ends are rounded to the lattice.
 bool is_prism(const toolpath::ToolPiece& piece);
-/// How far (mm) the cells of this step may lie off for rounding alone: corners of turned tools, and
-/// the planes of tools that are no prisms. 0 for upright prisms, whose cells are exact: for them
-/// touching is exactly nothing, whatever came before.
+/// Returns the largest distance (mm) by which rounding displaces the cells of this step: corners of
+/// rotated tools, and planes of tools that are not prisms. 0 for prisms whose axis is parallel to
+/// X, Y or Z: their cells are exact, so a touch has exactly no common volume.
 double rounding_of(const toolpath::Step& step, bool prism, const cda::Lattice& lattice);
-/// What of `cell` lies in `box` (mm), to the lattice.
+/// Returns the part of `cell` in `box` (mm), rounded to the lattice.
 cda::Cell clipped(const cda::Cell& cell, const cda::Box& box, const cda::Lattice& lattice);
-/// Where the cell and the part meet: boxes (mm) of about a millimetre, or larger ones if those
-/// would be more than a few. Adds to `places`.
+/// Adds boxes (mm) that contain the intersection of the cell and the part to `places`. The boxes
+/// are about 1 mm long, or longer if more than a few would be needed.
 void find_places(const cda::Cell& cell, const cda::WorkpieceModel& part, const cda::Box& stock,
                  std::vector<cda::Box>& places);
-/// Does the tool stand along Z, all the time?
+/// True if the tool is not rotated during the whole step: its axis is Z.
 bool is_upright(const toolpath::Step& step);
-/// Towards the spindle, or not? Only then a shank can meet what its own cutter takes away later in
-/// the same motion; else the cutter was there first.
+/// True if the tool keeps its direction and moves towards the spindle. Only then a shank can meet
+/// material that the cutter removes later in the same motion; otherwise the cutter comes first.
 bool ascends(const toolpath::Step& step);
-/// The part common to both boxes; empty where there is none.
+/// Returns the intersection of both boxes; may be empty.
 cda::Box intersection(const cda::Box& a, const cda::Box& b);
 
-/// What the cells that a cutter leaves in this step, `raise` mm higher, are beyond its sweep, mm,
-/// at places that matter.
+/// Returns the largest distance (mm) by which the cells of a cutter in this step, `raise` mm
+/// higher, exceed the true sweep, at places that matter.
 double gained_by(const toolpath::Cutter& cutter, const toolpath::Step& step, double raise = 0.0);
 
 class Body {
 public:
-    /// `below`: what cuts before it, whose corners it has if it is as thick.
+    /// Creates the polytopes of `piece`. `below`: cutting piece below, whose corners are used if it
+    /// has the same diameter.
     Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
          toolpath::ToolAccuracy accuracy, const toolpath::ToolPiece* below = nullptr);
 
-    /// rounding_of() this body.
+    /// Returns rounding_of() for this body.
     double rounding(const toolpath::Step& step) const;
 
-    /// What the sweep of the body, `raise` mm higher on the tool, meets of `part`, which lies in
-    /// `stock`. Certain if the inscribed polytope does, less what the motion's sampling gained.
+    /// Intersects the sweep of the body, `raise` mm higher on the tool, with `part`, which lies in
+    /// `stock`. Certain if the inscribed polytope, minus the excess of sampling, meets the part.
     Meeting meet(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
                  const cda::Box& stock);
-    /// Is that certain? Cheaper, where nobody asks what may be.
+    /// True if the contact is certain. Cheaper than meet().
     bool meets_certainly(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
                          const cda::Box& stock);
 
-    /// The cells of the sweep, circumscribed or inscribed.
+    /// Returns the cells of the sweep, circumscribed or inscribed.
     std::vector<cda::Cell> cells(const toolpath::Step& step, double raise, toolpath::Side side);
     cda::Box bounds(const toolpath::Step& step, double raise) const;
-    /// What of them the inscribed ones are beyond the sweep of the body, mm, at places that matter.
+    /// Returns gained_by() of the inscribed cutter: the distance (mm) by which its cells exceed the
+    /// sweep of the body, at places that matter.
     double gained(const toolpath::Step& step, double raise) const;
 
 private:
@@ -79,12 +81,13 @@ private:
     toolpath::Cutter outer_, inner_;
 };
 
-/// Finer than anybody sets a stick-out, mm.
+/// Step of raises, mm; finer than the setting of a stick-out.
 inline constexpr double kRaiseStep = 0.01;
 
-/// The least raise in multiples of `raise_step` (mm) above `known` at which `body` meets nothing in
-/// this step (found by halving, so it is the least one if contact ends once). Requires that it does
-/// at `known`. At most `limit`.
+/// Returns the smallest raise, a multiple of `raise_step` (mm) above `known` and at most `limit`,
+/// at which `body` meets no material in this step. Bisection finds the smallest raise if contact
+/// ends only once.
+/// Requires: `body` meets material at `known`.
 double needed_raise(Body& body, const toolpath::Step& step, double known, double limit,
                     double raise_step, const cda::WorkpieceModel& part, const cda::Box& stock);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Adds up the time of a program.
 #include "clock.h"
 
 #include "ncsim/toolpath/trace.h"
@@ -12,7 +14,7 @@ namespace ncsim::verify {
 
 namespace {
 
-// Keys of the planner: the row, and whether it is a rapid move.
+// Returns the key of the planner: the row, and whether the move is a rapid.
 std::size_t key_of(std::size_t row, bool rapid) {
     return 2 * row + (rapid ? 1 : 0);
 }
@@ -26,7 +28,7 @@ Clock::Clock(const MachineDescription& machine)
           add(key / 2, seconds);
       }) {}
 
-// A row with a part that is not known is not known.
+// Adds to a row; a row with an unknown part is unknown.
 void Clock::add(std::size_t row, std::optional<double> seconds) {
     if (rows_.size() <= row) rows_.resize(row + 1, 0.0);
     if (!rows_[row]) return;
@@ -48,7 +50,7 @@ std::optional<double> Clock::speed_of(const Move& move) const {
 
 void Clock::take(const Move& move, std::size_t row) {
     if (move.length_mm <= 0.0) {
-        // From a place nobody knows: of that row there is no time. The sums are of the rest.
+        // If the start is unknown, the row has no time. The sums contain the remaining moves.
         if (!toolpath::has_known_start(*move.motion)) add(row, std::nullopt);
         return;
     }

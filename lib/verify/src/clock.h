@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adds up the time of a program, row by row of the ledger, where feeds and rates are known.
+// Clock that adds up the time of a program, by row of the ledger, if feeds and rates are known.
 #pragma once
 
 #include "ncsim/verify/ledger.h"
@@ -18,11 +18,11 @@ class Clock {
 public:
     explicit Clock(const MachineDescription& machine);
 
-    /// `row` is the index of the ledger row the move belongs to.
+    /// Adds a move; `row` is the index of the move's row in the ledger.
     void take(const Move& move, std::size_t row);
-    /// A dwell or a tool change.
+    /// Adds a dwell or a tool change.
     void rest(const gcode::Motion& motion, std::size_t row);
-    /// Writes the times into the rows there are, and the sums.
+    /// Writes the times into the existing rows, and the sums.
     void finish(Ledger& ledger);
 
 private:

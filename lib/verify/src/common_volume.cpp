@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. For every pair of triangles, one of each surface: where edges of one cross the other. There
-//     are two such points or none; between them lies a segment of both faces.
-//  2. Corners are inside the other body or not: asked once for each connected surface, from there
-//     on counted along the edges.
-//  3. The area of every face within the other body, from the outline that these make, and the
-//     volume under it.
+// Volume of an intersection in three steps:
+//
+//  1. For every pair of triangles, one of each surface, find the points where edges of one triangle
+//     cross the other triangle. There are two or none; between two points lies a segment of both
+//     faces.
+//  2. Decide for each corner whether it is inside the opposite body: by a query for one corner of
+//     each connected surface, then by counting crossings along the edges.
+//  3. Compute the area of every face within the opposite body from its outline, and the volume
+//     under the face.
 #include "common_volume.h"
 
 #include "ncsim/cda/triangle_tree.h"
@@ -28,7 +31,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-struct Coincidence {};  // thrown and caught in this file: what generic position excludes
+struct Coincidence {};  // thrown and caught in this file: a case that general position excludes
 
 int side(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const auto point = [](Vec3 v) { return Kernel::Point_3(v.x, v.y, v.z); };
@@ -37,13 +40,14 @@ int side(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     return sign == CGAL::POSITIVE ? 1 : -1;
 }
 
-// +1: from `p` to `q` out of the front of the triangle, against its normal -1, 0: not through it.
+// Returns +1 if the segment from `p` to `q` leaves through the front of the triangle (along the
+// normal), -1 if it enters there, 0 if it does not cross.
 int passes(Vec3 p, Vec3 q, const Corners& t) {
     const int before = side(t[0], t[1], t[2], p);
     if (before == side(t[0], t[1], t[2], q)) return 0;
     const int first = side(p, q, t[0], t[1]);
     if (side(p, q, t[1], t[2]) != first || side(p, q, t[2], t[0]) != first) return 0;
-    // CGAL's positive side is the one the normal points to.
+    // The normal points to CGAL's positive side.
     return before < 0 ? 1 : -1;
 }
 
@@ -56,7 +60,7 @@ bool is_flat(const Corners& t) {
     return CGAL::collinear(point(t[0]), point(t[1]), point(t[2]));
 }
 
-// What one surface knows of the other.
+// Surface with its crossings with the opposite surface.
 class Surface {
 public:
     Surface(const cda::TriangleMesh& mesh, Vec3 shift) : mesh_(mesh) {
@@ -75,7 +79,8 @@ public:
     Corners corners(std::uint32_t t) const { return corners_of(mesh_, t); }
     const TriangleTree& tree() const { return *tree_; }
 
-    // Crossings of the edges of face `t` with a triangle of the other surface, appended to `ends`.
+    // Appends the crossings of the edges of face `t` with a triangle of the opposite surface to
+    // `ends`.
     void cross_edges(std::uint32_t t, const Corners& other, std::vector<Vec3>& ends) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [from, to] = edge(t, k);
@@ -91,14 +96,14 @@ public:
         }
     }
 
-    // The segment from `p` to `q`, with the inside of the other body to its left.
+    // Adds the segment from `p` to `q`, with the inside of the opposite body on the left.
     void add_segment(std::uint32_t t, Vec3 p, Vec3 q) {
         faces_[t].outline = faces_[t].outline + cross(p, q);
     }
 
     // Step 2.
     void tell_corners(const Surface& other) {
-        std::vector<std::vector<std::uint32_t>> at(mesh_.vertices.size());  // faces
+        std::vector<std::vector<std::uint32_t>> at(mesh_.vertices.size());  // faces at each vertex
         for (std::uint32_t t = 0; t < size(); ++t) {
             for (const std::uint32_t v : mesh_.triangles[t])
                 at[v].push_back(t);
@@ -130,7 +135,7 @@ public:
         }
     }
 
-    // Step 3: three times the volume under the faces, as seen from the origin.
+    // Step 3: returns three times the volume under the faces, as seen from the origin.
     double volume() const {
         double sum = 0.0;
         for (std::uint32_t t = 0; t < size(); ++t) {
@@ -153,8 +158,9 @@ public:
 
 private:
     struct Edge {
-        double inside = 0.0;  // where it leaves the other body less where it enters, of its length
-        bool odd = false;     // crossings
+        // sum of leaving minus entering positions on the edge, as fractions of its length
+        double inside = 0.0;
+        bool odd = false;  // number of crossings is odd
     };
     struct Face {
         std::array<Edge, 3> edges;
@@ -162,13 +168,14 @@ private:
         bool flat = false;
     };
 
-    // The same for both faces beside it, so that both compute the same crossings.
+    // Returns the same vertex order for both faces at the edge, so both compute identical
+    // crossings.
     std::pair<std::uint32_t, std::uint32_t> edge(std::uint32_t t, std::size_t k) const {
         const std::uint32_t a = mesh_.triangles[t][k], b = mesh_.triangles[t][(k + 1) % 3];
         return {std::min(a, b), std::max(a, b)};
     }
 
-    // Exact, by the crossings of a way to the outside.
+    // Decides exactly, by the crossings of a segment to the outside.
     bool encloses(Vec3 p) const {
         Box all;
         for (const Vec3& v : mesh_.vertices)

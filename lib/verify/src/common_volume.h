@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much two closed surfaces enclose in common.
+// Volume of the intersection of two closed surfaces.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -9,17 +9,17 @@
 
 namespace ncsim::verify {
 
-/// Volume (mm³) of the intersection of what the two closed, oriented surfaces enclose, neither of
-/// which may cross itself; touching is allowed. Every decision is exact, so nothing is lost where
-/// they are nearly in one plane, only rounding of the corners remains; so that there are no
-/// coincidences, `b` is moved by 0.1 nm before, which is worth its area times that. Nothing, if
-/// coincidences remain for all of a few such shifts. Expected O(n log n + pairs of triangles whose
-/// boxes meet).
+/// Returns the volume (mm³) of the intersection of two bodies with closed, oriented surfaces;
+/// touching is allowed. Every decision is exact, so nearly coplanar faces lose nothing; only the
+/// rounding of corners remains. To avoid coincidences, `b` is shifted by 0.1 nm, which changes the
+/// result by at most its area times the shift. Empty if coincidences remain for all of four shifts.
 ///
-/// From the divergence theorem over the faces of the intersection, which are never put together:
-/// each is known by the parts of its edges inside the other body and by the segments that the other
-/// surface cuts out of it. In the spirit of Franklin, "Polygon properties calculated from the
-/// vertex neighborhoods", 1987.
+/// Method: divergence theorem over the faces of the intersection, which are not constructed. Each
+/// face is given by the parts of its edges inside the opposite body and by the segments that the
+/// opposite surface cuts out of the face.
+/// Requires: neither surface crosses itself.
+/// Cost: expected O(n log n + pairs of triangles whose boxes meet).
+/// Source: after Franklin, "Polygon properties calculated from the vertex neighborhoods", 1987.
 std::optional<double> common_volume(const cda::TriangleMesh& a, const cda::TriangleMesh& b);
 
 }  // namespace ncsim::verify

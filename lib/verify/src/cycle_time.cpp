@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Plans speeds with look-ahead.
 #include "cycle_time.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-// The speed that `length` at `acceleration` allows when coming from (or going to) `speed`.
+// Returns the speed that `length` at `acceleration` permits after (or before) `speed`.
 double reachable(double speed, double acceleration, double length) {
     return acceleration > 0.0 ? std::sqrt(speed * speed + 2.0 * acceleration * length) : kNoLimit;
 }
@@ -59,7 +61,7 @@ MotionPlanner::MotionPlanner(double junction_deviation_mm,
 double MotionPlanner::junction_speed(const PlannedMove& a, const PlannedMove& b) const {
     if (a.stops || b.stops) return 0.0;
     const double top = std::min(a.speed, b.speed);
-    // Where only one of them is limited, its limit counts.
+    // If only one move is limited, its limit counts.
     const double acceleration = a.acceleration > 0.0 && b.acceleration > 0.0
                                     ? std::min(a.acceleration, b.acceleration)
                                     : std::max(a.acceleration, b.acceleration);
@@ -82,17 +84,17 @@ void MotionPlanner::stop() {
 void MotionPlanner::plan(std::size_t commit) {
     const std::size_t n = moves_.size();
     if (n == 0) return;
-    // 1. The speed at each junction, and rest after the last move.
+    // 1. Speed at each junction, and rest after the last move.
     std::vector<double> speed(n + 1, 0.0);
     speed[0] = entry_speed_;
     for (std::size_t i = 1; i < n; ++i)
         speed[i] = junction_speed(moves_[i - 1], moves_[i]);
-    // 2. Backwards: never faster than one can slow down from.
+    // 2. Backwards: at most the speed from which the machine can decelerate.
     for (std::size_t i = n; i-- > 1;) {
         speed[i] = std::min(speed[i],
                             reachable(speed[i + 1], moves_[i].acceleration, moves_[i].length_mm));
     }
-    // 3. Forwards: never faster than one can get.
+    // 3. Forwards: at most the speed that the machine can reach.
     for (std::size_t i = 0; i < n; ++i) {
         speed[i + 1] = std::min(speed[i + 1],
                                 reachable(speed[i], moves_[i].acceleration, moves_[i].length_mm));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// For each of the two surfaces, as seen from the other one:
+// Compares a part with its design. For each of the two surfaces, as seen from the opposite surface:
 //
-//  1. A triangle, later a piece of one, is clipped by what lies within the tolerance of single
-//     triangles of the other surface. Of most nothing is left.
-//  2. What is left is asked at its corners and in its middle. Where a point is too far away, it is
-//     a finding; where none can be, since distance grows no faster than one walks, it is clear.
-//  3. The rest is halved and starts again, the largest pieces first.
+//  1. Clip a triangle, later a piece, by the points within the tolerance of single triangles of the
+//     opposite surface. Most triangles vanish.
+//  2. Measure the distance of the rest at its corners and in its middle. A point that is too far
+//     away is a finding. If no point can be too far away, because distance is a 1-Lipschitz
+//     function, the piece is clear.
+//  3. Halve the rest and start again, the largest pieces first.
 //
-// Findings are gathered in cubes; cubes that touch are a region.
+// Findings are gathered in cubes; cubes that touch form a region.
 #include "ncsim/verify/design.h"
 
 #include "ncsim/cda/check.h"
@@ -38,12 +39,12 @@ namespace {
 
 using Polygon = std::vector<Vec3>;  // convex, flat
 
-// Beyond these the work is cut short: by then it takes minutes.
+// Largest number of pieces; beyond this number, which takes minutes, the search stops.
 constexpr std::size_t kMostPieces = 1'000'000;
-// A piece that is near to more triangles, or falls into more, is halved first.
+// A piece that is near to more triangles, or divides into more pieces, is halved first.
 constexpr std::size_t kManyTriangles = 48, kManyPieces = 24;
 
-// So far apart (mm) are points in double precision that are the same: of cracks between prisms.
+// Distance (mm) below which points in double precision are equal; closes cracks between prisms.
 constexpr double kSame = 1e-9;
 
 struct Halfspace {
@@ -51,7 +52,7 @@ struct Halfspace {
     double offset = 0.0;
 };
 
-// Moves what lies outside to `outside`; `inside` becomes the rest.
+// Moves the part outside `h` to `outside`; `inside` keeps the rest.
 void split(Polygon& inside, const Halfspace& h, Polygon& outside) {
     outside.clear();
     Polygon in;
@@ -70,7 +71,7 @@ void split(Polygon& inside, const Halfspace& h, Polygon& outside) {
     inside = std::move(in);
 }
 
-// Points over the triangle, no higher or lower than `reach`.
+// Returns the prism over the triangle from -`reach` to `reach`.
 std::array<Halfspace, 5> prism(const Corners& t, double reach) {
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
     std::array<Halfspace, 5> all;
@@ -102,7 +103,8 @@ class Places {
 public:
     Places(Vec3 origin, double grain) : origin_(origin), grain_(grain) {}
 
-    /// `below(least)`: DesignRegion::below_mm, of which only what is more than `least` counts.
+    /// Adds a point. `below(least)` returns DesignRegion::below_mm; only values above `least` need
+    /// to be exact.
     template <class Below>
     void add(Vec3 point, double depth, Origin face, const Below& below) {
         Place& place = places_[cube_of(point)];
@@ -134,7 +136,8 @@ public:
                 const Cube cube = open.back();
                 open.pop_back();
                 const Place& place = places_.at(cube);
-                // Of equal depths the first in space: whatever the order of the search.
+                // Ties are decided by position, so the result does not depend on the order of the
+                // search.
                 if (std::tuple(place.depth, -place.point.x, -place.point.y, -place.point.z) >
                     std::tuple(region.depth_mm, -region.point.x, -region.point.y,
                                -region.point.z)) {
@@ -164,7 +167,7 @@ private:
     struct Place {
         double depth = 0.0, below = 0.0;
         Vec3 point;
-        double cut_depth = 0.0;  // at faces that were cut
+        double cut_depth = 0.0;  // at cut faces
         Origin face = cda::kStockOrigin;
         Box box;
         std::set<Origin> faces;
@@ -195,16 +198,17 @@ struct Limits {
     double tolerance = 0.0, resolution = 0.0, grain = 0.0;
 };
 
-// One surface as seen from the other.
+// Search of one surface, as seen from the opposite surface.
 class Search {
 public:
-    /// `inside`: where points inside the other surface count, `outside`: the others.
+    /// Creates a search. `inside` and `outside` collect points inside and outside the opposite
+    /// surface.
     Search(const cda::TriangleMesh& surface, const TriangleTree& other, const Limits& limits,
            Places& inside, Places& outside)
         : surface_(surface), other_(other), limits_(limits), inside_(inside), outside_(outside) {}
 
-    /// `add(places, point, triangle of the surface, what is nearest of the other)` for each that
-    /// is found.
+    /// Searches the surface and calls `add(places, point, triangle of the surface, nearest point of
+    /// the opposite surface)` for each point found.
     template <class Add>
     void run(const Add& add) {
         for (const Vec3& v : surface_.vertices)
@@ -223,7 +227,7 @@ public:
     }
 
     double deviation() const { return deviation_; }
-    /// Down to which radius every piece was looked at.
+    /// Returns the radius down to which every piece was searched.
     double resolution() const {
         return open_.empty() ? limits_.resolution
                              : std::max(limits_.resolution, open_.top().radius);
@@ -251,7 +255,7 @@ private:
             ask({std::move(polygon), piece.triangle}, add);
     }
 
-    // Leaves in rest_ what is not proved to be within the tolerance.
+    // Leaves in rest_ the parts that are not proven to be within the tolerance.
     void uncovered(const Polygon& polygon) {
         rest_.assign(1, polygon);
         Box box;
@@ -270,7 +274,7 @@ private:
             const auto walls = prism(triangle, limits_.tolerance);
             next_.clear();
             for (Polygon& part : rest_) {
-                // A convex body: its distance is largest in a corner.
+                // The distance from a convex body is largest in a corner.
                 if (farthest_corner(part, triangle) <= limits_.tolerance) continue;
                 Polygon within = part;
                 const std::size_t before = next_.size();
@@ -279,7 +283,7 @@ private:
                     if (!outside_piece_.empty()) next_.push_back(outside_piece_);
                     if (within.empty()) break;
                 }
-                if (within.empty()) {  // in vain: as it was
+                if (within.empty()) {  // no progress: keep the part as before
                     next_.resize(before);
                     next_.push_back(std::move(part));
                 }
@@ -325,7 +329,7 @@ private:
         halve(piece, radius);
     }
 
-    // Step 3: across its longest extent.
+    // Step 3: halves the piece across the longest extent.
     void halve(const Piece& piece, double radius) {
         Box box;
         for (const Vec3& p : piece.polygon)
@@ -352,14 +356,14 @@ private:
     std::size_t looked_ = 0;
     std::uint64_t number_ = 0;
     std::priority_queue<Open> open_;
-    std::vector<Polygon> rest_, next_;  // kept for their memory
+    std::vector<Polygon> rest_, next_;  // kept to reuse memory
     Polygon outside_piece_;
     std::vector<std::uint32_t> near_;
 };
 
-// Finds how deep below a surface the other body is missing around a point of the surface, at least.
-// Requires: nothing of the other surface is nearer to the point than `free`. Looks along the normal
-// for depths above `least`.
+// Returns a lower bound of the depth of the missing body below a point of `surface`, searched along
+// the normal for depths above `least`.
+// Requires: the opposite surface is at least `free` away from the point.
 double missing_below(const TriangleTree& surface, Vec3 point, std::uint32_t triangle, double free,
                      double least) {
     constexpr int kSteps = 20;
@@ -369,7 +373,7 @@ double missing_below(const TriangleTree& surface, Vec3 point, std::uint32_t tria
     if (norm(area) == 0.0) return 0.0;
     const Vec3 down = -normalized(area);
     double deepest = 0.0;
-    // None lies deeper than it is away from the point.
+    // The depth of a point is at most its distance from the surface point.
     double away = free;
     for (int step = 0; step < kSteps && away > std::max(deepest, least); ++step, away *= kNext) {
         const Vec3 p = point + away * down;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Measures paths and times of tools.
 #include "ncsim/verify/distances.h"
 
 #include "ncsim/cda/vec.h"
@@ -14,7 +16,8 @@ std::optional<double> sum(std::optional<double> a, std::optional<double> b) {
     return a && b ? std::optional(*a + *b) : std::nullopt;
 }
 
-// Of a move at its feed all the way; `length` in mm. Turns of rotary axes alone go by degrees.
+// Returns the time of a move at constant feed; `length` in mm. Rotary moves without a path use
+// degrees.
 std::optional<double> seconds_of(const gcode::Motion& motion, double length) {
     if (!(motion.feed > 0.0)) return std::nullopt;
     if (motion.feed_mode == gcode::FeedMode::InverseTime) return 60.0 / motion.feed;

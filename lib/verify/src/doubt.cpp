@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Table of the reasons for doubt.
 #include "ncsim/verify/doubt.h"
 
 #include <algorithm>

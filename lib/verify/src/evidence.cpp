@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Merges, writes and reads the observations of tiles.
 #include "ncsim/verify/evidence.h"
 
 #include <fmt/format.h>
@@ -31,26 +33,27 @@ enum Flag : std::uint32_t {
     kAllFlags = 127,
 };
 
-// Fixtures stand in the order in which they were met.
+// Sort key of an observation. Observations of fixtures keep the order in which they were made.
 auto place_of(const Observation& o) {
     const bool has_number = o.subject != Subject::Fixture;
     return std::tuple(o.motion, o.step, o.subject, has_number ? o.index : 0,
                       has_number ? o.other : 0);
 }
 
-// Do volumes add up? Else the largest value counts.
+// True if volumes add up; otherwise the largest value counts.
 bool sums(Subject subject) {
     return subject == Subject::FeedCut || subject == Subject::RapidCut ||
            subject == Subject::Removed;
 }
 
-// One tile sees all of these, or each counts for itself.
+// True if observations of this subject are not merged, because a single tile makes each of the
+// observations or each counts separately.
 bool stands_alone(Subject subject) {
     return subject == Subject::Fixture || subject == Subject::Link;
 }
 
 void add_to(Observation& all, const Observation& more) {
-    // Where it is certain is where it is told to be.
+    // The point of a certain contact is preferred.
     const auto weight = [](const Observation& o) {
         return std::tuple(!o.point.has_value(), !o.certain, o.rank);
     };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names of categories and severities, texts of quantities.
 #include "ncsim/verify/finding.h"
 
 #include <fmt/format.h>

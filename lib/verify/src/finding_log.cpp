@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Combines observations into findings, and doubts.
 #include "finding_log.h"
 
 #include "ncsim/cda/mix.h"
@@ -13,19 +15,20 @@ namespace ncsim::verify {
 
 namespace {
 
-// Rows are found by rule and message; no rule's id is the beginning of this.
+// Key of a row: rule and message. No rule id contains a newline, so a prefix search finds all rows
+// of a rule.
 std::string row_key(std::string_view rule, std::string_view message) {
     return std::string(rule).append(1, '\n').append(message);
 }
 
 constexpr std::string_view kAtLeast = " at least";
 
-// What one motion adds to Finding::row.
+// Hash of the observation of one motion, for Finding::row.
 std::uint64_t print_of(const Sighting& s) {
     std::uint64_t print = 1;
     const auto add = [&](double value) {
         constexpr double kPerMm = 1000.0;
-        // Whoever is farther away than that is as far away as that.
+        // Larger values are clamped.
         const double rounded = std::round(std::clamp(value * kPerMm, -1e15, 1e15));
         print = cda::mix(print, static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded)));
     };
@@ -50,7 +53,7 @@ void merge(Finding& row, const Move& move, const Sighting& s) {
     row.box.add(s.box);
     if (s.certainty == Certainty::Certain) row.certainty = Certainty::Certain;
     if (row.quantity && s.sums && !s.quantity && !row.quantity->name.ends_with(kAtLeast))
-        row.quantity->name += kAtLeast;  // not all of it was measured
+        row.quantity->name += kAtLeast;  // not all volumes were measured
     if (row.quantity && s.quantity) {
         double& value = row.quantity->value;
         value = s.sums                       ? value + s.quantity->value

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Collects what the rules see, and makes one finding of a row of the same fault.
+// Log that collects the observations of the rules and combines a row of the same fault into one
+// finding.
 #pragma once
 
 #include "ncsim/verify/setup.h"
@@ -16,58 +17,61 @@
 
 namespace ncsim::verify {
 
-/// What a rule saw in one motion.
+/// Observation of a rule in one motion.
 struct Sighting {
     std::string message;
     std::optional<Quantity> quantity = std::nullopt;
-    bool sums = false;  ///< In a row, quantities add up; else the largest counts.
-    /// A row goes on over motions that the rule has nothing to say about, until end_row();
-    /// else it takes motions that follow one another.
+    bool sums = false;  ///< In a row, quantities add up; otherwise the largest counts.
+    /// The row continues over motions without an observation, until end_row(). Otherwise the row
+    /// contains only successive motions.
     bool lasts = false;
     Certainty certainty = Certainty::Certain;
-    bool is_note = false;  ///< Weighs no more than a note.
-    /// Reasons for doubt (ids) without which it would be certain: an error becomes a warning, and
-    /// the doubt is told; but for those that somebody accepted.
+    bool is_note = false;  ///< The severity is Note.
+    /// Reasons for doubt (ids) without which the fault would be certain. An error becomes a warning
+    /// and each reason a doubt, except for reasons that the user accepted.
     std::vector<std::string_view> rests_on = {};
     std::optional<cda::Vec3> point = std::nullopt;
     cda::Box box = {};
     std::vector<std::string> assumptions = {};
-    std::string hint = {};  ///< Instead of the rule's own.
+    std::string hint = {};  ///< Replaces the remedy of the rule.
 };
 
 class FindingLog {
 public:
-    /// `setup` must outlive it.
+    /// Creates an empty log.
+    /// Requires: `setup` outlives the log.
     explicit FindingLog(const Setup& setup);
 
     void add(std::string_view rule, const Move& move, Sighting sighting);
     void end_row(std::string_view rule);
-    /// There may be more of the row, which nobody looks at.
+    /// Marks the open rows of `rule`: there may be more motions, which are not searched.
     void go_on(std::string_view rule);
-    /// Something that keeps a program from being proven. The same reason and message count once.
+    /// Adds a reason that keeps the program from being proven. Repetitions of the same reason and
+    /// message are counted.
     void doubt(std::string_view reason, std::string message, const Place& place = {});
-    /// Adds a finding that is complete except for category, severity, hint and suppression. An
-    /// error that rests on reasons for doubt becomes a warning, and a doubt of each.
+    /// Adds a finding that is complete except for category, severity, hint and suppression. If an
+    /// error rests on reasons for doubt, it becomes a warning, and each reason a doubt.
     void add(Finding finding, std::vector<std::string_view> rests_on = {});
 
-    /// Hands everything over, sorted by file, line, column and rule.
+    /// Moves everything into `verdict`, sorted by file, line and column.
     void finish(Verdict& verdict);
 
 private:
     void settle(Finding& finding, bool weakened) const;
-    /// Settles it without the reasons that the user accepted, and logs doubts of the others.
+    /// Settles `finding` without the reasons that the user accepted, and logs the remaining reasons
+    /// as doubts.
     void settle(Finding& finding, std::vector<std::string_view>& rests_on);
     bool store(Finding finding);
 
     const Setup* setup_;
-    // The finding that a row becomes, and the print of its first motion.
+    // Finding of an open row, and the hash of the row's first motion.
     struct Row {
         std::size_t finding = 0;
         std::uint64_t print = 0;
     };
 
     std::vector<Finding> findings_;
-    std::map<std::string, Row, std::less<>> rows_;  // rule + message: the open one
+    std::map<std::string, Row, std::less<>> rows_;  // rule + message: the open row
     std::map<std::string, std::uint64_t, std::less<>> stored_;
     std::map<std::string, std::uint64_t> unlisted_;
     std::vector<Doubt> doubts_;

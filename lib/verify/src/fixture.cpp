@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks tools against fixtures.
 #include "fixture.h"
 
 #include "ncsim/cda/collision.h"
@@ -21,10 +23,10 @@ Box grown(const Box& box, double by) {
     return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
 }
 
-// How much finer a tool is looked at where it matters: the last one leaves less than a micrometre.
+// Factors of finer accuracy for tools in open contacts; the last leaves an error below 1 µm.
 constexpr double kFiner[] = {16.0, 256.0};
 
-// Of a fixture is asked what is so near to it, mm.
+// Margin (mm) around a fixture in which cells are considered.
 constexpr double kAround = 1.0;
 
 Cell cell_of(const Box& box, const cda::Lattice& lattice) {
@@ -56,7 +58,8 @@ FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup
 bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
     const Fixture& fixture = fixtures_[index];
     if (fixture.mesh.triangles.empty()) return boxes_[index]->contact(cell).has_value();
-    // The part of the cell near the mesh plays the part, the mesh the body that may meet it.
+    // The part of the cell near the mesh is the material, and the mesh is the body that may meet
+    // the material.
     Cell near = cell_of(grown(fixture.place(), kAround), lattice_);
     near.planes.insert(near.planes.end(), cell.planes.begin(), cell.planes.end());
     if (!cda::ConvexPolytope::of(near, lattice_)) return false;
@@ -70,7 +73,7 @@ FixtureContact FixtureScene::contact_of(Body& body, std::size_t f,
     contact.fixture = f;
     const double clearance = fixtures_[f].clearance_mm;
     const double rounding = body.rounding(step);
-    // Its surface may be as far outside of its triangles, or inside.
+    // The true surface may be this far outside or inside the triangles.
     const double hidden = fixtures_[f].deflection_mm;
     const auto meets = [&](const Cell& cell, double less) {
         return touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell);
@@ -117,7 +120,7 @@ void FixtureScene::meet(int tool, const toolpath::Step& step,
                 continue;
             }
             FixtureContact contact = contact_of(bodies[piece], f, step);
-            // Where the accuracy of the tool leaves it open, a finer one may decide.
+            // If the accuracy of the tool leaves the contact open, a finer tool may decide.
             for (const double factor : kFiner) {
                 if (contact.box.is_empty() || contact.certainty == Certainty::Certain) break;
                 contact = contact_of(finer(tool, piece, factor), f, step);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands on the table, ready to be asked whether a tool meets it.
+// Fixtures on the table, prepared for contact checks with tools.
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
@@ -20,16 +20,17 @@ namespace ncsim::verify {
 
 class FixtureScene {
 public:
-    /// The fixtures on a lattice of their own, fine enough for all of them.
+    /// Prepares the fixtures of `setup` on a common lattice that is fine enough for all fixtures.
     explicit FixtureScene(const Setup& setup);
 
     bool is_empty() const { return fixtures_.empty(); }
-    /// Adds to `contacts` what the tool meets in this step; each fixture and piece stands once.
+    /// Adds contacts of the tool in this step to `contacts`, at most one for each fixture and
+    /// piece.
     void meet(int tool, const toolpath::Step& step, std::vector<FixtureContact>& contacts);
 
 private:
     bool touches(std::size_t fixture, const cda::Cell& cell) const;
-    /// Without a box where they are not even near.
+    /// Returns the contact; without a box if the bodies are not near each other.
     FixtureContact contact_of(Body& body, std::size_t fixture, const toolpath::Step& step) const;
     Body& finer(int tool, std::size_t piece, double factor);
 
@@ -37,7 +38,7 @@ private:
     cda::Lattice lattice_;
     std::vector<Fixture> fixtures_;
     std::vector<std::unique_ptr<cda::WorkpieceModel>> boxes_;
-    std::map<int, std::vector<Body>> tools_;  // one body a piece
+    std::map<int, std::vector<Body>> tools_;  // one body for each piece
     std::map<std::tuple<int, std::size_t, double>, Body> fine_;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Proves free distances between bodies.
 #include "free_space.h"
 
 #include "ncsim/cda/separation.h"
@@ -20,7 +22,7 @@ using machine::Values;
 
 namespace {
 
-// Of each piece of a body, as it is asked for.
+// Corners of the pieces of a body on the lattice, computed on demand.
 class CornersOfPieces {
 public:
     CornersOfPieces(const RigidBody& body, const Pose& X, const cda::Lattice& lattice)
@@ -41,10 +43,10 @@ private:
     std::vector<std::vector<cda::LatticePoint>> corners_;
 };
 
-// How far apart they are at least, which is proven, up to that.
+// Returns a proven lower bound of the distance, at most `most_mm`.
 double apart_mm(const Pose& X, const RigidBody& observer, const RigidBody& body,
                 const cda::Lattice& lattice, double most_mm) {
-    // Corners go to the lattice, half a unit an axis each.
+    // Corners are rounded to the lattice by half a unit on each axis.
     const double rounding_mm = observer.accuracy_mm() + body.accuracy_mm() + 2.0 * lattice.unit_mm;
     const auto gap = [](const Box& a, const Box& b) {
         Vec3 out;
@@ -80,7 +82,7 @@ double apart_mm(const Pose& X, const RigidBody& observer, const RigidBody& body,
                 add(at.one, other.left);
                 add(at.one, other.right);
             }
-            // The nearer ones first: after them the others are far.
+            // The nearer pair first, which lowers the bound for the second pair.
             if (open.size() == before + 2 && open[before].gap_mm < open[before + 1].gap_mm)
                 std::swap(open[before], open[before + 1]);
             continue;
@@ -95,7 +97,7 @@ double apart_mm(const Pose& X, const RigidBody& observer, const RigidBody& body,
                 };
                 const cda::Nearness near = cda::nearness(resting[a], moved[b], width(apart) + 1);
                 if (near.is_apart) continue;
-                // A little less than it is in truth can be proved.
+                // A value slightly below the true distance can be proven.
                 constexpr double kNearly = 0.98;
                 const std::int64_t less = width(kNearly * near.distance * lattice.unit_mm);
                 const bool is_proven =
@@ -108,9 +110,10 @@ double apart_mm(const Pose& X, const RigidBody& observer, const RigidBody& body,
     return std::max(0.0, apart - rounding_mm);
 }
 
-// How far a joint takes a point of the body by 1, as long as none is farther than `apart` from
-// where it was. The joints between it and the body have moved the body by no more than that, so its
-// distance from the axis is no larger than it was by more.
+// Returns upper bounds of the distance by which each joint moves a point of the body per unit, as
+// long as no point has moved farther than `apart`. Proof: the joints between this joint and the
+// body have moved the body by at most `apart`, so the distance of a point from the joint's axis has
+// grown by at most `apart`.
 OfJoints reach_of(const machine::Chain& chain, const Values& at, const RigidBody& body,
                   double apart) {
     OfJoints reach{};
@@ -165,14 +168,15 @@ double most_of(const OfJoints& reach, const JointWays& go) {
         straight += go.straight[i];
         count += 1.0;
     }
-    // n numbers, the squares of which have a sum of no more than that of all three.
+    // Σ|x_i| <= √n |x| for the n of the three coordinates that count.
     return sum + std::min(straight, std::sqrt(count) * go.all_straight);
 }
 
 }  // namespace
 
-// If a point could get as far as what is free, it would do so at some time, and until then every
-// joint would have taken it no farther than its reach says: to less than that.
+// Proof by contradiction: let t be the first time at which a point has travelled the free distance.
+// Until t every joint has moved the point by at most the joint's reach times its motion; the sum is
+// less than the free distance.
 bool keeps_apart(const FreeSpace& space, const JointWays& go, double needed_mm) {
     const double most = std::min(most_of(space.of_body, go), most_of(space.of_observer, go));
     return most + needed_mm < space.apart_mm;

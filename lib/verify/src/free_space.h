@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies that are far from each other stay so for many motions: what is free between them is proven
-// once, and then only added up how far they can have gone.
+// Free space between bodies. Distant bodies stay distant for many motions: a free distance is
+// proven once, then only the possible travel since is added up.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -15,36 +15,35 @@
 
 namespace ncsim::verify {
 
-/// By the letter of the joint.
+/// Value by the letter of the joint.
 using OfJoints = std::array<double, std::tuple_size_v<machine::Values>>;
 
-/// What is free between two bodies with the joints at `at`: `apart_mm` at least, which is proven, 0
-/// where they may touch. As long as no point of the one has gone farther than that, as the other
-/// sees it, a joint that goes by 1 (mm, degree) takes it no farther than `of_body` says, or, of the
-/// observer as the body sees it, `of_observer`.
+/// Free space between two bodies with the joints at `at`: the distance is proven to be at least
+/// `apart_mm`; 0: the bodies may touch. As long as no point of a body has moved farther than
+/// `apart_mm` relative to the observer, a joint motion of 1 (mm or degree) moves the point by at
+/// most `of_body`, and a point of the observer relative to the body by at most `of_observer`.
 struct FreeSpace {
     machine::Values at{};
     double apart_mm = 0.0;
     OfJoints of_body{}, of_observer{};
 };
-/// `way` is PairOnLeg::way; more than `most_mm` is not asked.
+/// Measures the free space. `way` is PairOnLeg::way; the distance is limited to `most_mm`.
 FreeSpace free_space(const machine::Chain& way, const machine::Values& at,
                      const RigidBody& observer, const RigidBody& body, const cda::Lattice& lattice,
                      double most_mm);
 
-/// How far each joint goes at most from where it was to where a leg begins, and in the leg: mm and
-/// degrees; those of X, Y and Z in the leg apart from the others, and how far the three go
-/// together.
+/// Bounds of joint motions from the time of the proof to the start of a leg, and in the leg; mm and
+/// degrees. X, Y and Z in the leg are separate (`straight`), with a bound for the three together.
 struct JointWays {
     OfJoints ways{};
     std::array<double, 3> straight{};
     double all_straight = 0.0;
 };
-/// `from`: where the leg begins. Nothing if nobody knows.
+/// Returns the joint motions from `begin`; `from`: start of the leg. Empty if unknown.
 std::optional<JointWays> ways_of(const machine::Values& begin,
                                  const std::optional<machine::Values>& from,
                                  const std::optional<machine::Going>& leg);
-/// Is there still more than `needed_mm` between them, all along such ways?
+/// True if more than `needed_mm` remains between the bodies during such motions.
 bool keeps_apart(const FreeSpace& space, const JointWays& ways, double needed_mm);
 
 }  // namespace ncsim::verify

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds unspecified values on which a verdict would rest.
 #include "guesses.h"
 
 #include "ncsim/toolpath/trace.h"

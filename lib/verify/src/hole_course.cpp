@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Follows a tool in a hole.
 #include "hole_course.h"
 
 #include "rule_table.h"
@@ -12,7 +14,7 @@ void HoleCourse::take(Move& move) {
     const gcode::Motion& motion = *move.motion;
     const auto* from = gcode::start_of(motion);
     const auto* to = gcode::end_of(motion);
-    if (!from || !to) return;  // a dwell, a tool change
+    if (!from || !to) return;  // a dwell or a tool change
     const auto last_cut = std::exchange(cut_, std::nullopt);
     const bool is_axial = from->x == to->x && from->y == to->y && !is_turned(motion);
     const bool is_here = motion.tool == tool_ && to->x.mm() == x_ && to->y.mm() == y_;

@@ -13,14 +13,16 @@ namespace ncsim::verify {
 
 class HoleCourse {
 public:
-    /// Fills in hole_depth_mm and leaves_cut of `move`. Requires: `move` is measured.
+    /// Sets hole_depth_mm and leaves_cut of `move`.
+    /// Requires: `move` is measured.
     void take(Move& move);
 
 private:
     int tool_ = 0;
     double x_ = 0.0, y_ = 0.0;
-    std::optional<double> top_;                 // of the first contact, Z; empty: outside of a hole
-    std::optional<gcode::SpindleTurning> cut_;  // the last motion cut straight down
+    std::optional<double> top_;  // Z of the first contact; empty: not in a hole
+    // spindle state if the last motion cut straight down
+    std::optional<gcode::SpindleTurning> cut_;
 };
 
 }  // namespace ncsim::verify

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cuts with a spindle that does not turn as the tool wants it. Some of them are told: a program
-// without M3 has thousands, and each has to be asked for.
+// Counter of cuts with a spindle that does not turn as the tool requires. Only the first 20 are
+// searched, because a program without M3 has thousands and each search is expensive.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -12,7 +12,7 @@ namespace ncsim::verify {
 
 class IdleSpindle {
 public:
-    /// A motion begins; counts anew where the spindle or the tool is another one.
+    /// Begins a motion; restarts the count if the spindle or the tool changes.
     void begin(const gcode::Motion& motion) {
         const State now{motion.tool, motion.spindle, motion.spindle_rpm, motion.spindle_in_doubt};
         if (now == state_) return;

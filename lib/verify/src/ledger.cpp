@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Balance of a ledger.
 #include "ncsim/verify/ledger.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes the rows of the ledger.
 #include "ledger_book.h"
 
 #include "body.h"
@@ -47,7 +49,8 @@ void LedgerBook::note_cells(const toolpath::Step& step, double rounding) {
     for (const Cell& cell : step.cells) {
         const Box met = intersection(cell.bounds, stock_);
         if (met.is_empty()) continue;
-        // Of what does not turn, planes alone are rounded: 2^-24 of their length.
+        // If the tool is upright, only planes are rounded, by at most 2^-24 of the extent of the
+        // cell.
         const Vec3 e = met.max - met.min;
         const double thickness =
             is_upright(step) ? std::min(rounding, 0x1p-24 * norm(e)) : rounding;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes the rows of the ledger, motion by motion. Where no step is measured, the account of the
-// part tells in the end what each of them removed.
+// Writer of the ledger, motion by motion. If steps are not measured, the account of the part gives
+// the removed volume of each motion at the end.
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
@@ -17,28 +17,31 @@ namespace ncsim::verify {
 
 class LedgerBook {
 public:
-    /// `ledger` must outlive it; `stock` in mm.
+    /// Creates a writer for `ledger`; `stock` in mm.
+    /// Requires: `ledger` outlives the writer.
     LedgerBook(Ledger& ledger, const cda::Box& stock) : ledger_(ledger), stock_(stock) {}
 
-    /// A motion begins.
+    /// Begins a motion.
     void begin() { cut_now_ = {}; }
-    /// What the motion at hand takes away, if it does. The cells lie off by `rounding` (mm) at
-    /// most.
+    /// Notes the cells of a step of this motion. Rounding displaces the cells by at most `rounding`
+    /// (mm).
     void note_cells(const toolpath::Step& step, double rounding);
-    /// The motion ends. `later`: the account tells what it removed; else `move` does.
+    /// Ends the motion. `later`: the account will give the removed volume; otherwise `move` has it.
     void enter(const Move& move, bool later);
-    /// The row that a time belongs to.
+    /// Returns the row that a time belongs to.
     std::size_t row() const { return ledger_.rows.empty() ? 0 : ledger_.rows.size() - 1; }
-    /// After the last motion. `tells_air`: feed moves that removed nothing are counted, too.
+    /// Enters the volumes of `account` after the last motion. `tells_air`: also sums up the feed
+    /// moves that removed nothing.
     void close(const cda::Account& account, bool tells_air);
 
 private:
-    // The account tells the rest.
+    // Motion whose removed volume the account gives.
     struct Cut {
         std::size_t row = 0;
         cda::Origin origin = cda::kStockOrigin;
         double feed_mm = 0.0;
-        // What cells take that are where the cutter was before, but for rounding, at most.
+        // Upper bound (mm³) of the volume that the cells remove through rounding alone, where the
+        // cutter was before.
         double sliver_mm3 = 0.0;
     };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Divides the meshes of a machine into convex pieces.
 #include "ncsim/verify/machine_bodies.h"
 
 #include "rigid_body.h"
@@ -35,7 +37,7 @@ MachineBodies::MachineBodies(LinkBodies told) : told_(std::move(told)) {
     };
     for (const LinkBody& link : told_.links)
         links_.push_back(add("the link '" + link.name + "'", link));
-    // Where they stand is another thing for each program, what they are is not.
+    // Only checks the meshes: positions of fixtures differ between programs, the pieces do not.
     for (const Fixture& fixture : told_.fixtures)
         add("the fixture '" + fixture.name + "'", fixture);
 }

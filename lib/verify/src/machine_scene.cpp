@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks the bodies of a machine for contact, motion by motion.
 #include "machine_scene.h"
 
 #include "ncsim/cda/hull.h"
@@ -21,14 +23,14 @@ using machine::Values;
 
 namespace {
 
-// Depths of a pair that are measured, each as dear as ten that are only found: one fault has a
-// number, thousands of the same have its largest.
+// Largest number of measured depths of a pair. A measurement costs as much as ten searches. A
+// single fault gets a number; thousands of the same fault get the largest number.
 constexpr std::uint64_t kMostMeasured = 16;
 
-// How much finer a tool is looked at where it matters.
+// Factor of finer accuracy for tools in open contacts.
 constexpr double kFinerTool = 16.0;
 
-// The corners of a polytope on the lattice, and of one inside of it.
+// Returns the corners of the circumscribed and of the inscribed polytope of a piece.
 ConvexPiece piece_of_tool(const toolpath::ToolPiece& told, toolpath::ToolAccuracy accuracy,
                           Vec3 tip) {
     constexpr cda::Lattice kFinest;
@@ -42,7 +44,8 @@ ConvexPiece piece_of_tool(const toolpath::ToolPiece& told, toolpath::ToolAccurac
     const auto inner = corners(toolpath::Side::Inscribed);
     for (const cda::LatticePoint& p : inner)
         piece.inner.push_back(kFinest.to_mm(p) + tip);
-    // Of round tools facets tell how deep they are: their edges are nearly parallel to them.
+    // For round tools, facets suffice as directions of depth, because edges are nearly parallel to
+    // facets.
     if (const auto hull = cda::convex_hull(inner, kFinest, cda::kStockOrigin)) {
         for (const cda::Plane& plane : hull->planes)
             piece.directions.normals.push_back(unit_normal(plane));
@@ -50,7 +53,8 @@ ConvexPiece piece_of_tool(const toolpath::ToolPiece& told, toolpath::ToolAccurac
     return piece;
 }
 
-// What MachineBodies did not refuse.
+// Returns the body of a fixture.
+// Requires: MachineBodies accepted the mesh.
 RigidBody body_of(const Fixture& fixture, Vec3 shift) {
     cda::TriangleMesh mesh = fixture.mesh;
     for (Vec3& p : mesh.vertices)
@@ -65,8 +69,8 @@ RigidBody body_of(const Fixture& fixture, Vec3 shift) {
     return {{piece_of(*polytope, lattice, fixture.box.centre() + shift)}, lattice.unit_mm};
 }
 
-// Is the cutter first wherever something is that stands above it? The tool keeps its direction and
-// does not go up, as with shanks.
+// True if the cutter reaches each place before the bodies above the cutter: the tool keeps its
+// direction and does not ascend. The same argument holds for shanks.
 bool leads(const gcode::Motion& leg, const toolpath::Kinematics& machine) {
     const gcode::Position from = *gcode::start_of(leg), to = *gcode::end_of(leg);
     const toolpath::Poses poses(&machine, leg);
@@ -77,7 +81,8 @@ bool leads(const gcode::Motion& leg, const toolpath::Kinematics& machine) {
     return dot(poses.at(to).translation - start.translation, axis_of(start)) <= 0.0;
 }
 
-// The pieces that are farther from the axis of the tool than that; null if none is.
+// Returns the pieces that reach farther from the tool axis than `radius_mm`; null if there are
+// none.
 std::unique_ptr<const RigidBody> beside(const RigidBody& body, double radius_mm) {
     std::vector<ConvexPiece> pieces;
     for (const ConvexPiece& piece : body.pieces()) {
@@ -107,7 +112,7 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
         if (member.body) longest = std::max(longest, member.body->longest());
         members_.push_back(std::move(member));
     };
-    // The part and fixtures first: they are what looks.
+    // The part and fixtures come first, because the first member of a pair is the observer.
     if (!stock_.is_empty()) {
         Fixture block;
         block.box = stock_;
@@ -121,7 +126,7 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
              fixtures_.back().get(), fixture.clearance_mm, false, false, false,
              why_as_hull(fixture.mesh, fixture.as_hull)});
     }
-    // Then what is fixed to the part, at last what is fixed to the tool.
+    // Then the links fixed to the part, finally the links fixed to the tool.
     const auto rank = [&told](const LinkBody& link) {
         return link.moved_by == told.part_moved_by   ? 0
                : link.moved_by == told.tool_moved_by ? 2
@@ -137,7 +142,7 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
         }
     }
     add({"tool", "the tool", told.tool_moved_by, nullptr, 0.0, true, false, false});
-    // Twice the longest piece in 25 bits: it may lie to either side of a place.
+    // Twice the longest piece in 25 bits, because a piece may lie on either side of a place.
     for (const auto& [number, facts] : setup.tools)
         longest = std::max(longest, toolpath::height_of(facts.tool));
     const Vec3 reach{2.0 * longest, 2.0 * longest, 2.0 * longest};
@@ -160,7 +165,7 @@ void MachineScene::add_pairs() {
         for (std::size_t k = i + 1; k < members_.size(); ++k) {
             const Member& a = members_[i];
             const Member& b = members_[k];
-            // Tools have rules of their own for the part and for fixtures.
+            // Separate rules check the tool against the part and fixtures.
             if (!a.is_link && !b.is_link) continue;
             Pair pair{i,
                       k,
@@ -178,7 +183,7 @@ void MachineScene::add_pairs() {
     }
 }
 
-// Up to the spindle nose, where the spindle begins.
+// Returns the tool up to the spindle nose, where the spindle begins.
 const RigidBody* MachineScene::tool(int number, double gauge_mm, double finer) {
     const auto key = std::tuple(number, gauge_mm, finer);
     const auto known = tools_.find(key);
@@ -204,7 +209,7 @@ const RigidBody* MachineScene::tool(int number, double gauge_mm, double finer) {
     return tools_.emplace(key, std::move(body)).first->second.get();
 }
 
-// The joints on its way would be elsewhere with a tool of another length.
+// True if positions of the pair's joints depend on the tool length.
 bool MachineScene::needs_length(const Pair& pair) const {
     const bool of_tip = legs_.front().motion.coordinates == gcode::Coordinates::Tip;
     const bool all = of_tip && setup_->kinematics->chain.has_head();
@@ -213,7 +218,7 @@ bool MachineScene::needs_length(const Pair& pair) const {
     });
 }
 
-// Since it was asked last.
+// True if the pair has moved since the last check, or moves in `leg`.
 bool MachineScene::moves(const Pair& pair, const Leg& leg) const {
     if (!leg.from || !leg.to || !pair.asked_at) return true;
     const bool is_curved = !std::holds_alternative<gcode::Linear>(leg.motion.what) ||
@@ -244,7 +249,7 @@ Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
     return inverse(X_MP) * p_M - zero_;
 }
 
-// Is the pair, one without the part, asked here?
+// True if this Verifier checks the pair, which does not contain the part.
 bool MachineScene::is_asked(std::size_t pair) const {
     if (share_.evidence) return false;
     return !share_.tile || pair % share_.tile->of == share_.tile->tile;
@@ -293,7 +298,7 @@ void MachineScene::note(const Observation& seen, std::vector<MachineContact>& co
         contacts.push_back(std::move(contact));
         return;
     }
-    // Of several legs the worst counts.
+    // The worst contact of all legs counts.
     const auto weight = [](const MachineContact& c) {
         return std::pair(c.touches, c.certainty == Certainty::Certain);
     };
@@ -304,10 +309,11 @@ void MachineScene::note(const Observation& seen, std::vector<MachineContact>& co
     if (is_worse) *old = std::move(contact);
 }
 
-// That changes no answer: what this proves to be clear is clear.
+// True if a proof shows that the pair stays clear. Does not change results: a full check would also
+// find the pair clear.
 bool MachineScene::stays_free(Pair& pair, const Leg& leg, const RigidBody& observer,
                               const RigidBody& body) {
-    // What rounding makes of sums.
+    // Rounding of sums.
     constexpr double kSumRounding = 1e-6;
     const double needed_mm = pair.clearance_mm + leg.missed_mm + kSumRounding;
     const auto is_enough = [&] {
@@ -319,7 +325,7 @@ bool MachineScene::stays_free(Pair& pair, const Leg& leg, const RigidBody& obser
         pair.waits -= pair.waits > 0 ? 1 : 0;
         return false;
     }
-    // Farther than machines go in a few moves, and near enough for most pieces to be left out.
+    // Distance (mm) larger than a few moves of a machine, and small enough to exclude most pieces.
     constexpr double kFarthest = 200.0;
     pair.free_with = &body;
     pair.free =
@@ -356,7 +362,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
         if (near.closeness == Closeness::Clear) return;
     }
     Encounter met = meet(on_leg, *observer, *other, lattice_, pair.measured < kMostMeasured);
-    // Where the accuracy of the tool leaves it open, a finer one may decide.
+    // If the accuracy of the tool leaves the contact open, a finer tool may decide.
     if (met.closeness == Closeness::Open && members_[pair.body].is_tool) {
         const RigidBody* finer = this->tool(leg.motion.tool, *length.gauge_mm, kFinerTool);
         met = meet(on_leg, *observer, *finer, lattice_, false);
@@ -380,7 +386,7 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
     if (toolpath::has_known_start(motion)) {
         legs = toolpath::legs_of(motion, setup_->rapid);
     } else {
-        // It comes from nobody knows where: certain is where it ends.
+        // The start position is unknown; only the end position is checked.
         legs.motions.push_back(motion);
         const gcode::Position end = *gcode::end_of(motion);
         legs.motions.back().what = gcode::Linear{end, end};
@@ -395,7 +401,7 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
         if (leg.from && leg.to) leg.going = leg.path->going(0.0, *leg.from, 1.0, *leg.to);
     }
     const RigidBody* tool = length.gauge_mm ? this->tool(motion.tool, *length.gauge_mm) : nullptr;
-    // No length, or one that leaves nothing of the tool below the nose.
+    // No length, or a length that leaves no part of the tool below the nose.
     const bool lacks_tool = motion.tool != 0 && !tool;
     const Chain& tool_moved_by = setup_->bodies->told().tool_moved_by;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -442,7 +448,8 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
     }
 }
 
-// What of a link that is fixed to the tool goes elsewhere than where the tool has cut.
+// Returns the parts of a link fixed to the tool that move outside the cylinder of the cutter; null
+// if there are none.
 const RigidBody* MachineScene::beside_cutter(const RigidBody& body, int tool) {
     const auto key = std::pair(&body, tool);
     const auto known = beside_.find(key);
@@ -469,7 +476,7 @@ void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineConta
         if (met.closeness == Closeness::Clear) {
             pair.met_before = false;
             if (open.follows) continue;
-            // Before the motion there was something in the way: who was there first nobody knows.
+            // An obstacle existed before the motion; the order of contact and cut is unknown.
             touches = pair.clearance_mm == 0.0;
             met.closeness = Closeness::Open;
             met.values = leg.to.value_or(Values{});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All that a machine moves, and who of it is asked about whom: links, fixtures, the tool, what is
-// left of the stock.
+// Bodies of a machine, and the pairs that are checked for contact: links, fixtures, the tool, the
+// rest of the stock.
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
@@ -25,72 +25,76 @@
 
 namespace ncsim::verify {
 
-/// How long the tool is, as far as it was told.
+/// Length of the tool, as far as specified.
 struct ToolLength {
-    bool nose_known = false;  ///< Where the spindle nose is when the program says where the tip is.
-    std::optional<double> gauge_mm;  ///< Of the tool in the spindle, from the nose to its tip.
+    bool nose_known = false;  ///< The position of the spindle nose follows from the programmed tip.
+    std::optional<double> gauge_mm;  ///< Length from the spindle nose to the tip of the tool.
 };
 
 class MachineScene {
 public:
-    /// `setup` must outlive it. `stock` in W, mm; empty: nothing is cut.
-    /// Of a tile, pairs without the part are asked by one of them each; where all tiles were seen,
-    /// none is.
+    /// Creates the scene. `stock` (W, mm) is empty if nothing is cut. Tiles share the pairs without
+    /// the part: exactly one tile checks each pair. With the evidence of all tiles, no pair is
+    /// checked.
+    /// Requires: `setup` outlives the scene.
     MachineScene(const Setup& setup, const cda::Box& stock, const Share& share = {});
 
-    /// Is there nothing to ask?
+    /// True if no pair is checked.
     bool is_empty() const { return pairs_.empty(); }
-    /// Asks links, fixtures and the tool about each other, and links about `part`, as it is before
-    /// the motion; null: nothing is cut. Adds to `contacts`.
+    /// Checks links, fixtures and the tool against each other, and links against `part` as it is
+    /// before the motion (null: nothing is cut). Adds contacts to `contacts`.
     void begin(const gcode::Motion& motion, const ToolLength& length,
                const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
-    /// And about the part as it is after it, where that was open.
+    /// Checks open contacts with the part again, with `part` as it is after the motion.
     void end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
-    /// Adds what tiles saw. Throws std::runtime_error if there is no such pair.
+    /// Adds the contact of an observation of a tile.
+    /// Throws: std::runtime_error if the pair does not exist.
     void note(const Observation& seen, std::vector<MachineContact>& contacts) const;
-    /// What was seen in this motion, of a tile.
+    /// Returns the observations of this motion, for a tile.
     const Evidence& seen() const { return seen_; }
-    /// What was not asked in this motion, because nobody tells how long its tool is.
+    /// True if a pair was not checked in this motion because the tool length is unspecified.
     bool misses_length() const { return misses_length_; }
 
 private:
-    // One body, or what takes its place with each tool.
+    // Body, or placeholder for the tool or the part.
     struct Member {
-        std::string name;  // as pairs tell it
+        std::string name;  // name in pairs
         std::string what;  // "the link 'cradle'"
         machine::Chain moved_by;
         const RigidBody* body = nullptr;  // null: the tool, the part
         double clearance_mm = 0.0;
         bool is_tool = false, is_part = false, is_link = false;
-        std::string why_hull{};  // why it counts as its hull; empty: it does not
+        std::string why_hull{};  // reason why the hull replaces the mesh; empty: it does not
     };
     struct Pair {
-        std::size_t observer = 0, body = 0;  // of members_
+        std::size_t observer = 0, body = 0;  // indices into members_
         machine::Chain way;
         double clearance_mm = 0.0;
         bool of_part_and_tool = false;
-        // Where the joints on the way stood, and the tool, when it was asked last.
+        // Joint positions and tool at the last check.
         std::optional<machine::Values> asked_at;
         const RigidBody* asked_with = nullptr;
-        std::uint64_t measured = 0;   // times that its depth was
-        std::uint64_t not_clear = 0;  // motions in which it was not
-        bool met_before = false;      // in the last one that it was asked in
-        // What was proven of these two last,
+        std::uint64_t measured = 0;   // number of measured depths
+        std::uint64_t not_clear = 0;  // number of motions that were not clear
+        bool met_before = false;      // contact in the last motion that was checked
+        // Last proof of free space for the two bodies.
         const RigidBody* free_with = nullptr;
         FreeSpace free{};
-        std::uint32_t waits = 0;   // legs until it is worth while to ask that anew,
-        std::uint32_t failed = 0;  // and how often it was not
+        std::uint32_t waits = 0;   // number of legs until the next attempt of a proof
+        std::uint32_t failed = 0;  // number of failed attempts in a row
     };
     struct Leg {
         gcode::Motion motion;
         double missed_mm = 0.0;
         std::optional<toolpath::JointPath> path = std::nullopt;
-        std::optional<machine::Values> from = std::nullopt, to = std::nullopt;  // at its ends
-        std::optional<machine::Going> going = std::nullopt;                     // all of it
+        // joint positions at the ends of the leg
+        std::optional<machine::Values> from = std::nullopt, to = std::nullopt;
+        // bounds for the whole leg
+        std::optional<machine::Going> going = std::nullopt;
     };
     struct Open {
         std::size_t pair = 0, leg = 0;
-        bool follows = false;  // what is in the way is where the tool cuts first
+        bool follows = false;  // the tool cuts the obstacle first
     };
     void add_pairs();
     bool is_told(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;
@@ -114,14 +118,14 @@ private:
     cda::Lattice lattice_;
     std::vector<Member> members_;
     std::vector<std::unique_ptr<const RigidBody>> fixtures_;
-    std::unique_ptr<const RigidBody> block_;  // all that the part can be
+    std::unique_ptr<const RigidBody> block_;  // box of the stock, which contains the part
     std::vector<Pair> pairs_;
-    // By number, gauge length, and how much finer than their accuracy they are.
+    // Tools by number, gauge length, and factor of finer accuracy.
     std::map<std::tuple<int, double, double>, std::unique_ptr<const RigidBody>> tools_;
     bool misses_length_ = false;
-    // Of links, what is beside the cutter of a tool; never asked in the order of its keys.
+    // Parts of links outside the cylinder of a cutter; never iterated, because keys are pointers.
     std::map<std::pair<const RigidBody*, int>, std::unique_ptr<const RigidBody>> beside_;
-    // Of the motion at hand.
+    // State of the current motion.
     std::vector<Leg> legs_;
     double length_mm_ = 0.0;
     std::vector<Open> open_;  // pairs with the part

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Measures the contacts of a tool with the part.
 #include "measuring.h"
 
 #include "ncsim/toolpath/tool_polytope.h"
@@ -24,7 +26,7 @@ using toolpath::Step;
 
 namespace {
 
-// How steeply it goes down along its axis: the tangent of the angle; 0 if it does not.
+// Returns the tangent of the angle of descent along the tool axis; 0 if the step does not descend.
 double steepness_of(const Step& step) {
     if (step.X_WA.rows != step.X_WB.rows) return 0.0;
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
@@ -36,18 +38,17 @@ double steepness_of(const Step& step) {
 
 }  // namespace
 
-// How far the cutter's cells of this step may lie off for rounding alone.
 double Measuring::rounding_now(const Step& step) const {
     return rounding_of(step, now_->prism, lattice_);
 }
 
-// Where the cell, less what may be rounding, and the part have volume in common.
+// Returns a point common to the part and to the cell shrunk by `rounding`.
 std::optional<Vec3> Measuring::contact(const Cell& cell, double rounding,
                                        const cda::WorkpieceModel& part) const {
     return part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
 }
 
-// Is the body nowhere near the tile?
+// True if the body does not overlap the tile.
 bool Measuring::is_away(const Body& body, const Step& step, double raise) const {
     return place_ && !place_->overlaps(body.bounds(step, raise));
 }
@@ -144,7 +145,7 @@ void Measuring::note(const Observation& seen) {
 
 void Measuring::take_off(const Step& step, double volume, bool is_exact) {
     Observation seen = seen_now(Subject::Removed);
-    // Of cells that are not exact slivers may be left where they were before.
+    // Inexact cells may remove slivers that earlier steps left.
     seen.touches = !is_exact && meets_now_;
     seen.certain = is_exact;
     seen.value = volume;
@@ -164,7 +165,7 @@ void Measuring::meet_at_feed(const Step& step, const cda::WorkpieceModel& part) 
         seen.point = contact(cell, rounding, part);
         ++seen.rank;
     }
-    // In another tile there may be more than rounding.
+    // In a different tile the contact may exceed rounding.
     seen.touches = seen.point.has_value();
     const auto has_sliver = [&] {
         return kept_ && !volumes_ && wants_volume() &&
@@ -178,7 +179,7 @@ void Measuring::meet_at_feed(const Step& step, const cda::WorkpieceModel& part) 
     tell(std::move(seen));
 }
 
-// Of a faulty motion, as long as volumes of faults are told.
+// True in a faulty motion, as long as volumes of faults are reported.
 bool Measuring::wants_volume() const {
     return move_.volume_known && (volumes_ || measured_ < kMostMeasured);
 }
@@ -190,7 +191,7 @@ void Measuring::book(const std::optional<double>& volume) {
     move_.removed_mm3 += *volume;
 }
 
-// Of all cells of the step together, which may overlap.
+// Returns the common volume of the part and all cells of the step, which may overlap.
 double Measuring::common_volume(const Step& step, const cda::WorkpieceModel& part) {
     if (step.cells.size() == 1) return part.common_volume(step.cells[0]);
     const std::unique_ptr<cda::WorkpieceModel> rest = part.clone();
@@ -200,13 +201,11 @@ double Measuring::common_volume(const Step& step, const cda::WorkpieceModel& par
     return volume;
 }
 
-// Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
 void Measuring::meet_rapidly(const Step& step, const cda::WorkpieceModel& part) {
-    // Back into a hole, say, that a peck has left.
+    // For example, back into a hole that a peck left.
     if (now_->widens && now_->passes.cover(step, 0.0)) return;
     const double rounding = rounding_now(step);
-    // Of a motion that certainly meets material all that is left to be found out is where else, as
-    // a box.
+    // In a motion that certainly meets material, only the boxes of further contacts are needed.
     const bool is_known =
         move_.certainty == Certainty::Certain && move_.contact_point && !move_.volume_known;
     Observation seen = seen_now(Subject::RapidCut);
@@ -217,7 +216,7 @@ void Measuring::meet_rapidly(const Step& step, const cda::WorkpieceModel& part) 
         if (!seen.point) ++seen.rank;
         if (!part.contact(cell)) continue;
         seen.box.add(box);
-        // Less than rounding: it is where the cutter was before.
+        // Less than rounding: the cutter was there before.
         if (!seen.point) seen.point = contact(cell, rounding, part);
     }
     if (seen.box.is_empty()) return;
@@ -235,11 +234,12 @@ void Measuring::meet_rapidly(const Step& step, const cda::WorkpieceModel& part) 
     tell(std::move(seen));
 }
 
-// Looks for material around points inside the tool, those in front first: most feed moves cut,
-// and the corners of a tetrahedron of a unit's size, well within the tool, that are all in the
-// part tell so. (One point would not do: the part of an aggregate contains the walls without
-// thickness between two cuts that touch. They are flat, the corners are not.) Where none is
-// found, contact() of the whole sweep has to tell. Counts those that were looked at.
+// Searches for material around points inside the tool, the foremost points first, because most feed
+// moves cut. Material is found if all corners of a tetrahedron of the size of a lattice unit, well
+// within the tool, are in the part. A single point does not suffice: the part of an aggregate
+// contains walls of zero thickness between two touching cuts. Such walls are flat; the corners are
+// not coplanar. If no tetrahedron is found, contact() of the whole sweep decides. `rank` counts the
+// points that were checked.
 std::optional<Vec3> Measuring::find_material(const Step& step, const cda::WorkpieceModel& part,
                                              std::uint32_t& rank) {
     if (step.X_WA.rows != step.X_WB.rows) return std::nullopt;
@@ -265,7 +265,6 @@ std::optional<Vec3> Measuring::find_material(const Step& step, const cda::Workpi
     return std::nullopt;
 }
 
-// What the accuracy of the tools leaves open, finer ones may decide.
 void Measuring::look_closer() {
     if (move_.meets_material && move_.motion->kind == MoveKind::Rapid &&
         move_.certainty == Certainty::Within) {
@@ -288,7 +287,7 @@ std::optional<Certainty> Measuring::second_look(std::string_view rule,
                                                 std::optional<std::size_t> piece) {
     const auto places = open_.find(piece);
     if (places == open_.end()) return Certainty::Within;
-    // In an order that says nothing about who found them.
+    // The order must not depend on the tile that found the boxes.
     std::vector<Box>& boxes = places->second;
     const auto corners = [](const Box& b) {
         return std::array{b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
@@ -298,7 +297,7 @@ std::optional<Certainty> Measuring::second_look(std::string_view rule,
     return setup_.second_look({move_.number, rule, move_.motion->tool, piece, std::move(boxes)});
 }
 
-// In the inscribed tool, if that meets something.
+// Returns a common point of the material and the inscribed tool, if one exists.
 std::optional<Vec3> Measuring::certain_point(const Step& step, const cda::WorkpieceModel& part) {
     std::optional<Vec3> point;
     cells_.clear();
@@ -335,10 +334,12 @@ void Measuring::meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
     }
 }
 
-// What does not cut at its centre leaves a button there, until it has been aside by its radius.
-// How far down may it go before? Down a ramp, as steeply as it may, no button is left; its
-// double is left where the ramp turns back, and twice that is let pass. What goes down more
-// steeply may only do so for as much as the ramp falls under it.
+// Follows the core of the tool. A tool that does not cut at the centre leaves a button there until
+// it has moved aside by the radius of the core.
+//
+// Limits of the descent before that, with the slope s of the steepest permitted ramp and the radius
+// r of the core: a ramp of slope s leaves no button, but 2 s r where it reverses; 4 s r is
+// permitted. A steeper descent is permitted up to s r.
 void Measuring::follow_core(const Step& step,
                             const std::function<double(double fall, double allowed)>& on_material) {
     Watched& w = *now_;
@@ -372,8 +373,8 @@ void Measuring::follow_core(const Step& step,
     w.fallen_mm = 0.0;
 }
 
-// A tile does not know what was beneath it elsewhere, so neither how far it has come down: it tells
-// how far this step has material under it.
+// A tile knows neither the material under the tool in other tiles nor the length of the descent.
+// The tile records the length of this step above material.
 void Measuring::meet_core(const Step& step, const cda::WorkpieceModel& part) {
     if (!kept_) {
         follow_core(step, [&](double fall, double allowed) {
@@ -395,18 +396,19 @@ void Measuring::meet_core(const Step& step, const Observation* seen) {
     });
 }
 
-// How much of `fall` has material under the core; to the hundredth where it matters.
+// Returns the length of `fall` that has material under the core, to 0.01 mm where it matters.
 double Measuring::fall_on_material(const Step& step, const cda::WorkpieceModel& part, double fall,
                                    double allowed) {
-    // The core is not known to a hundredth; a rim that touches is no plunge.
+    // The size of the core is not known to 0.01 mm; a rim that touches is no plunge.
     if (!now_->core->meets_certainly(step, 0.0, part, stock_)) return 0.0;
     if (now_->fallen_mm + fall <= allowed) return fall;
     if (now_->core->meet(step, fall, part, stock_).is_there) return fall;
     return std::min(fall, needed_raise(*now_->core, step, 0.0, fall, kRaiseStep, part, stock_));
 }
 
-// How much higher than at `known` what cuts above some height would have to sit not to cut,
-// where what cuts below it has not been before.
+// Returns the smallest raise, at least `known`, at which the cutter above a height meets no
+// material, except material that the cutter below this height removes in this step or removed on
+// the same path.
 double Measuring::needed_above(Above& above, const Step& step, const cda::WorkpieceModel& part,
                                double known, double raise_step) {
     if (now_->passes.cover(step, above.from_mm + known - now_->straight_from_mm)) return known;
@@ -436,10 +438,10 @@ void Measuring::meet_too_high(const Step& step, const cda::WorkpieceModel& part)
     if (*seen.value > move_.too_deep_mm) tell(std::move(seen));
 }
 
-// Flutes that nobody told: only what was not needed before is new. How much it is is told
-// roughly; a program that goes down a helix needs a little more with every step.
+// Checks the flutes above the certain flute length: only a larger raise than before is new. The
+// raise is reported coarsely, because a program on a helix needs a little more with every step.
 void Measuring::meet_uncertain(const Step& step, const cda::WorkpieceModel& part) {
-    constexpr double kPart = 1.0 / 16.0;  // of what is certain
+    constexpr double kPart = 1.0 / 16.0;  // relative to the certain flute length
     const double known = now_->uncertain_mm;
     const double raise_step = std::max(
         kRaiseStep, kPart * facts_of(setup_, move_.motion->tool)->certain_flutes.value_or(0.0));

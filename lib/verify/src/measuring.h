@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a tool meets of the part in one motion, measured step by step before and after its cells are
-// taken away; changes nothing but the Move it is noted in. What is asked and what is noted are two:
-// who has a tile of the part asks, and who has all that tiles saw notes the same.
+// Measurement of the contacts of a tool with the part in one motion, step by step, before and after
+// the cells are removed. Changes only the Move in which contacts are noted. Asking and noting are
+// separate: a tile asks its part and records observations; a run with the evidence of all tiles
+// notes the same observations.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -26,52 +27,55 @@ namespace ncsim::verify {
 
 class Measuring {
 public:
-    /// `setup` and `move`, in which everything is noted, must outlive it; `stock` (mm, W) and
-    /// `lattice` are those of the part. `volumes`: somebody measures what every step removes.
+    /// Creates a measurement. `stock` (mm, W) and `lattice` are the part's. `volumes`: the caller
+    /// measures the removed volume of every step.
+    /// Requires: `setup` and `move` outlive the object.
     Measuring(const Setup& setup, const cda::Box& stock, const cda::Lattice& lattice, Move& move,
               bool volumes)
         : setup_(setup), stock_(stock), lattice_(lattice), move_(move), volumes_(volumes) {}
 
-    /// All that is noted is written down, too. `place` (mm, W): where the tile is.
+    /// Also records all observations in `evidence`. `place` (mm, W): box of the tile.
     void keep(Evidence& evidence, const cda::Box& place) {
         kept_ = &evidence;
         place_ = place;
     }
-    /// A motion begins, with the tool that is watched; null: nobody describes it.
+    /// Begins a motion with the watched tool; null: the tool is not described.
     void begin(Watched* tool) {
         now_ = tool;
         open_.clear();
         step_ = 0;
     }
-    /// A step begins: before anything is asked about it.
+    /// Begins a step; called before all queries about the step.
     void begin_step() {
         ++step_;
         meets_now_ = false;
     }
-    /// Which one is at hand, from 1.
+    /// Returns the number of the step, from 1.
     std::uint64_t step() const { return step_; }
 
-    /// How far the cutter's cells of this step may lie off for rounding alone, mm.
+    /// Returns the largest distance (mm) by which rounding displaces the cutter's cells of this
+    /// step.
     double rounding_now(const toolpath::Step& step) const;
     void meet_at_feed(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
+    /// Checks a step of a rapid. Most rapids meet no material, which a cheap query decides; the
+    /// rest is checked closely.
     void meet_rapidly(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// Shanks and holders.
+    /// Checks shanks and holders.
     void meet_bodies(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// What does not cut at the centre.
+    /// Checks the core, which does not cut.
     void meet_core(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// The same with what tiles saw of it; null: nothing.
+    /// Checks the core with the observation `seen` of tiles; null: no material under the core.
     void meet_core(const toolpath::Step& step, const Observation* seen);
-    /// What cuts above the limit of depth.
+    /// Checks the cutter above the depth limit.
     void meet_too_high(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// Flutes that nobody told.
+    /// Checks the flutes above the certain flute length.
     void meet_uncertain(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// The step removed `volume`, mm³; `is_exact`: if that is more than nothing, it met material.
+    /// Notes that the step removed `volume` (mm³). `is_exact`: a positive volume proves contact.
     void take_off(const toolpath::Step& step, double volume, bool is_exact);
-    /// Notes what was seen of the part, but for the core. Throws std::runtime_error if it cannot
-    /// have been seen in this motion.
+    /// Notes an observation of the part, except of the core.
+    /// Throws: std::runtime_error if the observation is impossible in this motion.
     void note(const Observation& seen);
-    /// What the accuracy of the tools leaves open, finer ones may decide.
+    /// Decides open contacts with finer tools.
     void look_closer();
 
 private:
@@ -107,13 +111,14 @@ private:
     std::uint64_t step_ = 0;
     bool meets_now_ = false;
     Evidence* kept_ = nullptr;       // of a tile
-    std::optional<cda::Box> place_;  // where that is
-    // Steps of faulty motions of which the volume was measured, each as dear as ten that are only
-    // cut, and how many that may be: one fault has a number, thousands have "at least".
+    std::optional<cda::Box> place_;  // box of the tile
+    // Number of steps of faulty motions whose volume was measured, and the limit of this number. A
+    // measurement costs as much as ten cuts. A single fault gets a number, thousands get "at
+    // least".
     std::uint64_t measured_ = 0;
     static constexpr std::uint64_t kMostMeasured = 16;
-    std::vector<cda::Cell> cells_;  // kept for its memory
-    // Of this motion: where it is open whether a piece, or what cuts, touches.
+    std::vector<cda::Cell> cells_;  // kept to reuse memory
+    // Boxes of open contacts in this motion, by piece of the tool; no piece: the cutter.
     std::map<std::optional<std::size_t>, std::vector<cda::Box>> open_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One motion as the rules see it: what the program says, and what was measured while it was
-// simulated.
+// Motion as the rules see it: values from the program, and values measured during the simulation.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -17,89 +16,92 @@
 
 namespace ncsim::verify {
 
-/// A piece of the tool that does not cut, and the material it meets.
+/// Contact of a non-cutting piece of the tool with material.
 struct BodyContact {
     std::size_t piece = 0;  ///< Index into Tool::pieces.
     Certainty certainty = Certainty::Within;
-    /// The least by which the piece would have to sit higher on the tool not to meet material in
-    /// any motion so far, rounded up to 0.01 mm.
+    /// Smallest distance by which the piece would have to sit higher on the tool to avoid material
+    /// in all motions so far, rounded up to 0.01 mm.
     double raise_mm = 0.0;
-    std::optional<cda::Vec3> point;  ///< In both.
+    std::optional<cda::Vec3> point;  ///< Common point.
     cda::Box box;                    ///< Encloses the contact.
 };
 
 struct FixtureContact {
     std::size_t fixture = 0;  ///< Index into MachineDescription::fixtures.
-    std::size_t piece = 0;    ///< Of the tool.
-    bool touches = false;     ///< The fixture itself, not only the clearance around it.
+    std::size_t piece = 0;    ///< Index of the piece of the tool.
+    bool touches = false;     ///< The fixture itself, not only the clearance.
     Certainty certainty = Certainty::Within;
     cda::Box box;
 };
 
-/// Two things that a machine moves, and one of them a link.
+/// Contact of two bodies that a machine moves, at least one of them a link.
 struct MachineContact {
     std::string first, second;  ///< "the link 'cradle'"
-    bool touches = false;       ///< Else they only come nearer than `clearance_mm`.
+    bool touches = false;       ///< Otherwise the bodies are only nearer than `clearance_mm`.
     Certainty certainty = Certainty::Within;
-    double amount_mm = 0.0;  ///< Deep in each other; or apart. 0 where it was not measured.
+    double amount_mm = 0.0;  ///< Penetration, or distance; 0 if not measured.
     double clearance_mm = 0.0;
-    machine::Values values{};        ///< Of the joints then, machine coordinates.
-    std::optional<cda::Vec3> point;  ///< In W; where it is certain.
-    bool assumed = false;            ///< Nobody told all of what meets there.
-    std::vector<std::string> hulls;  ///< Meshes that count as their hulls, and why.
+    /// Positions of the joints at the contact, machine coordinates.
+    machine::Values values{};
+    std::optional<cda::Vec3> point;  ///< W; empty unless the contact is certain.
+    bool assumed = false;            ///< The shape of a body in contact is not fully specified.
+    std::vector<std::string> hulls;  ///< Meshes replaced by hulls, with reasons.
 };
 
 struct Move {
     const gcode::Motion* motion = nullptr;
-    std::uint64_t number = 0;  ///< From 1, in the order of execution.
-    bool is_move = false;      ///< Else a dwell or a tool change.
-    bool is_traced = false;    ///< Its tool and its start are known, so it was simulated.
-    /// It meets nothing, whatever is not known of its start.
+    std::uint64_t number = 0;  ///< Number from 1, in the order of execution.
+    bool is_move = false;      ///< Otherwise a dwell or a tool change.
+    bool is_traced = false;    ///< The tool and the start are known, so the motion was simulated.
+    /// The motion meets no body, whatever its unknown start.
     bool passes_above = false;
-    /// Its start is not known; what it met where it ends was asked.
+    /// The start is unknown; only the end position was checked.
     bool arrives = false;
-    bool after_probe = false;  ///< A probe moved before: where it met something is assumed.
+    bool after_probe = false;  ///< A probing move precedes; its contact point is assumed.
     double length_mm = 0.0;    ///< Path of the controlled point.
-    cda::Vec3 enters, leaves;  ///< Unit vectors of the path's two ends; 0 without a length.
-    double radius_mm = 0.0;    ///< Of an arc, the smaller one of a spiral; else 0.
-    cda::Box path;             ///< Of the controlled point, in W.
-    /// Of the controlled point, in machine coordinates with the tool length, if the machine tells
-    /// where the work zero lies.
+    cda::Vec3 enters, leaves;  ///< Unit vectors at the two ends of the path; 0 without a length.
+    double radius_mm = 0.0;    ///< Radius of an arc, the smaller radius of a spiral; otherwise 0.
+    cda::Box path;             ///< Box of the path of the controlled point, W.
+    /// Box of the controlled point in machine coordinates, including the tool length; empty if the
+    /// position of the work zero is unspecified.
     std::optional<cda::Box> machine_path;
-    /// Tip control with rotary axes that are not at 0, or a tool that W moves along itself: X, Y
-    /// and Z are not where the axes go.
+    /// X, Y and Z of the program differ from the positions of the axes: tip control with rotary
+    /// axes away from 0, or W moves the tool along its axis.
     bool is_tilted_tip = false;
-    /// Z of the start, of the end, is a position of the spindle nose, not of the tip.
+    /// Z at the start, and at the end, is a position of the spindle nose, not of the tip.
     bool starts_at_nose = false, ends_at_nose = false;
-    /// Box of all paths up to here, and before this motion.
+    /// Box of all paths up to and including this motion, and up to the motion before.
     cda::Box way, way_before;
 
-    // The length of the tool as the control has it.
+    // Length of the tool in the control.
     int length_register = 0;            ///< Number, or a gcode::LengthRegister.
-    bool length_told = false;           ///< Of that register.
+    bool length_told = false;           ///< The value of the register is specified.
     double length_offset = 0.0;         ///< Active along Z, mm.
-    std::optional<double> tool_length;  ///< Of the tool itself, mm, where it is told.
-    /// Goes down, feeds or probes: where a tool of another length breaks something.
+    std::optional<double> tool_length;  ///< Length of the tool itself, mm; empty: unspecified.
+    /// The motion descends, feeds or probes, so a wrong tool length does damage.
     bool needs_length = false;
 
-    // What the cutting pieces met; only where `asked`.
+    // Contacts of the cutting pieces; only if `asked`.
     bool asked = false;
     bool meets_material = false;
     bool volume_known = false;
     double removed_mm3 = 0.0;
     Certainty certainty = Certainty::Within;
-    cda::Box contact;                        ///< Encloses where the stock was met.
-    std::optional<cda::Vec3> contact_point;  ///< In the tool and in the material.
+    cda::Box contact;                        ///< Encloses all contacts with the stock.
+    std::optional<cda::Vec3> contact_point;  ///< Point in the tool and in the material.
 
-    /// How far it went down on material under the centre, where it does not cut, without having
-    /// been aside; beyond what the tool may.
+    /// Length (mm) of the descent on material under the core, which does not cut, since the tool
+    /// last moved aside; 0 if the length is permitted.
     double plunged_mm = 0.0;
-    double too_deep_mm = 0.0;  ///< Engaged height above the limit of the tool.
-    /// Straight along its axis in a hole: the tip below the first contact with material there, mm.
+    double too_deep_mm = 0.0;  ///< Engaged height above the depth limit of the tool.
+    /// Depth (mm) of the tip below the first contact with material, for a motion along the tool
+    /// axis in a hole.
     double hole_depth_mm = 0.0;
-    /// The motion before cut straight down, with this spindle; this one goes straight up.
+    /// Spindle state of the preceding motion if that motion cut straight down and this motion goes
+    /// straight up.
     std::optional<gcode::SpindleTurning> leaves_cut;
-    /// Farther off the programmed path than the tolerance allows, mm.
+    /// Deviation (mm) from the programmed path if it exceeds the tolerance.
     double path_error_mm = 0.0;
     std::vector<BodyContact> bodies;
     std::vector<FixtureContact> fixtures;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Searches for contacts of moving bodies by halving the motion.
 #include "pair_search.h"
 
 #include "ncsim/cda/hull.h"
@@ -27,22 +29,23 @@ using machine::Values;
 
 namespace {
 
-// While a way may be off by more than this, mm, its hulls say nothing worth looking for.
+// Deviation (mm) of a path above which hulls are too coarse to be useful.
 constexpr double kCoarseMm = 5.0;
 
-using PiecePair = std::pair<std::uint32_t, std::uint32_t>;  // of the observer, of the body
+// pieces of the observer and of the body
+using PiecePair = std::pair<std::uint32_t, std::uint32_t>;
 
 struct Stretch {
     double begin = 0.0, end = 1.0;
     Values from{}, to{};
-    std::vector<PiecePair> open;  // what may meet; where it is listed
+    std::vector<PiecePair> open;  // pairs that may meet, once listed
     bool is_listed = false;
 };
 
-// Where a body is in a stretch.
+// Positions of a body in a stretch.
 struct Span {
     Pose X_0, X_1;         // observer to body, at both ends
-    double grow_mm = 0.0;  // nothing of it is farther from the straight way between them
+    double grow_mm = 0.0;  // largest deviation of a point from the straight path between the ends
 };
 
 Box widened(const Box& box, double by) {
@@ -73,7 +76,7 @@ std::int64_t units_up(double mm, const cda::Lattice& lattice) {
     return static_cast<std::int64_t>(std::ceil(std::max(0.0, mm) / lattice.unit_mm));
 }
 
-// How the body goes in a stretch: all of it stays in the ball.
+// Returns a ball that contains the body during the stretch, with bounds of its motion.
 std::optional<Ball> ball_of(const PairOnLeg& pair, const RigidBody& body, const Stretch& s) {
     const auto going = pair.path.going(s.begin, s.from, s.end, s.to);
     if (!going) return std::nullopt;
@@ -90,7 +93,7 @@ std::optional<Ball> ball_of(const PairOnLeg& pair, const RigidBody& body, const 
     return ball;
 }
 
-// The same for the observer, as the body sees it.
+// Returns the same ball for the observer, as seen from the body.
 std::optional<Ball> ball_of_observer(const PairOnLeg& pair, const RigidBody& observer,
                                      const Stretch& s) {
     const auto going = pair.path.going(s.begin, s.from, s.end, s.to);
@@ -99,8 +102,9 @@ std::optional<Ball> ball_of_observer(const PairOnLeg& pair, const RigidBody& obs
                  {observer.centre(), observer.radius(), 0.0, 0.0});
 }
 
-// `far`: are all places in a ball clear? `list`: what of the stretch is not clear, into `open`.
-// `find`: is it certain at a time?
+// Halves a leg until all stretches are decided. `far`: true if all positions in a ball are clear.
+// `list`: writes the pairs that are not clear in the stretch into `open`. `find`: true if contact
+// is certain at a time.
 template <class Far, class List, class Find>
 Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_mm, const Far& far,
                  const List& list, const Find& find) {
@@ -163,7 +167,7 @@ Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_m
     return result;
 }
 
-// Pairs of pieces whose boxes are near each other.
+// Lists the pairs of pieces whose boxes are near each other.
 void list_near(const RigidBody& observer, const RigidBody& body, const Span& place,
                std::vector<PiecePair>& pairs) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};  // nodes
@@ -189,7 +193,7 @@ void list_near(const RigidBody& observer, const RigidBody& body, const Span& pla
     }
 }
 
-// Pieces whose boxes come near a box.
+// Lists the pieces whose boxes are near a box.
 std::vector<std::uint32_t> pieces_near(const RigidBody& body, const Span& place, const Box& box) {
     std::vector<std::uint32_t> near;
     std::vector<std::uint32_t> open{0};  // nodes
@@ -207,7 +211,7 @@ std::vector<std::uint32_t> pieces_near(const RigidBody& body, const Span& place,
     return near;
 }
 
-// Of each piece of a body, as it is asked for.
+// Corners of the pieces of a body on the lattice, computed on demand.
 class PointsOfPieces {
 public:
     PointsOfPieces(const RigidBody& body, const Span& place, const cda::Lattice& lattice)
@@ -234,7 +238,7 @@ public:
           observer_(observer),
           body_(body),
           lattice_(lattice),
-          // Corners go to the lattice, half a unit an axis each.
+          // Corners are rounded to the lattice by half a unit on each axis.
           rounding_mm_(observer.accuracy_mm() + body.accuracy_mm() + 2.0 * lattice.unit_mm) {}
 
     double rounding_mm() const { return rounding_mm_; }
@@ -253,15 +257,15 @@ public:
         s.is_listed = true;
         const std::int64_t width = units_up(place.grow_mm, lattice_);
         PointsOfPieces resting(observer_, {}, lattice_), going(body_, place, lattice_);
-        // How the observer goes, if that is asked.
+        // Motion of the observer, computed on demand.
         std::optional<Span> other_way;
         std::optional<PointsOfPieces> observer_going, body_resting;
         std::erase_if(s.open, [&](const PiecePair& p) {
             const Box& box = observer_.boxes()[p.first];
             if (!box.overlaps(swept(place, body_.boxes()[p.second]))) return true;
             if (cda::nearness(resting[p.first], going[p.second], width).is_apart) return true;
-            // A hull of two places has what lies between the ends of a long piece that turned:
-            // less, where the shorter one is taken to go.
+            // A hull of two rotated positions also contains the region between the ends of a long
+            // piece. The hull is smaller if the shorter body moves, so the roles are swapped.
             if (place.X_0.rows == place.X_1.rows) return false;
             if (!other_way) {
                 other_way = as_seen_from_body(place, clearance_mm, s);
@@ -274,7 +278,8 @@ public:
         });
     }
 
-    // Two pieces that meet at one time; `measured`: the deepest, and how deep.
+    // Finds two pieces that meet at a time; `measured`: finds the pair with the largest
+    // penetration, and the penetration.
     bool find_overlap(const Values& values, bool measured, Encounter& found) const {
         return for_each_near(values, 0.0, [&](const PiecePair& p, const Pose& X) {
             const ConvexPiece& one = observer_.pieces()[p.first];
@@ -294,7 +299,7 @@ public:
         });
     }
 
-    // The nearest two pieces at one time, if they are nearer than that.
+    // Finds the nearest two pieces at a time, if nearer than `clearance_mm`.
     bool find_near(const Values& values, double clearance_mm, Encounter& found) const {
         const double limit = clearance_mm - rounding_mm_;
         return for_each_near(values, clearance_mm, [&](const PiecePair& p, const Pose& X) {
@@ -318,7 +323,7 @@ public:
 
 private:
     Span as_seen_from_body(const Span& place, double clearance_mm, const Stretch& s) const {
-        // Not known: as far off as no pieces are apart.
+        // Bound without a known motion: larger than any distance between pieces.
         constexpr double kFar = 1e5;
         const auto ball = ball_of_observer(pair_, observer_, s);
         const double missed_mm = ball ? ball->bend / 8.0 + pair_.missed_mm : kFar;
@@ -358,7 +363,7 @@ private:
     double rounding_mm_;
 };
 
-// How deep it is at the worst: at some times of the leg, and from the worst one on ever closer.
+// Finds the largest penetration: samples times of the leg, then refines around the worst time.
 template <class Find>
 void find_worst(const PairOnLeg& pair, const Find& find, Encounter& worst) {
     constexpr int kTimes = 16, kCloser = 40;
@@ -418,7 +423,7 @@ Encounter come_near(const PairOnLeg& pair, const RigidBody& observer, const Rigi
 Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const Box& stock,
                     Vec3 zero, const RigidBody& body, double clearance_mm, bool measured) {
     const cda::Lattice& lattice = part.lattice();
-    // Corners, and the planes of hulls of turned ones.
+    // Corners, and planes of hulls of rotated corners.
     const double rounding_mm = body.accuracy_mm() + 4.0 * lattice.unit_mm;
     const Box place_of_part = widened(stock, clearance_mm);
     const auto in_W = [zero](Pose X) {
@@ -457,7 +462,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
             const auto cell =
                 cda::convex_hull(points, lattice, cda::kStockOrigin, cda::Rounding::Inward);
             if (!cell) continue;
-            // Smaller by `less` all around; larger where it is negative.
+            // The cell shrunk by `less` on all sides; grown if `less` is negative.
             const auto contact = [&](double less) {
                 return part.contact(shrunk(*cell, less, lattice));
             };
@@ -474,7 +479,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
                 const double middle = 0.5 * (low + high);
                 (contact(middle) ? low : high) = middle;
             }
-            // Deep, or apart.
+            // Penetration, or distance.
             const double amount_mm = measured ? std::abs(low) : 0.0;
             const bool is_known = found.closeness == Closeness::Certain;
             const bool is_worse =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Do two bodies that a machine moves meet in a motion? Stretches of it are halved until each is
-// decided: clear where the hulls of a piece at both ends, grown by how far the way between them may
-// be off, keep apart; certain where two pieces meet at one of its times.
+// Search for contact between two bodies during a motion. Stretches of the motion are halved until
+// each is decided. Clear: the hulls of a piece at both ends, grown by the deviation of the path
+// between the ends, are separate. Certain: two pieces meet at a time in the stretch.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -17,52 +17,53 @@
 
 namespace ncsim::verify {
 
-/// A stretch in which no point goes farther than this (mm) is not halved any more: bodies that
-/// neither keep apart there nor meet are that near, and rounding.
+/// Length (mm): a stretch in which no point travels farther is not halved. Bodies that are neither
+/// proven separate nor found in contact there are nearer than this length, up to rounding.
 inline constexpr double kUndecidedMm = 0.001;
 
 enum class Closeness : std::uint8_t { Clear, Open, Certain };
 
-/// Stretches of a pair in one leg, after which it is open: pieces of 200 mm that pass each other at
-/// a hundredth of a millimetre take some hundred. And where that has been open or certain often:
-/// what touches by design does so in every motion.
+/// Largest number of stretches of a pair in one leg; then the pair is open. Pieces of 200 mm that
+/// pass each other at 0.01 mm need some hundreds. The small number is for pairs that were often
+/// open or certain, because bodies that touch by design touch in every motion.
 inline constexpr std::size_t kMostStretches = 4000, kFewStretches = 100;
 
-/// What came of it. Where it is not clear:
+/// Result of a search. All further values are valid unless `closeness` is Clear.
 struct Encounter {
     Closeness closeness = Closeness::Clear;
-    double time = 0.0;         ///< Of the leg, 0 to 1.
-    machine::Values values{};  ///< Of the joints then, machine coordinates.
-    cda::Vec3 point;  ///< In both, as the observer has it with all joints at 0; or near both.
-    double amount_mm = 0.0;  ///< Deep in each other; or apart, where that is asked.
-    bool assumed = false;    ///< Nobody told all of what meets there.
+    double time = 0.0;         ///< Time in the leg, 0 to 1.
+    machine::Values values{};  ///< Joint positions at that time, machine coordinates.
+    cda::Vec3 point;  ///< Common or near point, in the frame of the observer with all joints at 0.
+    double amount_mm = 0.0;  ///< Penetration; or distance, if distance is searched.
+    bool assumed = false;    ///< The shape of a piece is not fully specified.
 };
 
-/// What moves, as what does not move sees it: one leg of a motion, and two bodies.
+/// Motion of a body relative to an observer in one leg of a motion.
 struct PairOnLeg {
     const toolpath::JointPath& path;
-    const std::optional<machine::Values>& from;  ///< At its ends: path.at(0),
-    const std::optional<machine::Values>& to;    ///< and path.at(1).
-    double missed_mm = 0.0;                      ///< Of the leg itself.
-    machine::Chain way;  ///< Of the body as the observer sees it: machine::seen_from().
-    /// The observer is fixed to the part, the body to the tool, whose tip is here with all joints
-    /// at 0: the way of the tip bounds theirs, too.
+    const std::optional<machine::Values>& from;  ///< path.at(0)
+    const std::optional<machine::Values>& to;    ///< path.at(1)
+    double missed_mm = 0.0;                      ///< Deviation of the leg itself.
+    machine::Chain way;  ///< Chain from the observer to the body: machine::seen_from().
+    /// The observer is fixed to the part, and the body to the tool, whose tip is at `tip` with all
+    /// joints at 0. The path of the tip then also bounds the path of the body.
     bool of_part_and_tool = false;
     cda::Vec3 tip;
     std::size_t most_stretches = kMostStretches;
-    bool met_before = false;  ///< In the motion before: then they are likely to be in each other.
+    /// Contact in the preceding motion; contact at an end is then likely.
+    bool met_before = false;
 };
 
-/// Do they meet? Certain ones are deep in each other by more than rounding. `measured`: how deep,
-/// at the worst of the times that are looked at; `lattice`: units that hold a piece in 24 bits.
+/// Searches for contact. A certain contact penetrates by more than rounding. `measured`: also finds
+/// the largest penetration among sampled times. `lattice`: units in which a piece has 24 bits.
 Encounter meet(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
                const cda::Lattice& lattice, bool measured);
-/// Do they come nearer to each other than `clearance_mm`?
+/// Searches for distances below `clearance_mm`.
 Encounter come_near(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
                     const cda::Lattice& lattice, double clearance_mm);
-/// Does the body meet what is left of the stock (a box in W, mm), or come nearer to it than that?
-/// `zero`: of W, as the observer has it with all joints at 0. How deep is by how much all of the
-/// body would have to be smaller.
+/// Searches for contact of the body with the rest of the stock (`stock`: box in W, mm), or for
+/// distances below `clearance_mm`. `zero`: origin of W in the frame of the observer with all joints
+/// at 0. The penetration is the distance by which the body would have to shrink on all sides.
 Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const cda::Box& stock,
                     cda::Vec3 zero, const RigidBody& body, double clearance_mm, bool measured);
 

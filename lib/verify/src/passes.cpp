@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Records and looks up the passes of a tool.
 #include "passes.h"
 
 #include "body.h"
@@ -22,7 +24,7 @@ void Passes::add(const toolpath::Step& step) {
     const Pass pass = pass_of(step);
     if (lowest_.size() >= kMost) lowest_.clear();
     const auto [old, is_new] = lowest_.try_emplace(pass.way, pass.heights);
-    // Ways that cross keep the older one.
+    // If neither pass is below the other at both ends, the older pass is kept.
     if (!is_new && pass.heights[0] <= old->second[0] && pass.heights[1] <= old->second[1])
         old->second = pass.heights;
 }

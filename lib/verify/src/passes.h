@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where an upright tool has passed. Programs clear a pocket level by level along the same way, and
-// drill in pecks, so what is above their flutes, and what moves at rapid, mostly goes where the
-// flutes were before: that is looked up here, and the part need not be asked.
+// Positions that an upright tool has passed. Programs clear a pocket level by level along the same
+// path and drill in pecks, so the cutter above the flutes, and rapids, mostly follow a path of the
+// flutes. A lookup here replaces a query of the part.
 #pragma once
 
 #include "ncsim/toolpath/walk.h"
@@ -14,22 +14,24 @@ namespace ncsim::verify {
 
 class Passes {
 public:
-    /// The step was made with all of a tool that stands out of the stock. O(log n).
+    /// Records a step in which the upper end of the cutter was above the stock.
+    /// Cost: O(log n).
     void add(const toolpath::Step& step);
-    /// Has a step along the same way, there or back, been made that was nowhere more than `rise` mm
-    /// above this one? O(log n).
+    /// True if a step along the same path, in either direction, was recorded that was nowhere more
+    /// than `rise` mm above `step`.
+    /// Cost: O(log n).
     bool cover(const toolpath::Step& step, double rise) const;
 
 private:
     using Way = std::array<double, 4>;      // from x, y to x, y; mm
-    using Heights = std::array<double, 2>;  // at its ends, mm
+    using Heights = std::array<double, 2>;  // at the ends, mm
     struct Pass {
         Way way;
         Heights heights;
     };
     static Pass pass_of(const toolpath::Step& step);
 
-    // About 100 MB; then it begins anew.
+    // About 100 MB; the map is then cleared.
     static constexpr std::size_t kMost = std::size_t{1} << 20;
     std::map<Way, Heights> lowest_;
 };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Derives facts about paths from the program.
 #include "path_facts.h"
 
 #include "ncsim/toolpath/extent.h"
@@ -20,7 +22,7 @@ using gcode::MoveKind;
 
 namespace {
 
-// Of an arc, which may be a spiral; mm.
+// Returns the smaller radius (mm) of an arc, which may be a spiral.
 double smallest_radius(const gcode::Arc& told) {
     const gcode::Arc arc = gcode::in_own_frame(told);
     const auto radius = [&arc](const gcode::Position& p) {
@@ -40,8 +42,8 @@ double smallest_radius(const gcode::Arc& told) {
     return std::min(radius(arc.from), radius(arc.to));
 }
 
-// Are X, Y and Z of the machine elsewhere than the program tells? Under tip control, and where a
-// letter of its own moves the tool along itself.
+// True if positions of the machine's X, Y and Z differ from the programmed positions: under tip
+// control, or if an axis U, V or W moves the tool along itself.
 bool hides_axes(const toolpath::Poses& poses, const gcode::Position& from,
                 const gcode::Position& to) {
     if (poses.of_tip()) return true;
@@ -85,7 +87,7 @@ void PathFacts::take(Move& move, const gcode::Position& from, const gcode::Posit
 void PathFacts::look_at_nose(Move& move, const gcode::Position& from, const gcode::Position& to) {
     const gcode::Motion& motion = *move.motion;
     move.starts_at_nose = at_nose_;
-    // A machine position of Z may be where the program has the tip.
+    // A machine position of Z may equal the programmed height of the tip.
     const bool is_upright = from.x == to.x && from.y == to.y;
     if (from.z != to.z || !motion.known_start.z || (motion.machine_coordinates && is_upright)) {
         at_nose_ = motion.machine_coordinates;
@@ -127,7 +129,7 @@ void PathFacts::measure(Move& move, const toolpath::Poses& poses, const gcode::P
     }
 }
 
-// Where the axes go, if somebody tells where the work zero lies.
+// Computes the positions of the axes if the position of the work zero is specified.
 void PathFacts::place_in_machine(Move& move, FindingLog& log) const {
     const gcode::Motion& motion = *move.motion;
     const auto is_told = [](const auto& travel) { return travel.has_value(); };
@@ -154,7 +156,7 @@ void PathFacts::look_at_length(Move& move, double from_mm, double to_mm) const {
     move.length_told = frame_.length_told;
     move.length_offset = tool_offset_.z;
     move.tool_length = frame_.tool_length;
-    // Some posts position at a high feed, above everything.
+    // Some posts position at a high feed, above all bodies.
     const bool positions =
         motion.kind == MoveKind::Rapid || (motion.kind == MoveKind::Feed && move.passes_above);
     move.needs_length =
@@ -162,8 +164,8 @@ void PathFacts::look_at_length(Move& move, double from_mm, double to_mm) const {
                                         (!motion.known_start.z && motion.known_end.z));
 }
 
-// Meets it nothing, whatever is not told of where it comes from and where home is? The
-// convention: the reference point lies above all that stands on the table, as on every mill.
+// True if the motion meets no body, whatever its unknown start and the position of home.
+// Convention: the reference point is above all bodies on the table, as on every mill.
 bool PathFacts::passes_above(const gcode::Motion& motion, const gcode::Position& from,
                              const gcode::Position& to) const {
     if (is_turned(motion)) return false;
@@ -171,12 +173,12 @@ bool PathFacts::passes_above(const gcode::Motion& motion, const gcode::Position&
     const Vec3 b = toolpath::linear_axes(to);
     const auto& start = motion.known_start;
     const auto& end = motion.known_end;
-    if (a == b && start == end && !motion.start_assumed) return true;  // goes nowhere
+    if (a == b && start == end && !motion.start_assumed) return true;  // no motion
     constexpr double kRounding = 1e-6;                                 // mm
     const bool to_home = motion.machine_coordinates && end.z && b.z >= setup_.home_z - kRounding;
     const bool only_z = a.x == b.x && a.y == b.y && start.x == end.x && start.y == end.y;
     if (to_home && only_z) return true;
-    // "G0 Z15" first: the tool comes down from above, or straight up from where it is free.
+    // "G0 Z15" first: the tool comes down from above, or moves straight up from a free position.
     const bool is_first_lift = motion.kind == MoveKind::Rapid && only_z && !start.z && end.z &&
                                b.z > highest_ && !motion.offset_unknown &&
                                !motion.machine_coordinates && !motion.start_assumed;
@@ -186,7 +188,6 @@ bool PathFacts::passes_above(const gcode::Motion& motion, const gcode::Position&
     return start.z && end.z && std::min(a.z, b.z) > highest_ && (certain || to_home);
 }
 
-// As the control counts it, and as the tool is.
 ToolLength PathFacts::tool_length(const gcode::Motion& motion) const {
     const bool is_active = frame_.length_register != gcode::kNoLength;
     const bool is_told = is_active && frame_.length_told;

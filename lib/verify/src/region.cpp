@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Gathers rows of the ledger into regions.
 #include "ncsim/verify/region.h"
 
 #include <algorithm>
@@ -13,7 +15,8 @@ void absorb(Region& into, Region& from) {
     into.lines.insert(into.lines.end(), from.lines.begin(), from.lines.end());
 }
 
-// A box that has grown may reach others that were apart from it.
+// Adds `row` and merges it with all regions that it touches. A merged box is compared with all
+// regions again, because a larger box may reach further regions.
 void add_row(std::vector<Region>& regions, Region row) {
     for (std::size_t i = 0; i < regions.size();) {
         if (!regions[i].box.overlaps(row.box)) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Creates rigid bodies and their trees of boxes.
 #include "rigid_body.h"
 
 #include "ncsim/cda/shape.h"
@@ -23,7 +25,7 @@ ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& la
 }
 
 RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
-    // Near the origin, where the lattice is finest.
+    // Moved to the origin, where the lattice is finest.
     Box box;
     for (const Vec3& p : mesh.vertices)
         box.add(p);
@@ -35,12 +37,13 @@ RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
     std::vector<ConvexPiece> pieces;
     for (const cda::ConvexPolytope& polytope : cda::convex_pieces(near, lattice))
         pieces.push_back(piece_of(polytope, lattice, centre));
-    // Two units of the surface, and rounding of its corners.
+    // Two units of the surface, and rounding of the corners.
     return {std::move(pieces), 3.0 * lattice.unit_mm + deflection_mm};
 }
 
 std::string why_as_hull(const cda::TriangleMesh& mesh, bool told) {
-    constexpr std::size_t kMostTriangles = 50'000;  // more take longer to divide than programs
+    // larger meshes take longer to divide than a program to verify
+    constexpr std::size_t kMostTriangles = 50'000;
     if (told) return "that was specified";
     if (mesh.triangles.size() > kMostTriangles) return "it has more than 50,000 triangles";
     return {};

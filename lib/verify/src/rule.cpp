@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Table of all rules.
 #include "ncsim/verify/rule.h"
 
 #include "rule_table.h"

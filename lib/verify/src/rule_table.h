@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The working part of the rules. One file a subject under rules/; the table that makes them known
-// is rule.cpp.
+// Working part of the rules: one file a subject in rules/. The table of all rules is in rule.cpp.
 #pragma once
 
 #include "ncsim/verify/rule_info.h"
@@ -25,16 +24,16 @@ struct ToolFacts;
 
 struct Rule {
     RuleInfo info;
-    bool of_part = false;  ///< Looks at the part or at what stands around it.
-    /// Why it cannot be asked with this setup; nothing: it can.
+    bool of_part = false;  ///< The rule needs the part or the bodies around the part.
+    /// Returns the reason why the rule cannot be checked with this setup; empty: it can.
     std::optional<std::string> (*missing)(const Setup&) = nullptr;
-    /// Looks at one motion. Null for rules that look at the whole, or at diagnostics.
+    /// Judges one motion. Null for rules about the whole program or about diagnostics.
     void (*judge)(const Setup&, const Move&, FindingLog&) = nullptr;
 };
 
 std::span<const Rule> rule_table();
 
-/// For geometric rules: why the program was not simulated.
+/// Returns the reason why the program was not simulated, for geometric rules.
 std::optional<std::string> needs_simulation(const Setup& setup);
 std::optional<std::string> needs_nothing(const Setup& setup);
 std::optional<std::string> needs_counting(const Setup& setup);
@@ -83,25 +82,30 @@ void judge_tap_feed(const Setup&, const Move&, FindingLog&);
 void judge_tap_retract(const Setup&, const Move&, FindingLog&);
 void judge_drill_depth(const Setup&, const Move&, FindingLog&);
 
-/// The rule that a diagnostic of this code belongs to; empty: another rule tells it better.
+/// Returns the rule of a diagnostic with this code; empty: a different rule or a doubt reports the
+/// fault.
 std::string_view rule_of_diagnostic(std::string_view code);
 
-/// The reason for doubt that a warning of this code is; empty: none.
+/// Returns the reason for doubt that a warning with this code is; empty: none.
 std::string_view doubt_of_diagnostic(std::string_view code);
 
-/// What a contact with the part in this motion rests on: stock, tool, units, home, path.
+/// Returns the assumptions about stock, tool, units, home and path on which a contact with the part
+/// in this motion rests.
 std::vector<std::string> assumptions_of(const Setup& setup, const Move& move);
-/// The reasons for doubt (ids) that it rests on: with any of them it is a warning.
+/// Returns the reasons for doubt (ids) on which a contact in this motion rests. A finding with such
+/// a reason is a warning.
 std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
                                          Certainty certainty = Certainty::Certain);
-/// What nobody told of how the machine turns, in words; empty: nothing, or it does not turn.
+/// Returns a description of the kinematics that is assumed for this motion; empty: no assumption,
+/// or no rotary axis is away from 0.
 std::string kinematics_guess(const Setup& setup, const Move& move);
-/// Do rotary axes stand anywhere but at 0?
+/// True if a rotary axis is away from 0 at the start or the end of the motion.
 bool is_turned(const gcode::Motion& motion);
-/// Why what `requirement` names is not told; nothing if it is.
+/// Returns the text about a missing value that `requirement` demands; empty: the value is
+/// specified.
 std::optional<std::string> missing_requirement(const Setup& setup, std::string_view requirement);
 
-/// mm/min, whatever the feed mode; empty if no feed was set or it moves nothing.
+/// Returns the feed in mm/min, for every feed mode; empty without a feed or a path.
 std::optional<double> feed_of(const Move& move);
 const ToolFacts* facts_of(const Setup& setup, int tool);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Origins of deselected rules and changed severities.
 #include "ncsim/verify/selection.h"
 
 namespace ncsim::verify {

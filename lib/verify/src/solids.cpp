@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds the connected pieces of a part.
 #include "ncsim/verify/solids.h"
 
 #include <algorithm>
@@ -26,7 +28,7 @@ Solids::Solids(const cda::Boundary& boundary)
         if (face.origin != cda::kStockOrigin) shells[face.shell].origins.push_back(face.origin);
     }
     for (std::uint32_t s = 0; s < shells.size(); ++s) {
-        // A cavity is a surface turned inside out.
+        // A cavity is a surface with inward orientation and negative volume.
         if (shells[s].volume_mm3 <= 0.0) continue;
         auto& origins = shells[s].origins;
         std::ranges::sort(origins);
@@ -42,14 +44,14 @@ Solids::Solids(const cda::Boundary& boundary)
 }
 
 std::optional<std::size_t> Solids::at(Vec3 point) const {
-    // The smallest one around it: what stands free in a closed hollow is a piece of its own.
+    // The smallest piece around the point: a loose piece in a closed cavity is a separate piece.
     for (std::size_t i = solids_.size(); i-- > 0;) {
         if (solids_[i].box.contains(point) && surfaces_[solids_[i].shell].contains(point)) return i;
     }
     return std::nullopt;
 }
 
-// Below the middle of a large triangle, less and less deep until it is inside.
+// Searches below the middle of large triangles, with decreasing depth, for a point inside.
 std::optional<Vec3> Solids::point_in(std::size_t solid) const {
     const Solid& s = solids_[solid];
     std::vector<std::pair<double, std::uint32_t>> large;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parses suppressions in the comments of a program.
 #include "ncsim/verify/suppression.h"
 
 #include "ncsim/gcode/parser.h"
@@ -38,8 +40,8 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
-// What is asked of us in a comment: the words behind "ncsim: ignore". Nothing if nothing is asked;
-// no words if something is, but not so that it can be understood.
+// Returns the words after "ncsim: ignore". Empty optional: the comment requests nothing. No words:
+// the comment requests something but is not understood.
 std::optional<std::vector<std::string>> ignored_in(std::string_view comment) {
     const std::string whole = lower(comment);
     std::string_view text = whole;
@@ -47,12 +49,12 @@ std::optional<std::vector<std::string>> ignored_in(std::string_view comment) {
     constexpr std::string_view kName = "ncsim";
     if (!text.starts_with(kName)) return std::nullopt;
     text.remove_prefix(kName.size());
-    // A longer name is somebody else's.
+    // A longer name belongs to a different program.
     if (!text.empty() && std::isalnum(static_cast<unsigned char>(text.front())) != 0)
         return std::nullopt;
     skip_blanks(text);
     if (!text.starts_with(':')) {
-        // "ncsim found this" is a remark, "ncsim, ignore all" wants something.
+        // "ncsim found this" is a remark; "ncsim, ignore all" is a malformed request.
         while (!text.empty() && std::isalnum(static_cast<unsigned char>(text.front())) == 0)
             text.remove_prefix(1);
         if (text.starts_with("ignor")) return std::vector<std::string>{};

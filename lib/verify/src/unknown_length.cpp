@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks all possible lengths of a tool whose length is unspecified.
 #include "unknown_length.h"
 
 #include "ncsim/gcode/state.h"
@@ -17,7 +19,7 @@ namespace ncsim::verify {
 
 namespace {
 
-// Holders that are not specified are up to 60 mm long.
+// Largest length of an unspecified holder, mm.
 constexpr double kLongestHolder = 60.0;
 constexpr double kRounding = 1e-6;  // mm
 
@@ -25,7 +27,7 @@ struct Lengths {
     double least = 0.0, most = 0.0;
 };
 
-// Lengths from the spindle nose to the tip that a tool may have, mm.
+// Returns the possible lengths (mm) from the spindle nose to the tip.
 Lengths possible_lengths(const ToolFacts& facts) {
     double least = facts.certain_flutes.value_or(0.0);
     for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
@@ -52,7 +54,7 @@ bool is_over(const cda::Box& path, double radius, const cda::Box& body) {
     return true;
 }
 
-// Name of a body under the path that reaches above `height`.
+// Returns the name of a body under the path that reaches above `height` (mm, W).
 std::optional<std::string> body_under(const Setup& setup, const Move& move, double radius,
                                       double height) {
     const auto meets = [&](const cda::Box& body) {
@@ -85,7 +87,7 @@ void doubt_unknown_length(const Setup& setup, const Move& move, FindingLog& log)
                               motion.tool, lengths.least, lengths.most, what),
                   place);
     };
-    // Heights of the tip, and of the spindle nose, at the ends of the move; W, mm.
+    // Heights (mm, W) of the tip, and of the spindle nose, at the ends of the move.
     double highest_tip = -std::numeric_limits<double>::infinity();
     double lowest_nose = std::numeric_limits<double>::infinity();
     const auto take = [&](double z, bool is_nose) {

@@ -10,13 +10,14 @@
 
 namespace ncsim::verify {
 
-/// True if the program uses length offsets and neither the length of the tool nor the offset that
-/// is active is specified.
+/// True if the program uses length offsets, and neither the length of the tool nor the active
+/// offset is specified.
 bool has_unknown_length(const Setup& setup, const Move& move);
 
-/// Logs a doubt `length-offset` if some length of the tool, that of its specified part or up to 60
-/// mm more for a holder that is not specified, takes Z out of its travel, or the tip into the stock
-/// or a fixture at a position that the program gives in machine coordinates.
+/// Logs a doubt `length-offset` if a possible length of the tool takes Z out of its travel, or
+/// takes the tip into the stock or a fixture at a position given in machine coordinates. Possible
+/// lengths are the length of the specified part of the tool plus 0 to 60 mm for an unspecified
+/// holder.
 void doubt_unknown_length(const Setup& setup, const Move& move, FindingLog& log);
 
 }  // namespace ncsim::verify

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Counts findings and doubts and derives the outcome.
 #include "ncsim/verify/verdict.h"
 
 #include "ncsim/verify/rule.h"

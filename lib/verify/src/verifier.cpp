@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs the rules on every motion of a program.
 #include "ncsim/verify/verifier.h"
 
 #include "ncsim/gcode/state.h"
@@ -38,20 +40,20 @@ using toolpath::Step;
 
 namespace {
 
-// Straight down along an axis that is upright.
+// True for a motion straight down with an upright tool.
 bool falls_straight(const Step& step) {
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
     return is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z < 0.0;
 }
 
-// As most tools want it; what else is there is worth a closer look.
+// True if the spindle turns in the usual direction of the tool; other states need a closer check.
 bool turns_well(const gcode::Motion& motion, bool left_hand) {
     const auto right_way =
         left_hand ? gcode::SpindleTurning::Counterclockwise : gcode::SpindleTurning::Clockwise;
     return motion.spindle == right_way && motion.spindle_rpm > 0.0;
 }
 
-// Does a rule ask how much every step removes?
+// True if a rule needs the removed volume of every step.
 bool needs_volumes(const Setup& setup) {
     const auto asked = [&](std::string_view rule) { return setup.selection.includes(rule); };
     return (asked("engagement-limit") && !needs_engagement_limit(setup)) ||
@@ -179,7 +181,7 @@ public:
             measuring_.meet_too_high(step, part);
         const bool goes_on = has_cut_at(step.X_WA);
         const bool only_up = goes_on && goes_back_up(step);
-        // Going straight down, what is certain cuts ahead of what is not.
+        // Straight down, the certain flutes cut ahead of the uncertain flutes.
         const bool only_down =
             goes_on && now_->straight_from_mm <= now_->uncertain.from_mm && falls_straight(step);
         if (!now_->uncertain.bodies.empty() && !only_up && !only_down && !is_found_rapid())
@@ -189,7 +191,7 @@ public:
         if (move_.motion->kind == MoveKind::Rapid) {
             if (!only_up || volumes_) measuring_.meet_rapidly(step, part);
         } else if (!volumes_ || measuring_.rounding_now(step) > 0.0) {
-            // One step that meets material answers for its motion, if nobody asks how much it is.
+            // A single step that meets material suffices for its motion if no volume is needed.
             measuring_.meet_at_feed(step, part);
         }
     }
@@ -203,8 +205,8 @@ public:
         const bool drills = now_->widens && falls_straight(step);
         if ((asks_above() || drills) && stands_out(step)) now_->passes.add(step);
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
-            // Cells that are exact meet material if they remove some; of the others slivers may be
-            // left where they were before.
+            // Exact cells meet material if they remove some. Inexact cells may remove slivers that
+            // earlier steps left.
             const bool is_exact = measuring_.rounding_now(step) <= 0.0;
             measuring_.take_off(step, removed, is_exact);
         }
@@ -212,7 +214,7 @@ public:
         meet_fixtures(step);
     }
 
-    // At rest: what it meets it meets, wherever it came from.
+    // A tool at rest meets the same bodies whatever its start.
     void arrive(const Step& step, const cda::WorkpieceModel& part) {
         move_.arrives = true;
         measuring_.begin_step();
@@ -344,7 +346,7 @@ private:
         throw std::runtime_error("the tiles do not agree on the motions of the program");
     }
 
-    // Of the tiles, by turns.
+    // True if this tile checks the motion; tiles take turns.
     bool is_my_turn() const {
         return !share_.tile || move_.number % share_.tile->of == share_.tile->tile;
     }
@@ -354,7 +356,7 @@ private:
             scene_.meet(move_.motion->tool, step, move_.fixtures);
     }
 
-    // Of a tile: what links met since, as seen at that step.
+    // Records the contacts of links since index `first`, as seen at `step`, for a tile.
     void keep_links(std::uint64_t step, std::size_t first = 0) {
         const Evidence& seen = machine_.seen();
         for (std::size_t i = first; i < seen.size(); ++i) {
@@ -378,8 +380,8 @@ private:
         }
     }
 
-    // What tiles saw in this motion up to the step at hand. Whether it was asked is what a tile
-    // cannot know: it may have asked for more.
+    // Returns the next observation of tiles in this motion up to `step`; null if there is none. A
+    // tile cannot know whether an observation was needed, so a tile may have recorded too many.
     const Observation* next_seen(std::uint64_t step) {
         const Evidence& all = *share_.evidence;
         if (next_seen_ == all.size()) return nullptr;
@@ -390,7 +392,7 @@ private:
         return &next;
     }
 
-    // `step`: null where the tool is at rest.
+    // Notes the observations of tiles in this step. `step`: null if the tool is at rest.
     void note_step(const Step* step) {
         const Observation* core = nullptr;
         while (const Observation* seen = next_seen(measuring_.step())) {
@@ -443,13 +445,13 @@ private:
 
     Place place() const { return {move_.motion->file, move_.motion->span}; }
 
-    // A rapid move that meets material is an error, whichever flutes meet it.
+    // True for a rapid that certainly is an error if it meets material, whichever flutes meet it.
     bool is_found_rapid() const {
         return move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material") &&
                !is_suppressed("rapid-in-material");
     }
 
-    // Does somebody want to know what the cutter meets in this motion?
+    // True if a rule needs the contacts of the cutter in this motion.
     bool asks(const gcode::Motion& motion) const {
         switch (motion.kind) {
             case MoveKind::Rapid: return volumes_ || asked("rapid-in-material");
@@ -478,20 +480,20 @@ private:
         return facts && facts->left_hand;
     }
 
-    // Has this tool just been there, with all that cuts?
+    // True if the last step of the same tool ended at this pose.
     bool has_cut_at(const toolpath::Pose& X_WT) const {
         return cut_at_ && cut_at_->tool == move_.motion->tool && cut_at_->X_WT == X_WT;
     }
 
-    // Up out of its own cut, where there is nothing: it is nowhere narrower above, and the stock
-    // ends below its upper end.
+    // True if the tool moves up out of its own cut and cannot meet material: the cutter is nowhere
+    // narrower above, and the stock ends below the upper end of the cutter.
     bool goes_back_up(const Step& step) const {
         const Vec3 way = step.X_WB.translation - step.X_WA.translation;
         return now_->widens && is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z > 0.0 &&
                stands_out(step);
     }
 
-    // Is the upper end of what cuts above the stock?
+    // True if the upper end of the cutter is above the stock.
     bool stands_out(const Step& step) const {
         return std::min(step.X_WA.translation.z, step.X_WB.translation.z) +
                    toolpath::cutting_height_of(tool_now()) >=
@@ -515,7 +517,7 @@ private:
         const bool is_suppressed =
             !rule.empty() && where.file == 0 && setup_.suppressions.covers(d.span.line, rule);
         const std::string_view reason = doubt_of_diagnostic(d.code);
-        // A tool that is not described is missing information, not a fault of the program.
+        // A tool without a description is missing information, not a fault of the program.
         const bool is_missing = rule == "tool-undefined";
         if (!reason.empty() && (d.severity == Severity::Warning || is_missing) && !is_suppressed)
             log_.doubt(reason, d.message, where);
@@ -533,7 +535,7 @@ private:
 
     void conclude_doubts(bool is_simulated) {
         doubt_guesses_of_setup(setup_, watched_, needs_part_, log_);
-        // The same block, but for the order in which it is added up.
+        // An unchanged block can differ by the order of summation.
         if (needs_part_ && is_simulated && !(ledger_.rest_mm3 < ledger_.stock_mm3 * (1.0 - 1e-12)))
             log_.doubt("nothing-removed", "the program removes nothing from the stock");
         for (const std::string& what : setup_.required) {
@@ -548,7 +550,7 @@ private:
     Share share_;
     std::optional<Box> place_;   // of the tile
     Evidence evidence_;          // of a tile
-    std::size_t next_seen_ = 0;  // of all tiles
+    std::size_t next_seen_ = 0;  // index into the evidence of all tiles
     FindingLog log_;
     FixtureScene scene_;
     MachineScene machine_;
@@ -556,10 +558,10 @@ private:
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
     std::map<int, Watched> watched_;
-    bool volumes_;             // of every motion, before the next one
-    bool books_;               // of every motion, in the end
-    bool contacts_ = false;    // of every feed motion
-    bool needs_part_ = false;  // some selected rule looks at it
+    bool volumes_;             // the volume of every motion is measured before the next motion
+    bool books_;               // the volume of every motion is read from the account at the end
+    bool contacts_ = false;    // contacts of every feed motion are needed
+    bool needs_part_ = false;  // a selected rule needs the part
 
     PathFacts path_facts_;
     std::uint64_t motions_ = 0;
@@ -572,7 +574,7 @@ private:
         int tool = 0;
         toolpath::Pose X_WT;
     };
-    std::optional<CutAt> cut_at_;  // where the last step ended
+    std::optional<CutAt> cut_at_;  // end of the last step
     IdleSpindle idle_;
     AirCuts air_;
     Ledger ledger_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Creates the bodies of a tool that are watched.
 #include "watched.h"
 
 #include <algorithm>
@@ -12,12 +14,13 @@ namespace {
 
 constexpr double kAll = std::numeric_limits<double>::infinity();
 
-// A cylinder about the tool axis, from `low` to `high` mm above the tip.
+// Returns a cylinder about the tool axis, from `low` to `high` mm above the tip.
 toolpath::ToolPiece cylinder(double diameter, double low, double high) {
     return {{{diameter / 2, low, 0.0}, {diameter / 2, high, 0.0}}, true};
 }
 
-// The corners of the piece's inscribed polytope, drawn in by a thousandth towards their middle.
+// Adds the corners of the piece's inscribed polytope, moved by a thousandth towards the centroid of
+// the corners.
 void add_probes(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
                 const toolpath::ToolAccuracy& inscribed, std::vector<Vec3>& probes_T) {
     const toolpath::PiecePolytope polytope = toolpath::approximate(piece, lattice, inscribed);
@@ -30,8 +33,8 @@ void add_probes(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
         probes_T.push_back(middle + 0.999 * (lattice.to_mm(p) - middle));
 }
 
-// Is what cuts nowhere narrower above? Then going up along its axis it meets nothing new but what
-// is above it.
+// True if the cutter is nowhere narrower above. A motion up along the axis then meets only material
+// above the cutter.
 bool widens(const toolpath::Tool& tool) {
     double radius = 0.0;
     for (const toolpath::ToolPiece& piece : tool.pieces) {
@@ -45,7 +48,7 @@ bool widens(const toolpath::Tool& tool) {
     return true;
 }
 
-// Is what cuts a cylinder of its largest radius from `low` mm on?
+// True if the cutter is a cylinder of its largest radius from `low` mm on.
 bool is_straight_above(const toolpath::Tool& tool, double low) {
     const double radius = toolpath::cutting_diameter_of(tool) / 2;
     return std::ranges::all_of(tool.pieces, [&](const toolpath::ToolPiece& piece) {
@@ -55,7 +58,7 @@ bool is_straight_above(const toolpath::Tool& tool, double low) {
     });
 }
 
-// The least height from which what cuts is one.
+// Returns the smallest height from which the cutter is such a cylinder.
 double straight_from(const toolpath::Tool& tool) {
     double least = toolpath::cutting_height_of(tool);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
@@ -66,7 +69,7 @@ double straight_from(const toolpath::Tool& tool) {
     return least;
 }
 
-// What of the cutting pieces lies between two heights.
+// Returns the parts of the cutting pieces between two heights.
 std::vector<Body> slices(const toolpath::Tool& tool, double low, double high,
                          const cda::Lattice& lattice, const toolpath::ToolAccuracy& accuracy) {
     std::vector<Body> bodies;

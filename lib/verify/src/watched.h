@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a tool is watched for while it moves: its parts as bodies of their own.
+// Bodies of a tool that are watched during a motion.
 #pragma once
 
 #include "ncsim/verify/setup.h"
@@ -14,11 +14,11 @@
 
 namespace ncsim::verify {
 
-// Of what cuts, that above some height, which had better have nothing to cut.
+// Cutter above a height at which it should meet no material.
 struct Above {
     double from_mm = 0.0;      ///< Above the tip.
-    std::vector<Body> bodies;  ///< What cuts above that height,
-    std::vector<Body> below;   ///< and what cuts below it.
+    std::vector<Body> bodies;  ///< Cutter above the height.
+    std::vector<Body> below;   ///< Cutter below the height.
 };
 
 struct Watched {
@@ -28,23 +28,23 @@ struct Watched {
         double raise_mm = 0.0;  ///< Needed so far.
     };
     std::vector<Part> bodies;              ///< Shanks and holders.
-    std::optional<Body> core;              ///< What does not cut at the centre,
-    std::optional<cda::Vec3> aside_since;  ///< where the tool was when it had last been aside,
-    double fallen_mm = 0.0;                ///< and how far it has come down on it since.
-    Above too_high;                        ///< The limit of depth.
-    Above uncertain;                       ///< The flutes that there certainly are.
-    double uncertain_mm = 0.0;             ///< How much of that was needed so far,
-    Place uncertain_place;                 ///< and where first.
+    std::optional<Body> core;              ///< Core, which does not cut.
+    std::optional<cda::Vec3> aside_since;  ///< Position at which the tool last was aside.
+    double fallen_mm = 0.0;                ///< Length of the descent on the core since.
+    Above too_high;                        ///< Limit: the permitted depth.
+    Above uncertain;                       ///< Limit: the certain flute length.
+    double uncertain_mm = 0.0;             ///< Length of uncertain flutes needed so far.
+    Place uncertain_place;                 ///< First block that needed uncertain flutes.
     std::vector<cda::Vec3> probes_T;       ///< Points strictly inside the cutting pieces.
-    bool prism = true;                     ///< All of what cuts.
-    bool widens = true;                    ///< What cuts is nowhere narrower above.
-    /// What cuts is a cylinder of its largest radius from here on, mm above the tip.
+    bool prism = true;                     ///< All cutting pieces are prisms.
+    bool widens = true;                    ///< The cutter is nowhere narrower above.
+    /// Height above the tip (mm) from which the cutter is a cylinder of its largest radius.
     double straight_from_mm = 0.0;
-    Passes passes;                              ///< Of what cuts.
-    std::optional<toolpath::Cutter> inscribed;  ///< The cutter, for certainty.
+    Passes passes;                              ///< Passes of the cutter.
+    std::optional<toolpath::Cutter> inscribed;  ///< Inscribed cutter, for certainty.
 };
 
-/// Bodies on `lattice`. Rule by rule: what none of them asks for is left out.
+/// Creates the bodies of a tool on `lattice`, without bodies that no selected rule needs.
 Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lattice& lattice,
               const toolpath::ToolAccuracy& accuracy);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Circles whose arcs end exactly in their corners.
 #include "geometry/arc_ends.h"
 
 #include "geometry/nearly.h"
@@ -18,7 +20,7 @@ std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3
     if (!(into > 0.0)) return std::nullopt;
     const double radius = 0.5 * dot(chord, chord) * reach / into;
     const double height = dot(tangent_at - circle.centre, circle.axis);
-    // The new circle is farthest off the old one in `tangent_at` and opposite to it.
+    // The new circle deviates most from the old circle in `tangent_at` and opposite.
     const double off =
         std::max(std::abs(reach - circle.radius), std::abs(2.0 * radius - reach - circle.radius));
     if (!(off <= kReaders) || std::abs(height) > kReaders) return std::nullopt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Integrals over surfaces that something leaves as it moves: over the second parameter from a fixed
-// start to where a point is. What is left is an integral along the edges of faces.
+// Integrals over swept surfaces: over the second parameter, from a fixed start to a point. The
+// remaining integral runs along the edges of faces (Green's theorem).
 #pragma once
 
 #include "ncsim/brep/envelope.h"
@@ -15,7 +15,8 @@
 
 namespace ncsim::brep {
 
-// Gauss and Legendre on (-1, 1), each on both sides of 0: exact for polynomials of degree 15.
+// Gauss-Legendre abscissae and weights on (-1, 1), each used on both sides of 0: exact for
+// polynomials of degree 15.
 inline constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
                                                   0.7966664774136267, 0.9602898564975363};
 inline constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873,
@@ -26,20 +27,20 @@ inline constexpr std::array<double, 2> kFewWeights{0.6521451548625461, 0.3478548
 inline constexpr std::array<double, 1> kTwoAbscissae{0.5773502691896258};
 inline constexpr std::array<double, 1> kTwoWeights{1.0};
 
-// Integrals over the second parameter from a fixed start to where a point is: of the area, and of
-// the volume of the cone from a point -w, in the frame of the surface, three times. What is left
-// is an integral along the edges, over the angle around the axis (Green).
+// Integrals over the second parameter from a fixed start to a point: the area, and three times the
+// volume of the cone from the apex, at -w in the frame of the surface. The remaining integral runs
+// along the edges, over the angle around the axis (Green's theorem).
 struct Below {
     double area = 0.0, volume = 0.0;
 };
 
-// Over the angle of the circle, between edges; over that of the arc, from where it is level with
-// its centre. Of areas and moments by Gauss.
+// Integrals on a dome: along edges over the angle of the circle; then over the angle of the arc,
+// from the level of the arc's centre. Areas and moments use Gauss quadrature.
 class OnDome {
 public:
     OnDome(const Dome& dome, Vec3 apex) : dome_(dome), w_(dome.centre - apex) {}
 
-    // For each angle of the circle: of area, and of three times the volume.
+    // Returns the area and three times the volume, per radian of the circle's angle.
     Below below(const DomePlace& place) const {
         constexpr double kPiece = 45.0;
         const Vec3 around = cda::cross(dome_.axis, place.out);
@@ -49,8 +50,8 @@ public:
             const double lean = t.sin * cda::dot(around, dome_.ahead);
             sum.area += (weight * per_degree) * std::sqrt(std::max(0.0, 1.0 - lean * lean));
         });
-        // Of the normal, which is (cos t axis - sin t ahead) seen from around; with the radius from
-        // the centre of the arc it makes the same everywhere.
+        // Integral over t of the normal, around x (cos t axis - sin t ahead). The product of the
+        // normal with the vector from the arc's centre is the same for all t.
         const Vec3 normal = place.sine * cda::cross(around, dome_.axis) -
                             (1.0 - place.cosine) * cda::cross(around, dome_.ahead);
         const double level = dome_.reach * cda::dot(around, cda::cross(dome_.axis, dome_.ahead));
@@ -59,7 +60,7 @@ public:
         return sum;
     }
 
-    // Of four times volume times middle, as `moment` tells it.
+    // Returns the integral of w (w n), w from the apex: four times volume times centroid.
     Vec3 moment(const DomePlace& place) const {
         constexpr double kPiece = 45.0;
         const Vec3 around = cda::cross(dome_.axis, place.out);
@@ -74,7 +75,7 @@ public:
         return sum;
     }
 
-    // The angle of the circle that a step on the surface makes. None where it is not known, in the
+    // Returns the change of the circle's angle for a step on the surface; 0 where undefined, in the
     // corners of the half.
     double turn(const DomePlace& place, Vec3 step) const {
         const Vec3 around = cda::cross(dome_.axis, place.out);
@@ -87,7 +88,7 @@ public:
 private:
     double per_radian() const { return dome_.reach * dome_.radius; }
 
-    // From 0 on; weights are of degrees.
+    // Integrates from 0 to `degrees`; weights are in degrees.
     template <typename Take>
     static void in_pieces(double degrees, double piece, const Take& take) {
         const int pieces = static_cast<int>(std::abs(degrees) / piece) + 1;
@@ -112,15 +113,16 @@ private:
     Vec3 w_;
 };
 
-// Over the angle of the circle against the way, between edges; over that of the way, from where it
-// counts. Of moments by Gauss.
+// Integrals on a coil: along edges over the angle of the circle relative to the path; then over the
+// angle of the path, from t = 0. Moments use Gauss quadrature.
 class OnCoil {
 public:
     OnCoil(const Coil& coil, Vec3 apex)
         : coil_(coil), side_(cda::cross(coil.axis, coil.ahead)), w_(coil.centre - apex) {}
 
-    // As on a dome. Seen from the way the normal is the same everywhere: lead times what points
-    // out, less what goes along the way by reach up.
+    // Returns the same as for a dome. In the frame of the path, the normal is constant: lead times
+    // the outward vector, minus the outward vector's component along the path times reach times the
+    // axis.
     Below below(const CoilPlace& place) const {
         const double out = cda::dot(place.out, place.way), off = across(place);
         const double cosine = cda::dot(place.way, side_), sine = -cda::dot(place.way, coil_.ahead);
@@ -165,7 +167,7 @@ public:
         return sum;
     }
 
-    // The angle of the circle against the way that a step on the surface makes.
+    // Returns the change of the circle's angle relative to the path for a step on the surface.
     double turn(const CoilPlace& place, Vec3 step) const {
         const Vec3 around = cda::cross(coil_.axis, place.out);
         const double along = cda::dot(step, coil_.axis) / coil_.lead;
@@ -181,12 +183,13 @@ private:
     Vec3 side_, w_;
 };
 
-// Over the angle of the way, between edges; over the height, from that of the centre.
+// Integrals on a spiral: along edges over the angle of the path; then over the height, from the
+// centre.
 class OnSpiral {
 public:
     OnSpiral(const Spiral& spiral, Vec3 apex) : spiral_(spiral), w_(spiral.centre - apex) {}
 
-    // As on a dome.
+    // Returns the area and three times the volume, per radian of the path's angle.
     Below below(const SpiralPlace& place) const {
         const double area = place.speed * place.height;
         return {area, area * cda::dot(start_of(place), place.out)};
@@ -195,7 +198,7 @@ public:
         return below(place).volume * (start_of(place) + (0.5 * place.height) * spiral_.axis);
     }
 
-    // The angle that a step on the surface makes.
+    // Returns the change of the path's angle for a step on the surface.
     static double turn(const SpiralPlace& place, Vec3 step) {
         return cda::dot(step, place.along) / place.speed;
     }
@@ -209,15 +212,16 @@ private:
     Vec3 w_;
 };
 
-// Over the time, between edges; across the way. Of fillets from below the tool, by the angle of the
-// normal, which may turn fast where a ring goes nearly level: in pieces as small as it takes. Of
-// flanks from their lower end.
+// Integrals on an envelope: along edges over the time; then across the path. Fillets are integrated
+// from below the tool over the angle of the normal; because the angle may change fast where a torus
+// moves nearly level, pieces are halved as often as needed. Flanks are integrated from their lower
+// end.
 class OnEnvelope {
 public:
     OnEnvelope(const Envelope& envelope, Vec3 apex, bool is_rough)
         : sweep_(*envelope.sweep), apex_(apex), is_rough_(is_rough) {}
 
-    // Of area, three times the volume, and four times volume times middle.
+    // Area, three times the volume, and four times volume times centroid.
     struct Sum {
         double area = 0.0, volume = 0.0;
         Vec3 moment;
@@ -238,20 +242,20 @@ public:
         return in_pieces(on, kBelow, on.angle_of(place.normal));
     }
 
-    // How much time a step on the surface takes, backwards.
+    // Returns the time of a step on the surface, with opposite sign.
     static double turn(const Aspect& place, Vec3 step) {
         return place.bend != 0.0 ? cda::dot(place.drift, step) / place.bend : 0.0;
     }
 
 private:
-    // A point of the characteristic, how the element looks from it, and how fast it goes along.
+    // Point of the characteristic, its aspect, and the speed along the characteristic.
     struct Stroke {
         Vec3 p;
         Aspect aspect;
         double pace;
     };
 
-    // By the angle of the normal, degrees.
+    // Integrand by the angle of the normal, degrees.
     struct OnFillet {
         const Sweep& sweep;
         const Fillet& fillet;
@@ -266,7 +270,7 @@ private:
             const auto angle = trig::sin_cos(degrees);
             const Vec3 n = angle.cos * at.up + angle.sin * at.side;
             const Vec3 on = angle.cos * at.side - angle.sin * at.up;
-            Vec3 pace = fillet.radius * on;  // for each radian
+            Vec3 pace = fillet.radius * on;  // per radian
             Vec3 p = at.centre + fillet.radius * n;
             if (fillet.ring > 0.0) {
                 const Vec3 axis = passage.axis;
@@ -278,7 +282,8 @@ private:
             }
             return {p, aspect_at(sweep, passage, p), trig::kRadiansPerDegree * cda::norm(pace)};
         }
-        // By how much the normal turns for each mm along the characteristic, seen along the way.
+        // Returns the stroke for a tool that turns. The speed is the inverse of the angle by which
+        // the normal turns per mm along the characteristic, seen along the path.
         Stroke turning(double degrees) const {
             const Vec3 p = point_with_normal(sweep, passage, degrees);
             const Aspect there = aspect_at(sweep, passage, p);
@@ -297,8 +302,8 @@ private:
         }
     };
 
-    // By the place across. The characteristic is at right angles to the normal and to the gradient
-    // of the rate, and goes on along the profile as fast as the place does.
+    // Integrand by the place across the path. The characteristic is perpendicular to the normal and
+    // to the gradient of the rate. Its component along the profile has the speed of the place.
     struct OnFlank {
         const Sweep& sweep;
         const Passage& passage;
@@ -313,7 +318,7 @@ private:
         }
     };
 
-    // By the angle about the axis, degrees.
+    // Integrand by the angle about the axis, degrees.
     struct OnRimPlaces {
         const Sweep& sweep;
         const Passage& passage;
@@ -328,7 +333,8 @@ private:
         return {a.area + b.area, a.volume + b.volume, a.moment + b.moment};
     }
 
-    // Where few points tell it that nearly, more of them do within the square of that.
+    // Halves the interval until two rules agree. If the rule with few points is accurate to ε, the
+    // rule with more points is accurate to about ε².
     template <typename On>
     Sum in_pieces(const On& on, double from, double to, int depth = 16) const {
         constexpr double kNearly = 1e-6, kRoughly = 3e-3;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Corners of tool paths: common planes and circles of the surfaces before and after a corner.
 #include "geometry/bends.h"
 
 #include "ncsim/trig/angles.h"
@@ -17,12 +19,12 @@ using cda::normalized;
 
 namespace {
 
-// Of level circles of one radius that move along lines the one where the lines cross, and the plane
-// of the ellipse in which the circles of every height meet. A cylinder moves along its axis.
+// Returns the planes of bends() in bends.h, for extrusions.
 std::optional<std::array<Plane, 2>> bends(const Extrusion& a, const Extrusion& b) {
     constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
     if (std::abs(a.radius - b.radius) > kEqual || !is_parallel(a.axis, b.axis)) return std::nullopt;
-    // How far apart they are where the first has its centre, and how much farther 1 mm above.
+    // Offset between the circles at the height of the first centre, and the offset's growth per mm
+    // of height.
     const auto lean = [&](const Extrusion& e) { return (1.0 / dot(e.along, a.axis)) * e.along; };
     const Vec3 first = lean(a), second = lean(b), drift = second - first;
     const Vec3 apart = b.centre + dot(a.centre - b.centre, a.axis) * second - a.centre;
@@ -33,8 +35,8 @@ std::optional<std::array<Plane, 2>> bends(const Extrusion& a, const Extrusion& b
              Plane{centre, normalized(cross(first + second, cross(a.axis, drift)))}}};
 }
 
-// Where the circle of a dome and one of the same size that moves along a line are one: the centre
-// nearest to the height of `p`.
+// Returns the centre of the circle that `dome` has in common with an equal circle that moves along
+// a line. If there are two, returns the centre nearest to the height of `p`.
 std::optional<Vec3> common_circle(const Dome& dome, const Form& other, Vec3 p) {
     constexpr double kEqual = 1e-6;
     const auto moved = moved_circle(other, dome.axis);
@@ -44,7 +46,8 @@ std::optional<Vec3> common_circle(const Dome& dome, const Form& other, Vec3 p) {
     const Vec3 side = cross(dome.axis, dome.ahead), v = moved->centre - dome.centre;
     if (std::abs(dot(moved->along, side)) > kNearlyParallel || !near(dot(v, side), 0.0))
         return std::nullopt;
-    // Of the line the point nearest to the arc's centre, and from there to the arc.
+    // `nearest` is the line's point nearest to the arc's centre; `half` leads from there to the
+    // arc.
     const Vec3 nearest = v - dot(v, moved->along) * moved->along;
     const double off = norm(nearest);
     if (off > dome.reach + kTouchMm) return std::nullopt;
@@ -60,8 +63,8 @@ std::optional<Vec3> common_circle(const Dome& dome, const Form& other, Vec3 p) {
     return best;
 }
 
-// A circle that does not turn, when it is as high as `p`: its centre, and how far that goes for 1
-// mm along the axis.
+// Circle that does not turn, at the height of a point: the centre, and the centre's displacement
+// per mm along the axis.
 struct MovingCircle {
     Vec3 centre, slope;
     double radius = 0.0;
@@ -79,13 +82,14 @@ std::optional<MovingCircle> circle_at_height(const Form& form, Vec3 axis, Vec3 p
     return MovingCircle{moved->centre + dot(p - moved->centre, axis) * slope, slope, moved->radius};
 }
 
-// The same of a coil: near the height of `p`.
+// Returns the centre of the circle that `coil` has in common with an equal circle, near the height
+// of `p`.
 std::optional<Vec3> common_circle(const Coil& coil, const Form& other, Vec3 p) {
     const Vec3 start = p;
     constexpr double kEqual = 1e-6, kFarthestStep = 0.3;
     constexpr int kMostSteps = 30;
     if (const auto* wall = std::get_if<Cylinder>(&other)) {
-        // It stands where the circle passes once in a turn.
+        // The circle passes the cylinder once per turn.
         if (!is_parallel(wall->axis, coil.axis)) return std::nullopt;
         const CoilPlace near_p = place_at_height(coil, p);
         const Vec3 up = away(coil.centre, coil.axis, near_p.centre);
@@ -119,7 +123,7 @@ std::optional<std::array<Plane, 2>> mitres(const Cylinder& a, const Cylinder& b)
     const Vec3 normal = cross(a.axis, b.axis);
     if (std::abs(a.radius - b.radius) > kEqual || norm(normal) < kLeastAngle) return std::nullopt;
     if (std::abs(dot(b.origin - a.origin, normal)) > kEqual * norm(normal)) return std::nullopt;
-    // The point of the first axis on the plane of the second one and the normal.
+    // Point of the first axis in the plane of the second axis and the normal.
     const Vec3 side = cross(normal, b.axis);
     const Vec3 centre = a.origin + (dot(b.origin - a.origin, side) / dot(a.axis, side)) * a.axis;
     return {
@@ -204,7 +208,7 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q,
         is_on(one, p) == is_on(other, p))
         return std::nullopt;
     if (!first || !second) return corner_of_bend(a, b, is_on(one, p) ? p : q);
-    // On the common normal of both axes.
+    // The crossings lie on the common normal of both axes.
     const Vec3 side = first->radius * normalized(cross(first->axis, second->axis));
     const Vec3 up = one.origin + side, down = one.origin - side;
     return norm(past - up) < norm(past - down) ? up : down;

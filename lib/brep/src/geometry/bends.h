@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the way of a tool bends: how what it leaves before the bend meets what it leaves after it.
+// Corners of tool paths: intersections of the surfaces that a tool leaves before and after a
+// corner.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -10,42 +11,46 @@
 
 namespace ncsim::brep {
 
-/// Of two pipes that bend into each other: the plane near `p` in which they meet.
+/// Returns the plane near `p` in which the surfaces on both sides of a corner meet.
 std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 
-/// Level circles of one radius that move along two lines meet in a circle and in an ellipse: which
-/// of the two points in which these cross is nearer to `p`. There an edge may go on from the one to
-/// the other.
+/// Returns a point in which an edge may change from a circle to an ellipse. Level circles of equal
+/// radius that move along two lines meet in a circle and in an ellipse; these curves cross in two
+/// points, and the result is the point nearer to `p`.
 std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p);
 
-/// The same where the one of `p` and `q` lies on the circle and the other on the ellipse: the one
-/// nearer to that on the circle; of two pipes the one nearer to `past`, a point of the edge.
+/// Returns the same if `p` or `q` lies on the circle alone and the remaining point on the ellipse
+/// alone: the crossing nearer to the point on the circle. For two cylinders, returns the crossing
+/// nearer to `past`, a point of the edge.
 std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 past);
 
-/// Of such forms: if `p` lies on the circle alone, the plane of the ellipse.
+/// Returns the plane of the ellipse if `p` lies on the circle alone.
 std::optional<Form> ellipse_of_bend(const Form& a, const Form& b, Vec3 p);
 
-/// Cylinders of one radius whose axes cross meet in two ellipses, in the planes between the axes.
+/// Returns the planes of the two ellipses in which cylinders of equal radius with crossing axes
+/// meet. The planes bisect the axes.
 std::optional<std::array<Plane, 2>> mitres(const Cylinder& a, const Cylinder& b);
 
-/// Of level circles of one radius that move along lines the plane of the one where the lines cross,
-/// its centre as origin, and the plane of the ellipse in which the circles of every height meet. A
-/// cylinder moves along its axis.
+/// Returns the planes in which two level circles of equal radius that move along crossing lines
+/// meet: the plane of the circle where the lines cross, with the circle's centre as origin, and the
+/// plane of the ellipse in which the circles of every height meet. A cylinder is a circle that
+/// moves along its axis.
 std::optional<std::array<Plane, 2>> bends(const Form& a, const Form& b);
 
-/// What a circle passes that moves along a line; of a cylinder about `axis`, that along it.
+/// Returns `form` as a circle that moves along a line: an extrusion, or a cylinder about `axis`.
 std::optional<Extrusion> moved_circle(const Form& form, Vec3 axis);
 
-/// Where the circle of a dome or a coil and one of the same size that moves otherwise are one: the
-/// centre nearest to the height of `p`.
+/// Returns the centre of the circle that a dome or a coil has in common with the surface of an
+/// equal circle on a different path. If there are several, returns the centre nearest to the height
+/// of `p`.
 std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p);
 
-/// Where the tool goes through what it left before, a point beside its circle is of another one,
-/// which was behind there, or before it.
+/// True if `p` belongs to the circle about `centre`. Where a tool crosses its own path, a point
+/// near the circle may belong to a circle of another time.
 bool is_of_circle(const Coil& coil, Vec3 centre, Vec3 p);
 bool is_of_circle(const Dome& dome, Vec3 centre, Vec3 p);
 
-/// Than to the other one.
+/// True if `p` is nearer to the first plane than to the second.
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p);
 
 }  // namespace ncsim::brep

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points on coils.
 #include "ncsim/brep/surface.h"
 #include "ncsim/trig/angles.h"
 
@@ -14,7 +16,7 @@ using cda::dot;
 using cda::normalized;
 using trig::kRadiansPerDegree;
 
-// Where its circle is.
+// Moves the circle of `place` to the angle `turn`.
 void turn_to(const Coil& coil, double turn, CoilPlace& place) {
     const auto t = trig::sin_cos(turn / kRadiansPerDegree);
     const Vec3 side = cross(coil.axis, coil.ahead);
@@ -40,8 +42,8 @@ CoilPlace place_at_height(const Coil& coil, Vec3 p) {
 
 CoilPlace place_on(const Coil& coil, Vec3 p) {
     CoilPlace place = place_at_height(coil, p);
-    // Both angles at once by Newton's method: the distance is least. Where it bends the other way,
-    // as if `p` were on the surface.
+    // Newton's method for both angles at once minimises the distance. Where the second derivatives
+    // are not positive definite, the step is the one for `p` on the surface.
     constexpr int kCoilSteps = 40;
     constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-13, kLastTurn = 1e-8, kLeastApart = 1e-9;
     for (int step = 0; step < kCoilSteps; ++step) {
@@ -64,13 +66,13 @@ CoilPlace place_on(const Coil& coil, Vec3 p) {
             first = (a * bb - b * ab) / det;
             second = (b * aa - a * ab) / det;
         }
-        // As both nearly go the same way beside a wall, so that a long step of the one is undone by
-        // one of the other.
+        // Both steps are scaled alike: near a wall both directions are nearly parallel, and a long
+        // step in one direction is undone by a step in the other.
         const double longest = std::max(std::abs(first), std::abs(second));
         const double scale = longest > kFarthestTurn ? kFarthestTurn / longest : 1.0;
         place.out = normalized(place.out + (scale * first) * unit);
         if (second != 0.0) turn_to(coil, place.turn + scale * second, place);
-        // After a step of Newton's, what is left is as its square.
+        // After a step of Newton's method, the error is of the order of the step's square.
         if (std::abs(first) + std::abs(second) < (is_least ? kLastTurn : kNoTurn)) break;
     }
     return place;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tangency of surfaces, by the kinds of both.
 #include "geometry/contact.h"
 
 #include "ncsim/trig/angles.h"
@@ -23,7 +25,7 @@ std::optional<Form> plane_at(Vec3 origin, Vec3 normal) {
     return Plane{origin, normalized(normal)};
 }
 
-// The place of the wall whose direction outwards is `out`.
+// Returns the place on the wall at which the outward direction is `out`.
 SpiralPlace looking(const Spiral& spiral, Vec3 out) {
     const Vec3 side = cross(spiral.axis, spiral.ahead);
     SpiralPlace place = place_at(spiral, 0.0);
@@ -55,7 +57,7 @@ struct Touch {
             return {};
         return Cylinder{b.centre, b.axis, b.major};
     }
-    // A wall along the line, at the end of its way across.
+    // A wall along the line, tangent to the circle.
     Answer operator()(const Plane& a, const Extrusion& b) const {
         if (!is_across(a.normal, b.along)) return {};
         const Vec3 level = a.normal - dot(a.normal, b.axis) * b.axis;
@@ -66,16 +68,16 @@ struct Touch {
     }
     Answer operator()(const Plane& a, const Dome& b) const {
         const double off = distance(a, b.centre);
-        // Where the arc is level.
+        // The floor where the arc is level.
         if (is_parallel(a.normal, b.axis) && near(std::abs(off), b.reach))
             return Cylinder{b.centre, b.axis, b.radius};
-        // A wall beside the arc.
+        // A wall along the arc.
         if (is_across(a.normal, b.axis) && is_across(a.normal, b.ahead) &&
             near(std::abs(off), b.radius))
             return Cylinder{b.centre, a.normal, b.reach};
         return {};
     }
-    // The arc ends upright.
+    // The cylinder at an end of the arc, where the arc is upright.
     Answer operator()(const Cylinder& a, const Dome& b) const {
         const Vec3 end = b.centre + b.reach * b.ahead;
         if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius) ||
@@ -83,14 +85,14 @@ struct Touch {
             return {};
         return plane_at(end, b.axis);
     }
-    // Where the tool stood, on the way.
+    // The tool at rest, at a point of the path.
     Answer operator()(const Cylinder& a, const Spiral& b) const {
         if (!is_parallel(a.axis, b.axis) || !near(a.radius, std::abs(b.offset))) return {};
         const SpiralPlace place = place_on(b, a.origin);
         if (!near(norm(away(place.way, b.axis, a.origin)), 0.0)) return {};
         return plane_at(place.way, place.along);
     }
-    // A wall goes on from its end.
+    // A wall that continues the spiral at an end.
     Answer operator()(const Plane& a, const Spiral& b) const {
         if (!is_across(a.normal, b.axis)) return {};
         for (const double sign : {-1.0, 1.0}) {
@@ -101,14 +103,14 @@ struct Touch {
         }
         return {};
     }
-    // The walls on both sides of the way.
+    // The walls on both sides of the path.
     Answer operator()(const Cylinder& a, const Coil& b) const {
         if (!is_parallel(a.axis, b.axis) || !near(norm(away(b.centre, b.axis, a.origin)), 0.0) ||
             !(near(a.radius, b.reach + b.radius) || near(a.radius, std::abs(b.reach - b.radius))))
             return {};
         return Helicoid{b.centre, b.axis, b.ahead, b.lead};
     }
-    // The arc goes on as a line.
+    // A line that continues the arc.
     Answer operator()(const Extrusion& a, const Dome& b) const {
         if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius)) return {};
         const double cosine = std::abs(dot(a.along, b.axis));
@@ -128,7 +130,7 @@ struct Touch {
             return {};
         return plane_at(a.origin, cross(a.axis, apart));
     }
-    // Ways beside each other, as far apart as their circles are wide.
+    // Parallel paths whose distance is the sum or the difference of the radii.
     Answer operator()(const Extrusion& a, const Extrusion& b) const {
         if (!is_parallel(a.axis, b.axis) || !is_parallel(a.along, b.along)) return {};
         const Vec3 apart = away(a.centre, a.along, b.centre);
@@ -150,7 +152,7 @@ struct Touch {
                 return plane_at(b.centre, b.axis);
             return {};
         }
-        // The ring goes on as a pipe.
+        // A cylinder that continues the tube of the torus.
         if (!is_across(a.axis, b.axis) || !near(a.radius, b.minor)) return {};
         const Vec3 apart = away(a.origin, a.axis, b.centre);
         if (!near(norm(apart), b.major) || !near(dot(apart, b.axis), 0.0)) return {};
@@ -197,7 +199,7 @@ struct Touch {
     }
 
 private:
-    // A tube about the axis of a cone, and the cone.
+    // Returns the plane of tangency of a cone with a tube about the cone's axis.
     static Answer round_end(const Cone& a, Vec3 centre, double major, double minor) {
         if (!near(norm(away(a.apex, a.axis, centre)), 0.0)) return {};
         const double cosine = 1.0 / std::sqrt(1.0 + a.slope * a.slope);

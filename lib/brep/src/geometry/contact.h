@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How two surfaces meet: decided by what they are, never by the angle at a point, which cannot tell
-// surfaces that touch from some that cross.
+// Contact of two surfaces. Decisions depend on the forms, never on the angle at a point: an angle
+// cannot distinguish tangency from some crossings.
 #pragma once
 
 #include "ncsim/brep/curve.h"
@@ -13,22 +13,26 @@
 
 namespace ncsim::brep {
 
-/// Where two surfaces touch along a curve: a third one that crosses both there (the plane in which
-/// the tool stood, as a rule). Nothing if they do not.
+/// Returns a third form that crosses both surfaces along their curve of tangency, usually the plane
+/// in which the tool stood; no value if the surfaces are not tangent along a curve.
 std::optional<Form> touch(const Form& a, const Form& b);
 
-/// Where a level plane and a wall both touch a dome among `forms`, and none of the three tells how
-/// far along the wall they do: the plane across it.
+/// Returns the plane through the centre of a dome across a wall. `forms` must have the dome, a
+/// level plane and an upright plane, both tangent to the dome. The position along the wall is
+/// undetermined by these three forms; the returned plane determines it. No value for all other
+/// forms.
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms);
 
-/// Where circles in which upright forms meet a level plane touch, one of them of an extrusion, a
-/// dome or a coil, or such a circle and an upright plane, the forms cross elsewhere: planes through
-/// both centres, or across the wall, across the circles there.
+/// Returns upright planes through points of tangency in a level plane of `forms`. Domes, coils,
+/// extrusions and upright cylinders meet the level plane in circles. Two circles, at most one from
+/// a cylinder, or such a circle and an upright plane may be tangent there, although the forms cross
+/// elsewhere. Each returned plane contains both centres of two tangent circles, or the centre of a
+/// circle, perpendicular to the tangent upright plane.
 std::vector<Form> touches_in_level(std::span<const Form* const> forms);
 
-/// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then
-/// the curve through `p`, which is on both; `q` is another point of it, and it passes by `near_to`.
-/// Nothing: a spline has to be laid through it.
+/// Returns the curve in which two forms meet, if the curve has a name: a line, a circle or an
+/// ellipse. `p` is a point on both forms, `q` another point of the curve, and the curve passes by
+/// `near_to`. No value if the curve must be a spline.
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to);
 
 }  // namespace ncsim::brep

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points and derivatives on lines, circles, ellipses and splines.
 #include "ncsim/brep/curve.h"
 
 #include "ncsim/trig/angles.h"
@@ -18,7 +20,7 @@ using cda::dot;
 using trig::angle_of;
 using trig::sin_cos;
 
-// Into (0, 360]; what is zero but for rounding is a whole turn.
+// Returns the angle in (0, 360]; 0 except for rounding counts as a whole turn.
 double as_sweep(double degrees) {
     constexpr double kNoAngle = 1e-9;
     while (degrees <= kNoAngle)
@@ -28,7 +30,7 @@ double as_sweep(double degrees) {
     return degrees;
 }
 
-// Which piece of the spline, and where in it, from 0 to 1.
+// Piece of a spline, width of the piece, and position in the piece from 0 to 1.
 struct Place {
     std::size_t piece;
     double width, s;
@@ -44,8 +46,8 @@ Place place_in(const Spline& spline, double t) {
     return {piece, width, (at - k[piece]) / width};
 }
 
-// The ends of a piece and the derivatives there, by s. At a knot the spline passes between two
-// control points, at the ratio of the pieces beside it.
+// Ends of a piece and the derivatives there, by s. At an inner knot, the spline divides the segment
+// between two control points in the ratio of the adjacent pieces.
 struct Hermite {
     Vec3 p0, p1, d0, d1;
 };
@@ -68,7 +70,8 @@ Hermite hermite(const Spline& spline, const Place& place) {
 
 Track::Track(const Curve& curve, Vec3 from, Vec3 to) : curve_(&curve), from_(from), to_(to) {
     if (const auto* c = std::get_if<Circle>(curve_)) {
-        // About the foot of the start on the axis: what misses the circle goes round beside it.
+        // The track has the distance of the start from the axis, even if the start is off the
+        // circle.
         centre_ = c->centre + dot(from - c->centre, c->axis) * c->axis;
         x_ = from - centre_;
         y_ = cross(c->axis, x_);

@@ -43,7 +43,8 @@ std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& pl
         Vec3 next = p + step * way;
         const bool is_on = solve(both, next) < kOn;
         const Vec3 on = ahead(next);
-        // An arc of so much turn over its chord bulges by an eighth of their product.
+        // The height of an arc over its chord is chord times turn / 8; the limit 4 leaves a margin
+        // of two.
         constexpr double kEighths = 4.0;
         if (!is_on || norm(next - p) * norm(on - way) > kEighths * chords_mm ||
             dot(on, way) <= 0.0) {

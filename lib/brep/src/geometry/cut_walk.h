@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a plane cuts a surface in a curve that has no name.
+// Walk along the curve in which a plane cuts a surface, for curves without a name.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -14,13 +14,15 @@
 
 namespace ncsim::brep {
 
+/// Points of a walk, and its end.
 struct CutWalk {
-    std::vector<Vec3> between;  ///< The ends left out.
-    std::size_t end = 0;        ///< Which end was reached.
+    std::vector<Vec3> between;  ///< Points without the ends.
+    std::size_t end = 0;        ///< Index of the end that was reached.
 };
 
-/// From `begin`, a point of both, with the material on the left of who sees the plane from before,
-/// to one of `ends`, with chords within `chords_mm` of the curve. Nothing if none is found.
+/// Walks along the cut from `begin`, a point on the surface and the plane, to one of `ends`. The
+/// material is on the left, seen from the side to which the plane's normal points. The chords are
+/// within `chords_mm` of the curve. No value if no end is found.
 std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& plane, Vec3 begin,
                                       std::span<const Vec3> ends, double chords_mm);
 

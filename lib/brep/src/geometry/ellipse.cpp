@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// By Newton's method for the one parameter t for which (x a² / (t + a²), y b² / (t + b²)) lies on
-// the ellipse (Eberly, Distance from a Point to an Ellipse, 2013), from where it goes up only.
+// Newton's method for the only parameter t for which (x a² / (t + a²), y b² / (t + b²)) lies on the
+// ellipse, started where t can only grow.
+// Source: Eberly, Distance from a Point to an Ellipse, 2013.
 #include "geometry/ellipse.h"
 
 #include <algorithm>

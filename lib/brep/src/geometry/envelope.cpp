@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// With D the distance from the element at the time t and n its gradient, the envelope is where
-// D = 0 and its derivative by t is 0, too. That derivative is -n V, V the velocity that the point
-// would have if it were fixed to the tool. So all is told by normals, by how elements bend, and by
-// the first two derivatives of the way; the spin of the tool about its axis counts for nothing.
+// Let D be the distance from the element at the time t and n the gradient of D. The envelope is the
+// set where D = 0 and dD/dt = 0. dD/dt = -n V, where V is the velocity of the point as fixed to the
+// tool. So normals, the curvature of elements, and two derivatives of the path determine the
+// envelope; the spin of the tool about its axis has no effect.
 #include "ncsim/brep/envelope.h"
 
 #include "ncsim/trig/angles.h"
@@ -28,9 +28,9 @@ using trig::kRadiansPerDegree;
 
 namespace {
 
-// Lengths that are equal but for rounding, mm.
+// Lengths below this are rounding errors, mm.
 constexpr double kNoLength = 1e-9;
-// So far do directions count, mm.
+// Length over which directions count, mm.
 constexpr double kPart = 100.0;
 
 Vec3 level(Vec3 v, Vec3 axis) {
@@ -41,7 +41,7 @@ Vec3 middle_of(const Sweep& sweep, const Passage& passage) {
     return passage.tip + lowest_centre(sweep) * passage.axis;
 }
 
-// A point seen from the axis.
+// Point in cylindrical coordinates about the tool's axis.
 struct Seen {
     Seen(const Passage& at, Vec3 p) {
         const Vec3 v = p - at.tip;
@@ -51,17 +51,18 @@ struct Seen {
         out = radius > 0.0 ? (1.0 / radius) * away : Vec3{};
     }
     double height, radius;
-    Vec3 out;  // unit; zero on the axis
+    Vec3 out;  // Unit; zero on the axis.
 };
 
-// Along the profile, from the lower end.
+// Returns the distance along the profile from the lower end, mm.
 double place_along(const Flank& flank, const Seen& seen) {
     return (seen.height - flank.height) * flank.cosine - (seen.radius - flank.radius) * flank.sine;
 }
 
-// Where a flank touches its envelope: which way that part of it goes, across the axis, and what
-// points out there, on either side. The velocity that the point would have if it were fixed to the
-// tool is at right angles to the normal.
+// Contact of a flank with its envelope, at a place along the profile. `way` is the velocity of the
+// axis point where the normal ends, without the component along the axis; out() returns the
+// direction from the axis to the contact on either side. At the contact, the velocity of the point
+// as fixed to the tool is perpendicular to the normal.
 struct Contact {
     Contact(const Flank& flank, const Passage& at, double along)
         : way(level(velocity_at(at, height_of_centre(flank, along)), at.axis)),
@@ -72,11 +73,11 @@ struct Contact {
         return ahead * cross(axis, right) + (is_right ? across : -across) * right;
     }
     Vec3 way, right;
-    double lean;  // how far what points out looks ahead, as a cosine
+    double lean;  // Cosine between the outward direction and the direction of motion.
 };
 
-// Along a straight way the silhouette of the ring is an ellipse, and the radius is added all around
-// it.
+// Returns the nearest aspect on a straight path. Seen along the path, the circle of the fillet's
+// centres is an ellipse; the envelope is offset from this ellipse by the radius.
 Aspect nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
     const Fillet& fillet = *sweep.fillet();
     const double length = norm(way.along), lean = dot(way.along, way.axis);
@@ -95,8 +96,8 @@ Aspect nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
     return aspect;
 }
 
-// Samples that are nearer than those beside them, the nearest ones: how far off they are, and when
-// it is nearest between them, nearly.
+// Local minima of the distance among the samples, the nearest few: the distance at the sample, and
+// the estimated time of the minimum.
 struct Nearest {
     static constexpr std::size_t kMost = 4;
     std::array<double, kMost> time{}, off{};
@@ -119,7 +120,7 @@ struct Nearest {
 Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
     const auto& samples = sweep.samples();
     const Fillet* fillet = sweep.fillet();
-    // Of fillets the square.
+    // Fillets: the squared distance.
     const auto off = [&](const Passage& at) {
         const Vec3 v = p - at.tip;
         const double height = dot(v, at.axis);
@@ -143,7 +144,7 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double after = i + 1 < samples.size() ? off(samples[i + 1]) : kAny;
         if (here <= before && here < after) {
-            // Where the parabola through three is lowest.
+            // Minimum of the parabola through three samples.
             const bool is_between = before < kAny && after < kAny;
             const double ahead =
                 is_between ? 0.5 * (before - after) / ((before - here) + (after - here)) : 0.0;
@@ -152,13 +153,13 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
         before = here;
         here = after;
     }
-    // As far from all of them.
+    // All samples are equally far.
     if (nearest.count == 0) nearest.take(0.0, fillet ? std::sqrt(here) : here);
     return nearest;
 }
 
-// To a time that is later by so little that all goes straight. Not of rims: `rate` is of another
-// distance there.
+// Moves the aspect to a time so close that the tool's motion is linear in between.
+// Requires: no rim, because `rate` has a different meaning for rims.
 void advance(Aspect& aspect, double by, Vec3 p) {
     Passage& at = aspect.passage;
     at.tip = at.tip + by * at.speed;
@@ -172,14 +173,14 @@ void advance(Aspect& aspect, double by, Vec3 p) {
     aspect.foot = p - aspect.off * aspect.normal;
 }
 
-// Newton's method, or downhill where it would go up; between times before and after the nearest
-// one, as soon as such are known. Where points miss the edge of an envelope that folds there, no
-// time may be nearest: then it is the one at which this began.
+// Newton's method, or a step downhill where Newton's method would go uphill. Known times before and
+// after the nearest time bound the steps. Near the edge of a fold of the envelope, there may be no
+// nearest time; the result is then the aspect at `when`.
 Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
     constexpr int kMostSteps = 40;
     constexpr double kNoTime = 1e-14, kAnyTime = std::numeric_limits<double>::infinity();
-    // What changes with the square of such a step, a turn of some whole ones in all of the time at
-    // most, is rounding.
+    // Changes with the square of a step this short are rounding errors, on paths with at most a few
+    // turns.
     constexpr double kShort = 1e-7;
     const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
     double before = -kAnyTime, after = kAnyTime;
@@ -205,8 +206,8 @@ Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
     return aspect;
 }
 
-// How the element looks in the half plane of a point: how far off it is, its normal outwards and
-// along the axis, and by how much that turns for each mm along it.
+// Profile in the half plane of a point: distance, normal (outwards and along the axis), and angle
+// of the normal per mm along the profile.
 struct Shape {
     double off = 0.0, cosine = 0.0, sine = 0.0, bend = 0.0;
     bool is_known = true;
@@ -245,13 +246,14 @@ Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
     aspect.off = shape.off;
     aspect.normal = n;
     aspect.foot = p - aspect.off * n;
-    // The tool spins by a x a': what that does to a vector v is (a v) a' - (a' v) a.
+    // The tool rotates with the angular velocity a x a', which maps a vector v to (a v) a' - (a' v)
+    // a.
     const Vec3 v = p - at.tip;
     const Vec3 speed = at.speed + seen.height * at.turn - dot(at.turn, v) * at.axis;
     const Vec3 change = at.change + seen.height * at.bend - dot(at.axis, at.speed) * at.turn +
                         (dot(at.turn, at.speed) - dot(at.bend, v)) * at.axis;
     aspect.rate = -dot(n, speed);
-    // How the normal changes with the point: along the profile, and around the axis.
+    // Change of the normal with the point, along the profile and around the axis.
     const double around = seen.radius > 0.0 ? shape.cosine / seen.radius : 0.0;
     const Vec3 along = shape.cosine * at.axis - shape.sine * seen.out;
     const Vec3 level_speed = speed + aspect.rate * n;
@@ -265,12 +267,13 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     const Sweep& sweep = *envelope.sweep;
     if (const auto* straight = std::get_if<StraightWay>(&sweep.way()))
         return nearest_on(sweep, *straight, p);
-    // Where the way comes back, some other time may be as near at a sample and nearer between: no
-    // nearer than half a step of the way. Beyond its ends it counts for less the farther that is.
+    // If the path returns, a different time may be as near at a sample and nearer between samples,
+    // by at most half a step of the path. Times beyond the ends count less with increasing
+    // distance.
     constexpr double kBeyondEnd = 0.25;
     const Nearest nearest = nearest_samples(sweep, p);
     const double half = 0.5 * sweep.length_mm() / static_cast<double>(sweep.samples().size() - 1);
-    // What a rim passes may be near on both sides.
+    // The surface swept by a rim may be near on both sides.
     const bool is_of_rim = sweep.is_rim();
     const auto far = [&](const Aspect& aspect) {
         return is_of_rim ? std::abs(aspect.off) : aspect.off;
@@ -295,7 +298,7 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
 
 Aspect place_on(const Envelope& envelope, Vec3 p, double near_time) {
     const Sweep& sweep = *envelope.sweep;
-    // Rings pass a point twice, soon after each other where they are nearly level.
+    // A torus passes a point twice, in quick succession where the torus is nearly level.
     const bool is_of_ring = sweep.fillet() && !sweep.is_ball();
     if (is_of_ring || std::holds_alternative<StraightWay>(sweep.way()))
         return place_on(envelope, p);
@@ -303,7 +306,7 @@ Aspect place_on(const Envelope& envelope, Vec3 p, double near_time) {
 }
 
 Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside) {
-    constexpr double kFarthest = 0.1;  // where that changes faster, it does not go on so
+    constexpr double kFarthest = 0.1;  // Faster changes are not extrapolated.
     const double later = std::clamp(dot(beside.slope, p - beside.at), -kFarthest, kFarthest);
     const Aspect aspect =
         beside.time ? place_on(envelope, p, *beside.time + later) : place_on(envelope, p);
@@ -331,20 +334,22 @@ double height_of_centre(const Sweep& sweep, const Aspect& aspect) {
 
 namespace {
 
-// Around the way, from `up` to `side`: in [0, 360).
+// Returns the angle around the path, from `up` to `side`, in [0, 360).
 double degrees_around(const Around& at, Vec3 p) {
     const Vec3 v = p - at.centre;
     const double degrees = trig::angle_of(dot(v, at.up), dot(v, at.side));
     return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 
-// Of a fillet: the normal of its characteristic that is `across`, unit, seen along the way of the
-// ring's centre. It meets the axis of the tool, a, at another height than that centre. With e what
-// points out of the axis there, V the velocity of the centre and R the radius of the ring
+// Returns the normal of a fillet's characteristic that looks like `across` (unit) along the path of
+// the fillet's centre. The normal n meets the axis a of the tool at a different height than the
+// centre. With e the outward direction, V the velocity of the centre, and R the radius of the
+// circle of centres,
 //
 //     n V = R (n a) (e a'),
 //
-// so n is nearly at right angles to the way where the tool turns slowly; by secants (Illinois).
+// so n is nearly perpendicular to the path if the tool turns slowly. The equation is solved by
+// secants (Illinois).
 Vec3 normal_across(const Fillet& fillet, const Passage& passage, const Around& at, Vec3 across) {
     const double speed = norm(velocity_at(passage, fillet.height));
     const double most = fillet.ring * norm(passage.turn) / speed;
@@ -366,14 +371,14 @@ Vec3 normal_across(const Fillet& fillet, const Passage& passage, const Around& a
         (is_low ? below : above) = value;
         ahead = low - below * (high - low) / (above - below);
         value = off(ahead);
-        // The end that stays counts for half.
+        // The retained end counts half.
         if ((value < 0.0) == is_low) (is_low ? above : below) *= 0.5;
     }
     return normal(ahead);
 }
 
-// Of a fillet. The angle of the point grows with that of its normal, which is on the same side of
-// up and down.
+// Returns the point of a fillet at `degrees` around the path. The angle of the point grows with the
+// angle of the point's normal; both angles are on the same side of `up` and down.
 Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
     constexpr double kHalf = 180.0;
     if (sweep.is_ball() || degrees == kHalf) return point_with_normal(sweep, passage, degrees);
@@ -381,7 +386,7 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
     double low = degrees < kHalf ? 0.0 : kHalf, high = low + kHalf;
     constexpr int kMostSecants = 60;
     constexpr double kNoAngle = 1e-14;
-    // By secants (Illinois), and halves where these are slow.
+    // Secants (Illinois), and bisection where secants are slow.
     const auto off = [&](double normal) {
         return degrees_around(at, point_with_normal(sweep, passage, normal)) - degrees;
     };
@@ -439,8 +444,8 @@ bool has_across(const Sweep& sweep) {
             return touches(at, 0.0) || touches(at, flank->length);
         });
     }
-    // Where a ring turns, its flat end may not go level anywhere: what is ahead of that touches it
-    // in one curve, and what is behind in another one.
+    // The flat end of a tool that turns must not be level anywhere: the parts of the end ahead of
+    // and behind the level line would touch the envelope in two curves.
     constexpr double kClear = 1.1;
     const double ring = sweep.fillet()->ring;
     bool rises = false, falls = false;
@@ -502,7 +507,7 @@ bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
                norm(level(second.centre - first.centre, first.ahead)) <= tolerance_mm;
     }
     if (a.sweep->way().index() != b.sweep->way().index()) return false;
-    // There and back is the same.
+    // Both directions of a path are the same.
     const Vec3 start = middle_of(*b.sweep, b.sweep->at(0.0));
     const bool is_back =
         norm(middle_of(*a.sweep, a.sweep->at(1.0)) - start) < norm(first.centre - start);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tangency of envelopes, by the kind of the second surface.
 #include "geometry/envelope_contact.h"
 
 #include "geometry/nearly.h"
@@ -17,7 +19,8 @@ using cda::dot;
 using cda::norm;
 using cda::normalized;
 
-// What crosses an envelope along the characteristic of one time: of a ball a plane.
+// Returns the form that crosses an envelope along the characteristic of time `t`; for a ball, a
+// plane.
 Form across_way(const Envelope& envelope, double t) {
     const Sweep& sweep = *envelope.sweep;
     if (!sweep.is_ball()) return Characteristic{envelope, t};
@@ -25,8 +28,8 @@ Form across_way(const Envelope& envelope, double t) {
     return Plane{at.centre, at.ahead};
 }
 
-// Does it go on at the time s of the other one as at t? A fillet by its centre, a flank at both of
-// its ends.
+// True if sweep `b` at time `s` continues sweep `a` at time `t` smoothly. Fillets are compared by
+// the direction of their centre, flanks by the directions of both ends.
 bool goes_on(const Sweep& a, double t, const Sweep& b, double s) {
     const Flank* flank = a.flank();
     const bool is_upright = flank && flank->sine == 0.0;
@@ -43,7 +46,7 @@ bool goes_on(const Sweep& a, double t, const Sweep& b, double s) {
            (!flank || is_same_way(height + flank->length));
 }
 
-// One tool on one way, there or back.
+// True if both sweeps have the same path, in either direction.
 bool is_one_way(const Sweep& a, const Sweep& b) {
     if (a.way().index() != b.way().index()) return false;
     const auto is_same = [&](double t, double s) {
@@ -56,7 +59,8 @@ bool is_one_way(const Sweep& a, const Sweep& b) {
     return all([](double t) { return t; }) || all([](double t) { return 1.0 - t; });
 }
 
-// Walls beside the way of a tool that turns in their plane, or not at all.
+// Returns the cosine between the wall's normal and the tool's axis, if the tool moves along the
+// wall and the cosine is constant.
 std::optional<double> rise_along(const Plane& wall, const Sweep& sweep) {
     const Vec3 start = around(sweep, sweep.at(0.0)).centre;
     const double rise = dot(wall.normal, sweep.at(0.0).axis);
@@ -73,7 +77,7 @@ struct TouchEnvelope {
     using Answer = std::optional<Form>;
     const Envelope& b;
 
-    // Walls beside the way of a tool that does not rise out of their direction.
+    // Walls along a path on which the tool keeps its inclination to the wall.
     Answer operator()(const Plane& a) const {
         const Sweep& sweep = *b.sweep;
         const Fillet* fillet = sweep.fillet();
@@ -93,7 +97,8 @@ struct TouchEnvelope {
         if (!rise) return {};
         return Trail{b, off > 0.0 ? -*rise : *rise};
     }
-    // The walls on both sides of a helix; a ball that goes straight on; a side where it stood.
+    // The walls on both sides of a helix; the straight continuation of a ball's path; a flank at
+    // rest.
     Answer operator()(const Cylinder& a) const {
         const Sweep& sweep = *b.sweep;
         if (const Flank* flank = sweep.flank()) {
@@ -121,7 +126,7 @@ struct TouchEnvelope {
         }
         return {};
     }
-    // Where the tool stood.
+    // A flank at rest at an end of the path.
     Answer operator()(const Cone& a) const {
         const Flank* flank = b.sweep->flank();
         if (!flank) return {};
@@ -149,7 +154,7 @@ struct TouchEnvelope {
         if (!t || !is_parallel(a.axis, b.sweep->at(*t).axis)) return {};
         return across_way(b, *t);
     }
-    // The way goes smoothly on; or the profile does, of one tool on one way.
+    // The path continues smoothly; or the profile does, for the same tool on the same path.
     Answer operator()(const Envelope& a) const {
         const Sweep &one = *a.sweep, &other = *b.sweep;
         if (one.flank() && other.fillet()) return side_of(b, *one.flank(), one);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How envelopes meet other surfaces: those of their own tool on its way, and where it stood.
+// Contact of envelopes with surfaces of the same tool, on its path and at rest.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -9,20 +9,23 @@
 
 namespace ncsim::brep {
 
-/// As touch() of contact.h; the envelope comes second.
+/// Returns touch() of contact.h for an envelope as the second form.
 std::optional<Form> touch_envelope(const Form& a, const Envelope& b);
 
-/// An envelope of one. Its facets come from hulls of poses, which have needles between them.
+/// True for an envelope of a tool whose axis turns. The facets of such envelopes come from hulls of
+/// poses, with needles between the hulls.
 bool is_of_turning_tool(const Form& form);
 
-/// Where a ball bends, what it leaves before and after cross in one curve, and touch in the two
-/// points of it that look across both ways. That one of them that lies on the curve from one point
-/// to another past a third, for tools that turn.
+/// Returns the hinge of two ball envelopes at a corner of the path, for tools that turn. The
+/// envelopes cross in a single curve and are tangent in the two points of the curve that lie
+/// perpendicular to both directions of motion. The result is the tangency point on the curve from
+/// `from` past `past` to `to`.
 std::optional<Vec3> hinge_of(const Form& a, const Form& b, Vec3 from, Vec3 past, Vec3 to);
 
-/// The end of its way at which the tool's axis is that line, or passes there with the lowest centre
-/// of the element; on straight ways any place.
+/// Returns the end of the path (0 or 1) at which the tool's axis is the given line.
 std::optional<double> end_on_axis(const Envelope& envelope, Vec3 origin, Vec3 axis);
+/// Returns the end of the path at which lowest_centre() is at `centre`; on straight paths, any
+/// time.
 std::optional<double> end_at(const Envelope& envelope, Vec3 centre);
 
 }  // namespace ncsim::brep

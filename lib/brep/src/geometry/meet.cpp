@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The curves in which surfaces meet, where these have a name.
+// Intersection curves of surfaces that have a name: lines, circles and ellipses.
 #include "geometry/bends.h"
 #include "geometry/contact.h"
 #include "geometry/nearly.h"
@@ -29,7 +29,7 @@ std::optional<Axis> axis_of(const Form& form) {
     return std::nullopt;
 }
 
-// About which both turn into themselves.
+// Returns the axis about which both forms are surfaces of revolution.
 std::optional<Axis> common_axis(const Form& a, const Form& b) {
     const auto first = axis_of(a), second = axis_of(b);
     const auto* plane = std::get_if<Plane>(&b);
@@ -55,8 +55,9 @@ std::optional<Axis> common_axis(const Form& a, const Form& b) {
     return sphere ? common_axis(b, a) : std::nullopt;
 }
 
-// As wide as the wall, which `p` may miss by less than readers tell: where the circle ends at an
-// angle, it is to end in the corner.
+// Returns the circle about `axis` through `p`. If `p` misses a cylinder by less than the readers'
+// tolerance, the circle has the cylinder's radius. A circle that ends at an angle to another edge
+// must end in the corner itself.
 Curve circle_about(const Axis& axis, Vec3 p, const Form& a, const Form& b) {
     constexpr double kOfReaders = 2e-7;
     const Vec3 centre = axis.origin + dot(p - axis.origin, axis.direction) * axis.direction;
@@ -68,7 +69,7 @@ Curve circle_about(const Axis& axis, Vec3 p, const Form& a, const Form& b) {
     return Circle{centre, axis.direction, radius};
 }
 
-// The circle of a ring in a plane through its axis.
+// Returns the meridian of a torus in a plane through the axis.
 Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
     const Vec3 out = away(torus.centre, torus.axis, p);
     const Vec3 in_plane = normalized(out - dot(out, normal) * normal);
@@ -89,8 +90,8 @@ Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
                    cross(minor, plane.normal), cylinder.radius / std::abs(lean), cylinder.radius};
 }
 
-// Of a dome and another form, through `p` and `q`. Where the tool goes through what it left before,
-// their curve may end on a common circle, but pass beside it.
+// Returns the curve of a dome and a second form, through `p` and `q`. Where the tool crosses its
+// own path, the curve may end on a common circle without following the circle; `near_to` decides.
 std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto* plane = std::get_if<Plane>(&other)) {
         const bool is_level = is_parallel(plane->normal, dome.axis);
@@ -108,7 +109,6 @@ std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q, V
     return Circle{*centre, dome.axis, dome.radius};
 }
 
-// The same of a coil.
 std::optional<Curve> meet(const Coil& coil, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
     const auto is_level = [&](Vec3 a, Vec3 b) { return near(dot(a - b, coil.axis), 0.0); };
     if (const auto* plane = std::get_if<Plane>(&other)) {
@@ -121,7 +121,7 @@ std::optional<Curve> meet(const Coil& coil, const Form& other, Vec3 p, Vec3 q, V
     return Circle{*centre, coil.axis, coil.radius};
 }
 
-// Along `axis`?
+// True if the form is parallel to `axis`.
 bool is_upright(const Form& form, Vec3 axis) {
     if (const auto* plane = std::get_if<Plane>(&form)) return is_across(plane->normal, axis);
     if (const auto* cylinder = std::get_if<Cylinder>(&form))
@@ -130,13 +130,13 @@ bool is_upright(const Form& form, Vec3 axis) {
     return spiral && is_parallel(spiral->axis, axis);
 }
 
-// Of a spiral and another form: upright lines, or none that has a name.
+// Returns the curve of a spiral and a second form: a line along the axis, or no value.
 std::optional<Curve> meet(const Spiral& spiral, const Form& other) {
     if (is_upright(other, spiral.axis)) return Line{};
     return std::nullopt;
 }
 
-// All lines in one direction.
+// Returns the direction of the rulings of `form`, if the rulings are parallel.
 std::optional<Vec3> ruling_of(const Form& form) {
     if (const auto* f = std::get_if<Cylinder>(&form)) return f->axis;
     if (const auto* f = std::get_if<Extrusion>(&form)) return f->along;
@@ -147,8 +147,8 @@ std::optional<Vec3> ruling_of(const Form& form) {
     return std::nullopt;
 }
 
-// Of an envelope and another form: where a ball stood, and where a straight one is met along its
-// lines.
+// Returns the curve of an envelope and a second form: the circle of a ball at rest, or a ruling of
+// an envelope on a straight path.
 std::optional<Curve> meet(const Envelope& envelope, const Form& other) {
     if (const auto along = ruling_of(envelope)) {
         const auto* plane = std::get_if<Plane>(&other);
@@ -163,8 +163,8 @@ std::optional<Curve> meet(const Envelope& envelope, const Form& other) {
     return Circle{across->origin, across->normal, envelope.sweep->fillet()->radius};
 }
 
-// Of what a rim passes and another form: where it stood, if both have all of that circle and these
-// two points are on it.
+// Returns the circle of a rim at rest, if the whole circle lies on both forms and `p` and `q` lie
+// on the circle.
 std::optional<Curve> circle_of_rim(const Envelope& envelope, const Form& other, Vec3 p, Vec3 q) {
     const Sweep& sweep = *envelope.sweep;
     if (!sweep.is_rim()) return std::nullopt;
@@ -237,7 +237,7 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
         };
         const auto& [one, other] = *planes;
         if (!is_on(one) && !is_on(other)) return std::nullopt;
-        // Both ellipses pass through the points where the pipes touch.
+        // Both ellipses pass through the points where the pipes are tangent.
         const bool is_first = is_on(one) && (!is_on(other) || is_nearer(one, other, near_to));
         return ellipse(is_first ? one : other, *first);
     }
@@ -260,7 +260,7 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
     if (const auto* f = std::get_if<Cylinder>(&other)) {
         const double lean = std::abs(dot(plane.normal, f->axis));
         if (lean <= kNearlyParallel) return Line{};
-        // Of one of some metres readers draw nothing.
+        // Readers draw nothing of an ellipse that is metres long.
         constexpr double kLongest = 1e-2;
         if (lean < kLongest) return std::nullopt;
         return ellipse(plane, *f);

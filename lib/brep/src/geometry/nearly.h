@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// When directions and lengths count as equal, of surfaces that meet.
+// Tolerances for directions and lengths of surfaces that meet.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -11,11 +11,11 @@ namespace ncsim::brep {
 
 using cda::Vec3;
 
-/// Programs round their numbers, so that lines and arcs miss each other where they should touch. By
-/// less than this they do, mm.
+/// Largest gap at which surfaces count as tangent, mm. Programs round numbers, so lines and arcs
+/// that are meant to be tangent miss each other.
 inline constexpr double kTouchMm = 3e-3;
 inline constexpr double kNearlyParallel = 1e-5;  ///< rad
-/// Axes nearer than this are one, or nothing can be said of them, mm.
+/// Least distance of distinct axes, mm. Closer axes count as equal, or the case stays undecided.
 inline constexpr double kApart = 0.01;
 
 inline bool is_parallel(Vec3 a, Vec3 b) {
@@ -24,11 +24,11 @@ inline bool is_parallel(Vec3 a, Vec3 b) {
 inline bool is_across(Vec3 a, Vec3 b) {
     return std::abs(cda::dot(a, b)) <= kNearlyParallel;
 }
-/// Lengths, but for what programs round.
+/// True if two lengths are equal except for rounding in programs.
 inline bool near(double a, double b) {
     return std::abs(a - b) <= kTouchMm;
 }
-/// From the axis to the point, at right angles.
+/// Returns the vector from the axis to `p`, perpendicular to the axis.
 inline Vec3 away(Vec3 origin, Vec3 axis, Vec3 p) {
     const Vec3 v = p - origin;
     return v - cda::dot(v, axis) * axis;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Newton's method with the shortest step, for any number of forms.
 #include "geometry/newton.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-// Eigenvectors of a symmetric matrix, by rotations (Jacobi).
+// Eigenvalues and eigenvectors of a symmetric matrix, by Jacobi rotations.
 struct Eigen {
     std::array<double, 3> values;
     std::array<Vec3, 3> vectors;
@@ -61,10 +63,10 @@ Eigen eigen(std::array<std::array<double, 3>, 3> m) {
     return result;
 }
 
-// The shortest step that comes nearest to right, where m may say nothing of some directions.
+// Returns the shortest step that best solves m step = right, for a matrix that may be singular.
 Vec3 shortest_step(const std::array<std::array<double, 3>, 3>& m, Vec3 right) {
     constexpr double kFlat = 1e-9;
-    // Where it says enough of all of them, by cofactors.
+    // A well-conditioned matrix is inverted by cofactors.
     constexpr double kClear = 1e-2;
     const Vec3 x{m[0][0], m[0][1], m[0][2]}, y{m[1][0], m[1][1], m[1][2]};
     const Vec3 z{m[2][0], m[2][1], m[2][2]};
@@ -92,7 +94,7 @@ double solve(std::span<const Form* const> forms, Vec3& p) {
 double solve(std::span<const Form* const> forms, Vec3& p, std::span<Beside> beside) {
     constexpr int kMostSteps = 60;
     constexpr double kLongest = 1.0;
-    // Steps this short are rounding, as soon as they do not become shorter.
+    // Steps this short are rounding errors as soon as they do not become shorter.
     constexpr double kRounding = 1e-10;
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMostSteps; ++step) {

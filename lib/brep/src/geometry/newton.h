@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points that surfaces have in common.
+// Newton's method for points that several surfaces have in common.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -9,10 +9,11 @@
 
 namespace ncsim::brep {
 
-/// Moves `p` to a point of all forms, the nearest as far as Newton's method finds it. Where they
-/// have none in common, as near to all of them as may be. Returns the largest distance.
+/// Moves `p` to a common point of all forms, the nearest as far as Newton's method finds that
+/// point. If the forms have no common point, `p` moves as near to all forms as possible.
+/// Returns: the largest distance from a form, mm.
 double solve(std::span<const Form* const> forms, Vec3& p);
-/// The same beside the last point of each form.
+/// Does the same, starting from the state of the last point on each form.
 double solve(std::span<const Form* const> forms, Vec3& p, std::span<Beside> beside);
 
 }  // namespace ncsim::brep

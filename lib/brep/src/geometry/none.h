@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Index that stands for no element.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +8,6 @@
 
 namespace ncsim::brep {
 
-/// The index of nothing.
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace ncsim::brep

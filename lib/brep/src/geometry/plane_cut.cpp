@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuts of each form by a plane.
 #include "geometry/plane_cut.h"
 
 #include "ncsim/trig/angles.h"
@@ -17,9 +19,9 @@ using cda::normalized;
 using trig::angle_of;
 using trig::sin_cos;
 
-// Directions that are equal but for rounding.
+// Sine of the angle below which directions count as equal.
 constexpr double kParallel = 1e-9;
-// A plane that passes an axis or an apex by no more than this, mm, holds it.
+// Distance within which a plane contains an axis or an apex, mm.
 constexpr double kHolds = 4e-6;
 
 }  // namespace
@@ -37,7 +39,7 @@ void PlaneCut::cut(const Plane& f) {
     const Vec3 along = cross(plane_.normal, f.normal);
     if (norm(along) < kParallel) return;
     kind_ = Kind::Straight;
-    // Of both planes the point that is nearest to the origin of one of them.
+    // Point of both planes that is nearest to the origin of `f`.
     const Vec3 level = normalized(cross(f.normal, along));
     const double slope = dot(level, plane_.normal);
     add({f.origin - (plane_.height(f.origin) / slope) * level, normalized(along), {}});
@@ -70,7 +72,7 @@ void PlaneCut::cut(const Cylinder& f) {
 
 void PlaneCut::cut(const Cone& f) {
     const double cosine = dot(f.axis, plane_.normal);
-    const double h = -plane_.height(f.apex);  // how far the plane is before the apex
+    const double h = -plane_.height(f.apex);  // Distance of the plane in front of the apex.
     const Vec3 lean = plane_.normal - cosine * f.axis;
     const double sine = norm(lean);
     through_apex_ = std::abs(h) <= kHolds;
@@ -84,7 +86,8 @@ void PlaneCut::cut(const Cone& f) {
         return;
     }
     const Vec3 side = normalized(lean);
-    // The rulings in the plane of axis and normal meet the plane so far along the axis.
+    // Rulings in the plane of axis and normal meet the plane at h / first and h / second along the
+    // axis.
     const double first = cosine + f.slope * sine, second = cosine - f.slope * sine;
     constexpr double kParallel = 1e-6;
     if (!through_apex_ && first * second > kParallel) {
@@ -93,7 +96,7 @@ void PlaneCut::cut(const Cone& f) {
         const Vec3 a = f.apex + (h / first) * (f.axis + f.slope * side);
         const Vec3 b = f.apex + (h / second) * (f.axis - f.slope * side);
         const Vec3 centre = 0.5 * (a + b), x = 0.5 * (a - b);
-        // A point of the plane beside the centre: across both.
+        // Half width of the cone at the centre, perpendicular to the axis and to `side`.
         const Vec3 v = centre - f.apex;
         const double height = dot(v, f.axis), off = dot(v, side);
         const double minor =
@@ -112,7 +115,7 @@ void PlaneCut::cut(const Cone& f) {
     axis_ = f.axis;
     slope_ = f.slope;
     offset_ = h;
-    // The branch lies on the side where the plane is, away from where the angle jumps.
+    // The branch lies on the plane's side of the axis, away from the jump of the angle.
     x_ = h < 0.0 ? -side : side;
     y_ = cross(axis_, x_);
 }
@@ -135,7 +138,7 @@ void PlaneCut::cut(const Torus& f) {
         const double half = std::sqrt(f.minor * f.minor - h * h);
         const Vec3 centre = f.centre - h * plane_.normal, x = across(plane_.normal);
         for (const double radius : {f.major + half, f.major - half}) {
-            // Of a spindle no face is beyond its tip.
+            // No face of a spindle lies beyond the tip.
             if (radius > 0.0) add({centre, radius * x, radius * cross(plane_.normal, x)});
         }
         return;
@@ -157,7 +160,7 @@ void PlaneCut::cut(const Torus& f) {
 
 void PlaneCut::cut(const Extrusion& f) {
     const double lean = dot(f.along, plane_.normal);
-    // Points of the circle and of its plane, moved along the line into this one.
+    // Moves vectors of the circle's plane along the line into the cutting plane.
     const auto dropped = [&](Vec3 v) { return v - (dot(v, plane_.normal) / lean) * f.along; };
     if (std::abs(lean) < kParallel) {
         kind_ = Kind::Straight;
@@ -174,7 +177,7 @@ void PlaneCut::cut(const Extrusion& f) {
     const Vec3 centre = f.centre - (plane_.height(f.centre) / lean) * f.along;
     const Vec3 start = across(f.axis);
     const Vec3 u = dropped(f.radius * start), v = dropped(f.radius * cross(f.axis, start));
-    // The half axes of conjugate diameters.
+    // Half axes from conjugate diameters.
     const double difference = dot(u, u) - dot(v, v), both = 2.0 * dot(u, v);
     const double length = std::sqrt(difference * difference + both * both);
     double cosine = 1.0, sine = 0.0;
@@ -187,7 +190,7 @@ void PlaneCut::cut(const Extrusion& f) {
     add({centre, x, dot(cross(x, y), plane_.normal) < 0.0 ? -y : y});
 }
 
-// Level, the circle that is there. Others are not known.
+// Level planes cut the circle at their height; all other cuts stay unknown.
 void PlaneCut::cut(const Dome& f) {
     if (norm(cross(f.axis, plane_.normal)) >= kParallel) return;
     kind_ = Kind::Round;
@@ -244,7 +247,8 @@ Vec3 PlaneCut::at(std::size_t branch, double place) const {
         const double out = std::sqrt(std::max(0.0, away * away - offset_ * offset_));
         return origin_ + (branch == 0 ? out : -out) * x_ + (minor_ * angle.sin) * axis_;
     }
-    // Seen from the middle there is one point in each direction: below it is what is nearer.
+    // Seen from the middle, there is one point in each direction; nearer points are inside the
+    // tube.
     double near = 0.0, far = major_ + minor_;
     constexpr int kHalvings = 60;
     for (int i = 0; i < kHalvings; ++i) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// With e what points from the axis a to the point of the circle, R its radius and V the velocity of
-// its centre, that point goes with w = V - R (a' e) a. What the circle passes holds w and the
-// tangent of the circle, and the nearest time is when w is at right angles to what is off.
+// Let e be the unit vector from the axis a to a point of the circle, R the radius, V the velocity
+// of the centre. The point moves with w = V - R (a' e) a. The swept surface contains w and the
+// tangent of the circle. At the nearest time, w is perpendicular to the vector from the foot to the
+// point.
 #include "geometry/rim.h"
 
 #include "ncsim/trig/angles.h"
@@ -21,7 +22,7 @@ using cda::normalized;
 
 namespace {
 
-// The point of the circle that is nearest to another one, and how it changes.
+// Point of the circle that is nearest to a given point, with derivatives.
 struct OnRim {
     OnRim(const Fillet& rim, const Passage& at, Vec3 p) : radius(rim.ring), axis(at.axis) {
         const Vec3 v = p - at.tip;
@@ -33,7 +34,7 @@ struct OnRim {
         foot = at.tip + rim.height * axis + radius * out;
         centre_speed = velocity_at(at, rim.height);
         speed = centre_speed - (radius * dot(at.turn, out)) * axis;
-        // Of what is nearest, as the tool goes on and the point stays.
+        // Derivatives of the nearest point by time, with the given point fixed.
         const double slip = far > 0.0 ? dot(at.speed + height * at.turn, round) / far : 0.0;
         out_change = -slip * round - dot(out, at.turn) * axis;
         centre_change = at.change + rim.height * at.bend;
@@ -43,7 +44,7 @@ struct OnRim {
     }
     double ahead() const { return dot(speed, out); }
     double rise() const { return dot(speed, axis); }
-    // Outwards: of what the circle passes.
+    // Returns the outward normal of the swept surface.
     Vec3 normal() const {
         const Vec3 n = normalized(rise() * out - ahead() * axis);
         return rise() < 0.0 ? -n : n;
@@ -51,10 +52,11 @@ struct OnRim {
     double radius, far = 0.0;
     Vec3 axis, out, round, foot;
     Vec3 centre_speed, speed, out_change, centre_change;
-    double rise_change = 0.0, ahead_change = 0.0;  // of the speed along the axis and outwards
+    // Derivatives of the speeds along the axis and outwards.
+    double rise_change = 0.0, ahead_change = 0.0;
 };
 
-// Level, to the middle of what it leaves.
+// Returns the direction, perpendicular to the axis, to the middle of the swept part.
 Vec3 middle_way(const Sweep& sweep, const Passage& passage, const Around& at) {
     const Vec3 ahead = cross(at.side, passage.axis);
     const double rise = dot(velocity_at(passage, sweep.fillet()->height), passage.axis);
@@ -88,7 +90,7 @@ Aspect aspect_of_rim(const Fillet& rim, const Passage& at, Vec3 p) {
 std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p) {
     const std::vector<Passage>& samples = sweep.samples();
     const Fillet& rim = *sweep.fillet();
-    // How far from the axis, squared: on straight ways a parabola.
+    // Squared distance from the axis; on straight paths a parabola.
     const auto away = [&](std::size_t i) {
         const Vec3 v = p - samples[i].tip;
         const double height = dot(v, samples[i].axis);

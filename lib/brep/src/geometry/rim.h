@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rim of a flat end on its way: a fillet whose radius is 0. What it leaves is where the circle
-// itself passes, so places around it are angles about the tool's axis.
+// Rim of a flat end on a path: a fillet of radius 0. The circle itself sweeps the surface, so
+// places around the rim are angles about the tool's axis.
 #pragma once
 
 #include "ncsim/brep/sweep.h"
@@ -10,17 +10,17 @@
 
 namespace ncsim::brep {
 
-/// As aspect_at(). `off` has the sign of the side of what the circle passes at that time; instead
-/// of its derivatives `rate`, `drift` and `bend` are those of half its square.
+/// Returns aspect_at() for a rim. The sign of `off` is that of the side of the surface that the
+/// circle sweeps at this time; `rate`, `drift` and `bend` are derivatives of off² / 2.
 Aspect aspect_of_rim(const Fillet& rim, const Passage& at, Vec3 p);
-/// Times near which it may be nearest: when a point comes out of the circle of a tool that goes
-/// down, and into it where it rises, or is as near to it as it gets.
+/// Returns times near which the rim may be nearest to `p`: the time when `p` leaves the circle of a
+/// descending tool or enters the circle of a rising tool, or the time of the least distance.
 std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p);
-/// Of an aspect at the time when it is nearest.
+/// Returns gradient_of_rise() for a rim, for an aspect at the nearest time.
 Vec3 gradient_of_rise_of_rim(const Fillet& rim, const Aspect& aspect);
 
-/// Degrees about the axis: 180 is ahead where the tool rises, behind where it goes down, 90 is on
-/// the side of around().
+/// Returns degrees about the tool's axis: 180 is ahead if the tool rises, behind if it descends; 90
+/// is on the side of around().
 double place_on_rim(const Sweep& sweep, const Passage& passage, Vec3 p);
 Vec3 point_on_rim(const Sweep& sweep, const Passage& passage, double place);
 

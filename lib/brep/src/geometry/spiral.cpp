@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points on spirals.
 #include "ncsim/brep/surface.h"
 #include "ncsim/trig/angles.h"
 
@@ -12,8 +14,8 @@ using trig::kRadiansPerDegree;
 
 namespace {
 
-// How fast a point goes at `offset` from the way, mm for each radian: the direction of the way
-// turns by the angle, and by how it comes out of the circle.
+// Returns the speed of a point at `offset` from the path, mm per radian. The tangent of the path
+// turns by the angle, and by the change of the tangent's angle to the circle.
 double pace_at(const Spiral& spiral, double turn, double offset) {
     const double reach = spiral.reach + spiral.lead * turn;
     const double square = reach * reach + spiral.lead * spiral.lead;
@@ -44,8 +46,8 @@ SpiralPlace place_on(const Spiral& spiral, Vec3 p) {
     const Vec3 level = spiral.centre + (v - height * spiral.axis);
     const double x = dot(v, spiral.ahead), y = dot(v, cross(spiral.axis, spiral.ahead));
     SpiralPlace place = place_at(spiral, trig::angle_of(x, y) * kRadiansPerDegree);
-    // Newton's method for where the point lies across the way; how fast that changes is as on the
-    // offset way through the point.
+    // Newton's method for the angle at which `p` lies across the path. The derivative is the speed
+    // of the offset path through `p`.
     constexpr int kMostSteps = 40;
     constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-14, kLeastPace = 1e-9;
     for (int step = 0; step < kMostSteps; ++step) {

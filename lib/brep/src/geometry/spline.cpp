@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The curve is followed in steps, each a cubic that has the right ends and directions, and is half
-// as long where it lies too far off. Readers look for a curve on its surfaces at equal steps of its
-// parameter: where steps are short, so must it be slow.
+// Intersection curves are followed in steps. Each step is a cubic with the correct ends and
+// directions; a step is halved if the cubic is too far off. Readers search for a curve on its
+// surfaces at equal steps of the parameter, so the speed must be low where steps are short.
 #include "geometry/spline.h"
 
 #include "geometry/newton.h"
@@ -35,7 +35,7 @@ struct Knot {
 
 class Walk {
 public:
-    // What the ends miss, the curve may miss, too.
+    // The tolerance includes the distance by which the ends miss the forms.
     Walk(const Form& a, const Form& b, Vec3 begin, Vec3 end) : forms_{&a, &b} {
         for (const Form* form : forms_) {
             for (const Vec3& p : {begin, end})
@@ -51,15 +51,15 @@ public:
         return dot(t, ahead) < 0.0 ? -normalized(t) : normalized(t);
     }
 
-    // Where both forms touch in one point of their curve, at its end: its direction there is that
-    // of a parabola through a point nearby. Towards `next`.
+    // Returns the direction of the curve at its end `end`, towards `next`. If the forms are tangent
+    // there, the direction is that of a parabola through a nearby point.
     Vec3 end_direction(Vec3 end, Vec3 next) {
         beside_ = {};
         const Vec3 ahead = normalized(next - end);
         const Vec3 plain = direction(end, ahead);
         if (plain != Vec3{}) return plain;
-        // As near as they part there; farther away, where what programs round bends the curve: the
-        // first one that the next one agrees with.
+        // The nearest point is best unless rounding in the program bends the curve there. Takes the
+        // first direction with which the direction from the next farther point agrees.
         constexpr double kAgree = 0.01;  // radians, nearly
         Vec3 along = ahead;
         bool is_first = true;
@@ -76,7 +76,7 @@ public:
         return along;
     }
 
-    // The point of the curve in the plane across the direction, `step` ahead.
+    // Sets `to` to the point of the curve in the plane across the direction, `step` ahead.
     bool advance(const Knot& from, double step, Knot& to) {
         to.at = from.at + step * from.along;
         const Form across = Plane{to.at, from.along};
@@ -86,8 +86,8 @@ public:
         return to.along != Vec3{} && follows(from, to);
     }
 
-    // Is the cubic between both knots as near as it has to be? Its derivatives at them are so
-    // long.
+    // True if the cubic between both knots is accurate. The derivatives at the knots have the
+    // length of the chord, or the lengths `first` and `last`.
     bool follows(const Knot& from, const Knot& to) {
         const double length = norm(to.at - from.at);
         return follows(from, to, length, length);
@@ -111,11 +111,11 @@ public:
 
 private:
     std::array<const Form*, 2> forms_;
-    std::array<Beside, 3> beside_;  // of both, and of what goes across
+    std::array<Beside, 3> beside_;  // For both forms and the plane across.
     double accuracy_ = 0.5 * kAccuracy;
 };
 
-// How fast it is at each knot, and from which parameter to which each piece goes.
+// Speed at each knot, and parameter width of each piece.
 struct Pace {
     std::vector<double> speeds, widths;
 };
@@ -127,13 +127,13 @@ std::vector<double> chords_of(const std::vector<Knot>& knots) {
     return chords;
 }
 
-// One everywhere.
+// Returns the speed 1 at all knots.
 Pace even_pace(const std::vector<Knot>& knots) {
     return {std::vector<double>(knots.size(), 1.0), chords_of(knots)};
 }
 
-// A mean of the chords beside each knot; on a piece it changes evenly, so that all of them are
-// about as wide.
+// Returns the geometric mean of the adjacent chords as the speed at each knot. The speed changes
+// linearly on a piece, so all pieces have similar widths.
 Pace pace_by_chords(const std::vector<Knot>& knots) {
     const std::vector<double> chords = chords_of(knots);
     Pace pace;
@@ -162,7 +162,7 @@ Spline through(const std::vector<Knot>& knots, const Pace& pace) {
     return spline;
 }
 
-// Through the knots, and others between them where it would be too far off.
+// Returns a spline through the knots, with more knots where the spline would be too far off.
 Spline through(Walk& walk, std::vector<Knot> knots) {
     constexpr double kEven = 10.0;
     constexpr int kMostPasses = 20;
@@ -195,7 +195,8 @@ Spline through(Walk& walk, std::vector<Knot> knots) {
 
 namespace {
 
-// `away` is how much of the way is far enough from an end to tell its direction there.
+// Follows the curve from the first to the last point. Points determine the direction at an end if
+// they are farther from the end than the fraction `away` of the path.
 std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec3>& points,
                              double away) {
     Walk walk(a, b, points.front(), points.back());
@@ -203,7 +204,7 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
     for (std::size_t i = 1; i < points.size(); ++i)
         length += norm(points[i] - points[i - 1]);
     const Vec3 begin = points.front(), end = points.back();
-    // Corners of the polygon that are very near tell no direction.
+    // Corners of the polygon that are very near determine no direction.
     const auto far_from = [&](Vec3 p, auto first, auto last) {
         for (; first != last; ++first) {
             if (norm(*first - p) > away * length) return *first;
@@ -213,7 +214,7 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
     Knot at{begin, walk.end_direction(begin, far_from(begin, points.begin(), points.end()))};
     const Knot goal{end, -walk.end_direction(end, far_from(end, points.rbegin(), points.rend()))};
     std::vector<Knot> knots{at};
-    // What is as short as the least step is tried as a whole.
+    // A path as short as the least step is tried as a whole.
     double step = std::max(0.25 * length, 2.0 * kLeastStep), passed = 0.0;
     for (int i = 0; i < kMostSteps && step > kLeastStep && passed < 2.0 * length + 1.0; ++i) {
         const double rest = norm(goal.at - at.at);
@@ -222,7 +223,7 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
             knots.push_back(goal);
             return through(walk, std::move(knots));
         }
-        // What closes in itself begins at its end: that is ahead from half of the way on.
+        // A closed curve begins at its end; the end is ahead after half of the path.
         const bool is_ahead = norm(end - begin) > kLeastStep || passed > 0.5 * length;
         const double most = is_ahead ? std::max(0.6 * rest, 4.0 * kLeastStep) : step;
         Knot next;
@@ -242,7 +243,7 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
 
 std::optional<Spline> spline_between(const Form& a, const Form& b,
                                      const std::vector<Vec3>& points) {
-    // Beside a sharp bend what is far away lies behind.
+    // Near a sharp corner of the path, distant points lie behind.
     constexpr double kFar = 0.2, kNearer = 0.05;
     auto spline = follow(a, b, points, kFar);
     return spline ? spline : follow(a, b, points, kNearer);

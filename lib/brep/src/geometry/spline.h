@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where two surfaces meet in no curve that has a name.
+// Intersection curves that have no name (line, circle, ellipse), as splines.
 #pragma once
 
 #include "ncsim/brep/curve.h"
@@ -11,9 +11,10 @@
 
 namespace ncsim::brep {
 
-/// A spline along both forms, which cross, within 1e-5 mm of either, tested in four places between
-/// any two knots. `points` tell the way: the first and the last are its ends and on both forms,
-/// others are near. Nothing if they touch somewhere on it, or the way is lost.
+/// Returns a spline along the intersection of two forms. `points` outlines the path: the first and
+/// the last point are the ends, on both forms; points between are near the path.
+/// Returns: a spline within 1e-5 mm of both forms, tested at four places between adjacent knots; no
+/// value if the forms are tangent inside the path or the path is lost.
 std::optional<Spline> spline_between(const Form& a, const Form& b, const std::vector<Vec3>& points);
 
 }  // namespace ncsim::brep

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Distances, gradients and places on all forms.
 #include "ncsim/brep/surface.h"
 
 #include "ncsim/trig/angles.h"
@@ -18,10 +20,10 @@ using cda::dot;
 using cda::norm;
 using cda::normalized;
 
-// A point seen from an axis.
+// Point in cylindrical coordinates about an axis.
 struct Polar {
     double height, radius;
-    Vec3 away;  // unit, from the axis; zero on it
+    Vec3 away;  // Unit, from the axis; zero on the axis.
 };
 
 Polar polar(Vec3 origin, Vec3 axis, Vec3 p) {
@@ -32,13 +34,13 @@ Polar polar(Vec3 origin, Vec3 axis, Vec3 p) {
     return {height, radius, radius > 0.0 ? (1.0 / radius) * out : Vec3{}};
 }
 
-// Cosine and sine of half the angle at the apex.
+// Cosine and sine of half the opening angle.
 struct Opening {
     explicit Opening(double slope) : cos{1.0 / std::sqrt(1.0 + slope * slope)}, sin{slope * cos} {}
     double cos, sin;
 };
 
-// An elliptic cylinder seen along its rulings.
+// Elliptic cylinder, projected along its rulings.
 struct AlongRulings {
     explicit AlongRulings(const Extrusion& f)
         : x(normalized(cross(f.axis, f.along))),
@@ -53,18 +55,18 @@ struct AlongRulings {
     }
 };
 
-// Out of its circle. Zero where the circle's way is level and goes along it.
+// Returns the unit normal, out of the circle; zero where the path is level and tangent to the
+// circle.
 Vec3 normal_at(const Dome& f, const DomePlace& place) {
     return normalized(place.cosine * place.out - dot(place.out, place.along) * f.axis);
 }
 
-// The same of a coil.
 Vec3 normal_at(const Coil& f, const CoilPlace& place) {
     const double sign = f.lead > 0.0 ? 1.0 : -1.0;
     return normalized(sign * (f.lead * place.out - f.reach * dot(place.out, place.way) * f.axis));
 }
 
-// How far beside the line across the axis at its height, and how fast that grows.
+// Distance from the line across the axis at the height of `p`, and the gradient of this distance.
 struct BesideHelix {
     BesideHelix(const Helicoid& f, Vec3 p) {
         const Vec3 v = p - f.centre;
@@ -197,7 +199,7 @@ bool is_parallel(Vec3 a, Vec3 b, double tolerance) {
     return norm(cross(a, b)) <= tolerance;
 }
 
-// Angles count over this length, mm: that of a part.
+// Length over which angles count, mm: the size of a part.
 constexpr double kReach = 100.0;
 
 struct Same {
@@ -234,7 +236,7 @@ struct Same {
                !turned(a.axis, b.axis) && !turned(a.ahead, b.ahead) && dot(a.axis, b.axis) > 0.0 &&
                dot(a.ahead, b.ahead) > 0.0;
     }
-    // Whatever the turn from which each counts.
+    // Independent of the angle from which each coil starts.
     bool operator()(const Coil& a, const Coil& b) const {
         const Vec3 start = b.centre + b.reach * b.ahead;
         return near(a.radius, b.radius) && near(a.reach, b.reach) && !turned(a.axis, b.axis) &&
@@ -322,8 +324,8 @@ DomePlace place_on(const Dome& dome, Vec3 p) {
     const auto level = [&](Vec3 w) { return w - dot(w, dome.axis) * dome.axis; };
     place.out = normalized(level(v - dome.reach * place.up));
     if (place.out == Vec3{}) place.out = dome.ahead;
-    // Both angles at once by Newton's method: the distance is least. Where it bends the other way,
-    // as if `p` were on the surface.
+    // Newton's method for both angles at once minimises the distance. Where the second derivatives
+    // are not positive definite, the step is the one for `p` on the surface.
     constexpr int kDomeSteps = 40;
     constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-15, kLastTurn = 1e-8, kLeastApart = 1e-7;
     for (int step = 0; step < kDomeSteps; ++step) {
@@ -347,7 +349,7 @@ DomePlace place_on(const Dome& dome, Vec3 p) {
         const double c = place.cosine - second * place.sine, s = place.sine + second * place.cosine;
         const double length = std::sqrt(c * c + s * s);
         turn(place, c / length, s / length);
-        // After a step of Newton's, what is left is as its square.
+        // After a step of Newton's method, the error is of the order of the step's square.
         if (std::abs(first) + std::abs(second) < (is_least ? kLastTurn : kNoTurn)) break;
     }
     return place;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions, samples and frames of tools along their paths.
 #include "ncsim/brep/sweep.h"
 
 #include "ncsim/trig/angles.h"
@@ -44,7 +46,7 @@ std::size_t samples_for(const RoundWay& way) {
     return 9 + static_cast<std::size_t>(std::abs(way.swept) / kRadiansPerDegree / kStep);
 }
 
-// Where few powers count, the way is nearly straight.
+// A path with few powers is nearly straight and needs few samples.
 std::size_t samples_for(const TurningWay& way) {
     constexpr std::size_t kMost = 33;
     return std::min(kMost, 2 * way.powers.size() + 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ways of tools that turn, as polynomials through Chebyshev points: what is as smooth as turns by
-// constant speeds is known to the last bits from few values (Trefethen, Approximation Theory and
-// Approximation Practice, 2013, chapters 3 and 8). Of that low a degree powers are as exact as
-// Chebyshev's polynomials, and all is told in one loop.
+// Paths of tools that turn, as polynomials through Chebyshev points. Few values determine functions
+// as smooth as rotations at constant speed to the last bits. At this low degree, powers are as
+// exact as Chebyshev polynomials and are evaluated in a single loop.
+// Source: Trefethen, Approximation Theory and Approximation Practice, 2013, chapters 3 and 8.
 #include "ncsim/brep/sweep.h"
 #include "ncsim/trig/angles.h"
 
@@ -18,13 +18,13 @@ namespace ncsim::brep {
 
 namespace {
 
-// For turns of half a turn it would take 17 for 1e-12 of the length.
+// A rotation by half a turn needs 17 terms for 1e-12 of the length.
 constexpr std::size_t kTerms = 22;
 constexpr double kWidth = 1.0 + 2.0 * kBeyondEnds;
 constexpr std::size_t kCoordinates = 6;
 using Coordinates = std::array<double, kCoordinates>;
 
-// From t to -1 ... 1, and back.
+// Maps t to [-1, 1], and back.
 double place_of(double t) {
     return (2.0 * (t + kBeyondEnds)) / kWidth - 1.0;
 }
@@ -32,15 +32,15 @@ double time_of(double place) {
     return 0.5 * (place + 1.0) * kWidth - kBeyondEnds;
 }
 
-// The k-th of the places where the polynomial after the last one is zero; times `times` as an
-// angle.
+// Returns cos(`times` φ), where cos φ is the k-th zero of the Chebyshev polynomial of degree
+// kTerms.
 double cosine_at(std::size_t k, std::size_t times) {
     constexpr double kHalf = 180.0;
     const double degrees = kHalf * (static_cast<double>(k) + 0.5) / static_cast<double>(kTerms);
     return trig::sin_cos(static_cast<double>(times) * degrees).cos;
 }
 
-// What Chebyshev's polynomials count for, of as many as tell more than rounding.
+// Returns the coefficients of the Chebyshev polynomials, without those that are rounding errors.
 std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& values) {
     std::vector<Coordinates> terms(kTerms, Coordinates{});
     for (std::size_t j = 0; j < kTerms; ++j) {
@@ -51,7 +51,7 @@ std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& va
                 terms[j][c] += share * values[k][c];
         }
     }
-    // Tip and axis each have their own.
+    // Tip and axis have different scales.
     const auto size = [](const Coordinates& v, std::size_t from) {
         return std::abs(v[from]) + std::abs(v[from + 1]) + std::abs(v[from + 2]);
     };
@@ -62,7 +62,8 @@ std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& va
         constexpr double kRounding = 4e-15;
         return size(term, from) > kRounding * largest;
     };
-    // Short turns have few; what is no more than rounding would grow with each derivative.
+    // Short rotations have few terms. Terms of the size of rounding errors would grow with each
+    // derivative.
     for (const std::size_t from : {std::size_t{0}, kCoordinates / 2}) {
         std::size_t count = kTerms;
         while (count > 1 && !counts(terms[count - 1], from))
@@ -76,7 +77,7 @@ std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& va
     return terms;
 }
 
-// What powers of s count for in these: T(k + 1) = 2 s T(k) - T(k - 1).
+// Converts Chebyshev coefficients into coefficients of powers: T(k + 1) = 2 s T(k) - T(k - 1).
 std::vector<Coordinates> powers_of(const std::vector<Coordinates>& terms) {
     const std::size_t count = terms.size();
     std::vector<Coordinates> powers(count, Coordinates{});
@@ -117,8 +118,8 @@ std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& p
 }
 
 Passage passage(const TurningWay& way, double t) {
-    // Horner's rule, of the polynomials, their first derivatives and halves of the second ones; two
-    // coordinates at a time.
+    // Horner's rule for the polynomials, their first derivatives and half of their second
+    // derivatives; two coordinates at a time.
     using Pair = double __attribute__((vector_size(2 * sizeof(double))));
     constexpr std::size_t kPairs = kCoordinates / 2;
     const double s = place_of(t);

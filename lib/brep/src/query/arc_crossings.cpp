@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Crossings of circles and lines that share a corner.
 #include "query/arc_crossings.h"
 
 #include "ncsim/trig/angles.h"
@@ -20,18 +22,18 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-// Crossings nearer to the corner are the corner to readers, mm.
+// Distance within which readers take a crossing for the corner, mm.
 constexpr double kInCorner = 1e-6;
 
-// An edge of a plane, seen from one of its ends.
+// Edge of a plane.
 struct PlaneEdge {
     const Edge* edge = nullptr;
-    const Circle* circle = nullptr;  // otherwise it is straight
+    const Circle* circle = nullptr;  // null if the edge is straight
     std::uint32_t number = 0;
     Vec3 from, to;
 };
 
-// True if `p`, on the curve, is between the ends of the edge.
+// True if `p`, a point of the curve, is between the ends of the edge.
 bool is_inside(const PlaneEdge& e, Vec3 p) {
     if (!e.circle) {
         const Vec3 along = e.to - e.from;
@@ -48,7 +50,8 @@ bool is_inside(const PlaneEdge& e, Vec3 p) {
     return angle(p) < angle(e.to);
 }
 
-// How far the edge is from the middle of the chord between two points of it, to the side of `side`.
+// Returns the distance of the edge from the middle of the chord between two points of the edge,
+// positive to the side of `side`.
 double depth_of(const PlaneEdge& e, Vec3 middle, Vec3 side) {
     if (!e.circle) return 0.0;
     const Vec3 out = away(e.circle->centre, e.circle->axis, middle);
@@ -56,7 +59,7 @@ double depth_of(const PlaneEdge& e, Vec3 middle, Vec3 side) {
     return dot(out, side) < 0.0 ? -depth : depth;
 }
 
-// The points in which the curves of both meet, if they are not one curve.
+// Returns the points in which the curves of both edges meet, if the curves differ.
 std::vector<Vec3> crossings_of(const PlaneEdge& a, const PlaneEdge& b) {
     if (!a.circle) return crossings_of(b, a);
     const Circle& circle = *a.circle;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
-// is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
-// front, those of extrusions along their lines; other cylinders and rings become rings of paper; of
-// spheres the point opposite the face is where the map has none; of coils both angles are lengths,
-// as are of envelopes the angle around the way and the time.
+// Faces are tested on a map, on which each surface is laid out flat without a seam. Cones are seen
+// along the axis; parts of cylinders and extrusions from the front, whole cylinders and tori as
+// annuli; spheres in stereographic projection from the point opposite the face; coils by both
+// angles as lengths; envelopes by the place across the path and the time.
 #include "query/check.h"
 
 #include "ncsim/brep/measure.h"
@@ -67,7 +66,7 @@ public:
                 for (const double t : {0.0, 0.25, 0.5, 0.75})
                     sum = sum + (track.at(t) - s->centre);
             });
-            // Loops about in one plane: the face is on their left of two sides.
+            // The loops lie about in one plane, so the face is on their left on two sides.
             Vec3 middle = normalized(sum);
             if (norm(sum) < 0.1 * s->radius) middle = face.frame.axis;
             axes_ = Axes(s->centre, {s->centre, middle, across(middle)});
@@ -85,7 +84,7 @@ public:
         }
     }
 
-    // Where it is, and how far off the form.
+    // Position on the map, and distance from the form.
     struct Place {
         Point at;
         double off;
@@ -98,7 +97,7 @@ public:
     }
 
     Point operator()(Vec3 at) const {
-        // From the middle of the half of the circle, which turns with the way.
+        // Angles count from the middle of the half of the circle, which turns with the path.
         if (const auto* c = std::get_if<Coil>(form_)) {
             const CoilPlace place = place_on(*c, at);
             const double x = ahead_ * dot(place.out, place.way);
@@ -127,14 +126,14 @@ public:
 
     bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
 
-    // Is it on the half that the circle of a coil does not leave there? Nothing of the face is.
+    // True if `at` is on the half of a coil's circle that leaves no surface there.
     bool is_of_other_half(Point at, double tolerance_mm) const {
         constexpr double kQuarter = 90.0 * kRadiansPerDegree;
         const auto* coil = std::get_if<Coil>(form_);
         return coil && std::abs(at.x) > kQuarter * coil->radius + tolerance_mm;
     }
 
-    // Is what is straight straight on the map?
+    // True if straight lines are straight on the map.
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
                std::holds_alternative<Spiral>(*form_) ||
@@ -149,7 +148,7 @@ private:
         return {scale * across, sweep.length_mm() * place.t};
     }
 
-    // In the coordinates of its axes.
+    // True if the form is a cylinder in the coordinates of its axes.
     bool is_straight_up() const {
         return std::holds_alternative<Cylinder>(*form_) ||
                std::holds_alternative<Extrusion>(*form_) || std::holds_alternative<Dome>(*form_);
@@ -165,18 +164,18 @@ private:
     const Form* form_;
     Axes axes_;
     double low_ = 0.0, cut_ = 0.0;
-    double ahead_ = 1.0;         // of a coil: which half of the circle
-    bool faces_one_way_ = true;  // seen from there, nothing of it hides anything
+    double ahead_ = 1.0;         // Coils: which half of the circle.
+    bool faces_one_way_ = true;  // True if the face is seen from the front without hiding itself.
 };
 
 struct Segment {
     Point a, b;
-    std::uint64_t from, to;  // what they are called: neighbours have one in common
-    const Track* track;      // of which it is the chord, between two parameters
+    std::uint64_t from, to;  // Names of the ends; adjacent segments have a common name.
+    const Track* track;      // Edge of which the segment is a chord, between `begin` and `end`.
     double begin, end;
-    bool is_straight;  // on the map, too
+    bool is_straight;  // Also on the map.
     std::uint32_t edge;
-    double off = 0.0;  // how far it may be from what it stands for
+    double off = 0.0;  // Bound of the distance between chord and curve.
     double low() const { return std::min(a.y, b.y) - off; }
     double high() const { return std::max(a.y, b.y) + off; }
     double left() const { return std::min(a.x, b.x) - off; }
@@ -203,7 +202,7 @@ bool cross_each_other(const Segment& s, const Segment& t) {
 
 bool interfere(const Segment& s, const Segment& t, double clear) {
     const double near = clear * clear;
-    // Neighbours have a point in common; what is beyond it must not lie on the other one.
+    // Adjacent segments share a point; the parts beyond that point must not lie on each other.
     const bool joined = s.to == t.from;
     const bool joined_back = t.to == s.from;
     const bool heads = s.from == t.from;
@@ -225,7 +224,8 @@ double apart(const Segment& s, const Segment& t) {
                                squared_distance(t.a, s), squared_distance(t.b, s)}));
 }
 
-// Of both halves of what is nearly a circle, a quarter of how far it is off.
+// Splits a segment. For nearly circular curves, each half is off by a quarter of the whole's
+// distance.
 std::array<Segment, 2> halves_of(const Map& map, const Segment& s) {
     const double middle = 0.5 * (s.begin + s.end);
     const Point p = map(s.track->at(middle));
@@ -236,15 +236,16 @@ std::array<Segment, 2> halves_of(const Map& map, const Segment& s) {
     return {first, second};
 }
 
-// Sine of the angle between two chords.
+// Returns the sine of the angle between two chords.
 double sine_between(const Segment& s, const Segment& t) {
     const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
     const double lengths = std::sqrt((sx * sx + sy * sy) * (tx * tx + ty * ty));
     return lengths > 0.0 ? std::abs(sx * ty - sy * tx) / lengths : 0.0;
 }
 
-// Pieces of curves without a common end: chords that come near are halved until it is clear, or one
-// is nowhere on the map. What runs beside each other, but for a least angle, may be near.
+// True if two pieces of curves without a common end come nearer than `clear`. Chords are halved
+// until the result is clear; a segment outside the map counts as near. Pieces at an angle below
+// `least_sine` may be near each other.
 bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth,
                       double least_sine = 0.0) {
     if (!std::isfinite(s.off + t.off)) return true;
@@ -257,20 +258,21 @@ bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int de
            curves_interfere(map, second, t, clear, depth - 1, least_sine);
 }
 
-// When pieces of curves that go out from a common point are told to meet again.
+// Criterion for pieces of curves from a common point that meet again.
 struct Again {
-    double nearer;      // mm: than this to each other,
-    double least_sine;  // of the angle there, and
+    double nearer;      // mm: the pieces come nearer than this to each other,
+    double least_sine;  // at an angle with at least this sine,
     double nowhere;     // mm: farther than this from the common point.
 };
-// By an angle of which readers take notice. Others touch in their corner but for rounding.
+// Angle that readers notice. At smaller angles, curves are tangent in their corner except for
+// rounding.
 constexpr Again kCrossing{1e-9, 0.06, 1e-3};
-// By any angle, where one corner stands for two between which facets told nothing: what programs
-// round alone crosses nearer to it.
+// Any angle, far from the corner. Facets may leave a corner that stands for two; curves that miss
+// only by rounding cross nearer to the corner.
 constexpr Again kCrossingElsewhere{1e-9, 0.0, 0.1};
 
-// Beside facets curves miss their ends by more than that: what is left after so many halvings is
-// that.
+// True if the pieces, which start in a common point, meet again. Next to facets, curves miss their
+// ends by more than the criterion; the piece left after all halvings is such a miss.
 bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again& again,
                  int halvings = 40) {
     constexpr int kDepth = 30;
@@ -288,7 +290,7 @@ bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again
            meet_beyond(map, s_near, t_near, again, halvings - 1);
 }
 
-// Turned round, so that they start in the point that they have in common.
+// Reverses the pieces so that both start in the common point.
 bool neighbours_meet_again(const Map& map, Segment s, Segment t, const Again& again) {
     if (s.to == t.from && t.to == s.from) return false;
     const auto turn_round = [](Segment& piece) {
@@ -304,11 +306,11 @@ bool have_common_end(const Segment& s, const Segment& t) {
     return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
 }
 
-// Segments by the strips of x in which they are: a face with a grid of holes has many at the same
-// height, of which few are near each other.
+// Segments by the strips of x in which they lie. A face with a grid of holes has many segments at
+// the same height, but few of them are near each other.
 class Strips {
 public:
-    /// Requires: `segments` ascending by low(), and longer-lived than this.
+    /// Requires: `segments` ascending by low(), with a longer lifetime than the strips.
     Strips(const std::vector<Segment>& segments, double clear)
         : segments_(segments), clear_(clear) {
         constexpr std::size_t kOfAStrip = 256;  // segments
@@ -320,7 +322,7 @@ public:
         }
         std::size_t count = segments.size() / kOfAStrip + 1;
         const double width = (right - left_) / static_cast<double>(count);
-        // One strip for all if the numbers say nothing about where segments are.
+        // A single strip is used if positions are not finite.
         const bool has_width = std::isfinite(width) && width > 0.0 && std::isfinite(1.0 / width);
         if (!has_width) count = 1;
         per_mm_ = has_width ? 1.0 / width : 0.0;
@@ -338,8 +340,9 @@ public:
         }
     }
 
-    /// Writes into `others`, ascending, those after `i` whose boxes come within the clearance of
-    /// that of `i`. Requires: `i` not less than in the last call.
+    /// Writes the segments after `i` whose boxes come within the clearance of the box of `i`,
+    /// ascending.
+    /// Requires: `i` is not less than in the last call.
     void find(std::uint32_t i, std::vector<std::uint32_t>& others) {
         const Segment& s = segments_[i];
         others.clear();
@@ -362,7 +365,8 @@ public:
     }
 
 private:
-    // The first and the last; of what is nowhere, all.
+    // Returns the first and the last strip of a segment; all strips if the segment has no finite
+    // position.
     std::pair<std::size_t, std::size_t> strips_of(const Segment& s, double more) const {
         const std::size_t last = members_.size() - 1;
         const auto strip = [&](double x, std::size_t nowhere) {
@@ -376,14 +380,14 @@ private:
     const std::vector<Segment>& segments_;
     double clear_, left_ = 0.0, per_mm_ = 0.0;
     std::vector<std::vector<std::uint32_t>> members_;
-    std::vector<std::size_t> first_;  // for each strip: its first member after `i`
+    std::vector<std::size_t> first_;  // For each strip: first member after `i`.
 };
 
-// The edges of two pieces that do.
+// Returns the edges of two pieces that interfere.
 std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
                                                           std::vector<Segment> segments,
                                                           double clear) {
-    // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
+    // A piece of 4 degrees is off by a hundredth of its length; the map may bend pieces more.
     constexpr double kMostOff = 0.1, kBeside = 0.05;
     constexpr int kDepth = 40;
     const auto length = [](const Segment& s) {
@@ -398,8 +402,8 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
     const auto do_interfere = [&](const Segment& s, const Segment& t) {
         const bool both_straight = s.is_straight && t.is_straight;
         if (both_straight) return interfere(s, t, clear);
-        // Chords of curves that touch in their common end may lie on each other. Of cones
-        // readers find them crossed.
+        // Chords of curves that are tangent in a common end may lie on each other. On cones,
+        // readers report a crossing.
         const Again beside{clear, 0.0, kBeside};
         const auto is_near = [&] {
             return interfere(s, t, clear) &&
@@ -422,8 +426,8 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
     return std::nullopt;
 }
 
-// Does the chord come so near to the apex of a cone, off the cone by more than programs round, that
-// nobody can tell on which side of it the edge goes? Or does it go past the axis?
+// True if a chord passes so near to the apex of a cone, and is off the cone by more than rounding
+// in programs, that the side of the apex is undetermined; or if the chord passes the axis.
 bool passes_beside_apex(const Form& form, Vec3 from, Vec3 to) {
     const auto* cone = std::get_if<Cone>(&form);
     if (!cone) return false;
@@ -442,8 +446,8 @@ bool passes_beside_apex(const Form& form, Vec3 from, Vec3 to) {
     return goes_past && off(nearest_to(level(begin), level(to - from))) > kTouchMm;
 }
 
-// How often the loops of a face go round, all of them together, about an axis through `origin` that
-// they do not meet.
+// Returns the total number of turns of the loops about an axis through `origin` that the loops do
+// not meet.
 double rounds(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
     constexpr double kTurn = 360.0;
     double degrees = 0.0;
@@ -454,8 +458,8 @@ double rounds(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axi
     return degrees / kTurn;
 }
 
-// On what closes in itself loops that go round come in pairs: what is between is the face. A tube
-// is seen as if its circles were all in one plane.
+// True if loops that go round a closed form do not come in pairs with the face between. The circles
+// of a tube are compared in a common plane.
 bool is_without_end(const Part& part, const Face& face) {
     constexpr double kHalf = 0.5;
     if (const auto* cylinder = std::get_if<Cylinder>(&face.surface.form))
@@ -493,7 +497,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     std::vector<Segment> all;
     int outlines = 0;
     double miss = 0.0;
-    std::uint64_t inside = std::uint64_t{1} << 32;  // names of points between vertices
+    std::uint64_t inside = std::uint64_t{1} << 32;  // Names of points between vertices.
     std::deque<Track> tracks;
     for (const Loop& loop : face.loops) {
         std::vector<Segment> segments;
@@ -580,7 +584,7 @@ bool only_touches_itself(const Part& part, const Face& face, double clear_mm) {
             edges.push_back({edge.from, edge.to, part.vertices[edge.from], part.vertices[edge.to]});
         }
     }
-    // How far a point is on the left of an edge.
+    // Returns the distance of a point to the left of an edge.
     const auto beside = [&](const Straight& s, Vec3 p) {
         return dot(plane->normal, cross(normalized(s.b - s.a), p - s.a));
     };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Is it what it says: closed, on its surfaces, without folds? Asked as a stranger would, of the
-// result alone.
+// Check of a part from the result alone: closed, edges on surfaces, no folds.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -13,34 +12,37 @@
 
 namespace ncsim::brep {
 
-/// What is wrong with it.
+/// Defect of a face.
 struct Fault {
     std::uint32_t face = 0;
     std::string what;
-    std::vector<std::uint32_t> edges{};  ///< Where, if that can be told: indices into Part::edges.
+    std::vector<std::uint32_t> edges{};  ///< Edges at fault, if known: indices into Part::edges.
 };
 
-/// Nearer than this, readers take two points for one, mm.
+/// Distance below which readers take two points for a single point, mm.
 inline constexpr double kClear = 2e-6;
 
-/// What is said of loops that do.
+/// Text of the fault for loops that cross or touch.
 inline constexpr const char* kCrossOrTouch = "its loops cross or touch";
 
-/// Of a flat face with straight edges alone: does it do no more than touch itself, in corners that
-/// lie on edges or in each other within `clear_mm`? Polyhedra of tools that come to a point do,
-/// where grooves of one depth cross: readers part such faces there. O(n²) for n edges.
+/// True if a planar face with straight edges at most touches itself, in corners that lie on edges
+/// or in each other within `clear_mm`. Polyhedra of pointed tools have such faces where grooves of
+/// the same depth cross; readers split these faces there. False for all other faces.
+/// Cost: O(n²) for n edges.
 bool only_touches_itself(const Part& part, const Face& face, double clear_mm = kClear);
 
-/// Of edges on the surface of the face within `tolerance_mm`; of loops that neither cross nor come
-/// nearer to themselves or each other than `clear_mm`, go round the face on the side where it is,
-/// and one of them around all others on planes. Also what the edges miss: `miss_mm` is raised to
-/// it. O(n log n) for n edges that are spread evenly. Who has measured the face tells its area,
-/// which takes long of envelopes.
+/// Returns the faults of a face. Edges must lie on the surface within `tolerance_mm`. Loops must
+/// neither cross nor come nearer to themselves or each other than `clear_mm`, and must have the
+/// face on their left; on planes, exactly one loop must surround all others. Raises `miss_mm` to
+/// the largest distance of an edge from the surface. `area_mm2` is the area of the face, if known,
+/// because measuring envelopes takes long.
+/// Cost: O(n log n) for n evenly distributed edges.
 std::vector<Fault> faults_of(const Part& part, std::uint32_t face, double tolerance_mm,
                              double& miss_mm, double clear_mm = kClear,
                              std::optional<double> area_mm2 = {});
 
-/// Of all faces; and each edge is used twice, in opposite directions. Sets part.miss_mm.
+/// Returns the faults of all faces; each edge must be used twice, in opposite directions. Sets
+/// part.miss_mm.
 std::vector<Fault> check(Part& part, double tolerance_mm);
 
 }  // namespace ncsim::brep

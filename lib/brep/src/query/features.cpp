@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Recognition of features by the faces around cylinders and planes.
 #include "ncsim/brep/features.h"
 
 #include "ncsim/brep/frames.h"
@@ -27,7 +29,7 @@ using cda::dot;
 using cda::norm;
 using cda::normalized;
 
-// Directions that are equal but for rounding, and lengths, mm.
+// Rounding error of directions, and of lengths in mm.
 constexpr double kAligned = 1e-9, kSame = 1e-6;
 
 struct Span {
@@ -43,7 +45,7 @@ struct Span {
     }
 };
 
-// Does the segment pass through the triangle?
+// True if the segment from `a` to `b` passes through the triangle.
 bool pierces(Vec3 a, Vec3 b, const cda::Corners& t) {
     const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
     const double before = dot(n, a - t[0]), behind = dot(n, b - t[0]);
@@ -86,7 +88,7 @@ public:
     }
 
 private:
-    // By who cut it first; then from left to right.
+    // Sorts by the first motion that cut the feature, then by position in X, Y, Z.
     template <typename Feature>
     static void sort(std::vector<Feature>& features) {
         std::ranges::stable_sort(features, [](const Feature& a, const Feature& b) {
@@ -120,11 +122,11 @@ private:
 
     // --- Cylinders --------------------------------------------------------------------------
 
-    // A loop that goes round a cylinder: where along the axis, and what is behind it.
+    // End of a cylinder: position along the axis, and kinds of the faces beyond.
     struct Rim {
         Span along;
         bool is_opening = false, is_closing = false;
-        std::uint32_t beyond = kNone;  // a face there
+        std::uint32_t beyond = kNone;  // The face beyond with the least index.
     };
 
     void take_cylinder(std::uint32_t f, const Cylinder& form) {
@@ -153,7 +155,7 @@ private:
         features_.bores.push_back(bore(f, form, up, along, covers));
     }
 
-    // Where it ends in direction `out`: what the faces beyond its edges at that end are.
+    // Returns the end of the cylinder in direction `out`, with the faces beyond its edges there.
     Rim rim(std::uint32_t f, const Cylinder& form, Vec3 out) const {
         Rim rim;
         const Face& face = part_.faces[f];
@@ -178,12 +180,13 @@ private:
         return rim;
     }
 
-    // Does a face that begins where a bore ends lead out of the bore, or close it?
+    // True if a face that begins where a bore ends leads out of the bore; false if the face closes
+    // the bore.
     bool opens(std::uint32_t beyond, Vec3 p, Vec3 out) const {
         const Surface& surface = part_.faces[beyond].surface;
         const double looks = dot(outward(surface, p), out);
         if (std::abs(looks) > kSame) return looks > 0.0;
-        // It goes on smoothly: what is hollow comes together.
+        // The face continues the cylinder smoothly; a hollow face narrows.
         return !surface.is_hollow;
     }
 
@@ -194,7 +197,7 @@ private:
         bore.covers_degrees = covers;
         bore.origins = part_.faces[f].origins;
         Rim top = rim(f, form, up), bottom = rim(f, form, -up);
-        // Closed above and open below: it was cut from below.
+        // A bore that is closed above and open below was cut from below.
         const bool is_upside_down = top.is_closing && bottom.is_opening && !bottom.is_closing;
         if (is_upside_down) std::swap(top, bottom);
         bore.axis = is_upside_down ? -up : up;
@@ -250,7 +253,7 @@ private:
         features_.floors.push_back(std::move(floor));
     }
 
-    // Does what is beyond the edge go up from it?
+    // True if the face beyond the edge rises from the edge.
     bool rises_beside(const EdgeUse& use, Vec3 up) const {
         const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
         if (beyond == kNone) return false;
@@ -265,16 +268,16 @@ private:
 
     // --- Distances --------------------------------------------------------------------------
 
-    // A plane's face laid out flat.
+    // Planar face in the coordinates of its direction.
     struct Wall {
         std::uint32_t face = 0;
-        double at = 0.0;  // along the direction that it has in common with others
+        double at = 0.0;  // Position along the normal of the direction.
         Span u, v;
         std::vector<std::vector<Vec3>> loops;
     };
     struct Direction {
         Vec3 n, u, v;
-        std::vector<Wall> ahead, back;  // that look along n, and against it
+        std::vector<Wall> ahead, back;  // Walls whose normal is along n, and against n.
     };
 
     void measure_walls() {
@@ -289,7 +292,7 @@ private:
                 const Vec3 u = across(n);
                 directions.push_back({n, u, cross(n, u), {}, {}});
                 found = directions.end() - 1;
-                // Of every wall its own: this is no part of walls.
+                // A part whose walls all have different directions cannot be measured.
                 constexpr std::size_t kMostDirections = 2000;
                 if (directions.size() > kMostDirections) return give_up();
             }
@@ -321,8 +324,8 @@ private:
         features_.distances.clear();
     }
 
-    // Between what looks along the direction and what looks against it: void if the first is
-    // behind the other one.
+    // Adds distances between walls that look along the direction and walls that look against it:
+    // across void if the former are behind the latter, otherwise across material.
     void measure_between(const Direction& d, bool is_void) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, Distance> found;
         const auto nearest = [&](const Wall& wall, const std::vector<Wall>& others, bool is_ahead) {
@@ -351,8 +354,8 @@ private:
             nearest(wall, d.back, true);
         for (const Wall& wall : d.back)
             nearest(wall, d.ahead, false);
-        // Material between the same two planes is told once: a plate has one thickness, whatever
-        // parts its faces.
+        // Material between the same two planes is listed once: a plate has a single thickness, even
+        // if its faces are split.
         std::vector<Distance*> told;
         for (auto& [key, distance] : found) {
             const auto same = std::ranges::find_if(told, [&](const Distance* other) {
@@ -373,11 +376,11 @@ private:
             features_.distances.push_back(std::move(*distance));
     }
 
-    // A point of both, right opposite each other, with nothing between.
+    // Returns a point of each wall, opposite each other, with a free line between.
     std::optional<std::pair<Vec3, Vec3>> opposite(const Direction& d, const Wall& a,
                                                   const Wall& b) const {
         const Span u = a.u.common(b.u), v = a.v.common(b.v);
-        // The middle first.
+        // The middle is tried first.
         for (const double s : {0.5, 0.3, 0.7, 0.1, 0.9}) {
             for (const double t : {0.5, 0.3, 0.7, 0.1, 0.9}) {
                 const double x = u.low + s * u.length(), y = v.low + t * v.length();
@@ -390,7 +393,7 @@ private:
         return std::nullopt;
     }
 
-    // Is the point in the face? By the turns of its loops.
+    // True if the point is in the face, by the angles that the loops turn around it.
     static bool holds(const Direction& d, const Wall& wall, double x, double y) {
         double turn = 0.0;
         for (const auto& points : wall.loops) {
@@ -405,7 +408,8 @@ private:
     }
 
     bool is_clear(Vec3 from, Vec3 to) const {
-        // Not the walls themselves, which the polyhedron has where they are but for rounding.
+        // The ends are moved off the walls, which the polyhedron has in the same place except for
+        // rounding.
         constexpr double kOff = 1e-3;
         const double length = norm(to - from);
         if (length <= 4.0 * kOff) return true;
@@ -422,7 +426,8 @@ private:
 
     const Part& part_;
     const cda::TriangleTree& between_;
-    std::vector<std::array<std::uint32_t, 2>> beside_;  // of each edge: forward, backward
+    // Faces on both sides of each edge: forward, backward.
+    std::vector<std::array<std::uint32_t, 2>> beside_;
     std::vector<std::uint32_t> planes_;
     Features features_;
 };

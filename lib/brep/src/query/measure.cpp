@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Areas, volumes and first moments of faces, as integrals along the edges.
 #include "ncsim/brep/measure.h"
 
 #include "ncsim/trig/angles.h"
@@ -38,7 +40,7 @@ void integrate_piece(const Track& track, double begin, double width,
     }
 }
 
-// Splines have so many knots that what is between two of them is of degree 3 within some 1e-9.
+// Splines have so many knots that the integrand between knots is of degree 3 to about 1e-9.
 template <typename Piece>
 void for_pieces(const Track& track, Exactness exactness, const Piece& piece) {
     const std::size_t pieces = track.pieces();
@@ -62,8 +64,8 @@ void integrate(const Track& track, const F& f, Exactness exactness = Exactness::
                });
 }
 
-// Along a circle that lies level, what is integrated is of degree 3 in cosine and sine, at most,
-// which pieces of 45 degrees tell to the last bit.
+// Along a level circle, the integrand is of degree 3 at most in cosine and sine; pieces of 45
+// degrees integrate it to the last bit.
 template <typename F>
 void integrate_round(const Track& track, const F& f) {
     constexpr double kPiece = 45.0 + 1e-9;
@@ -73,7 +75,7 @@ void integrate_round(const Track& track, const F& f) {
         integrate_piece(track, static_cast<double>(i) * width, width, kAbscissae, kWeights, f);
 }
 
-// On planes what is integrated along a line is of degree 2, at most.
+// On planes, the integrand along a line is of degree 2 at most.
 template <typename F>
 void integrate_level(const Track& track, const F& f) {
     if (track.circle()) return integrate_round(track, f);
@@ -81,7 +83,7 @@ void integrate_level(const Track& track, const F& f) {
     integrate_piece(track, 0.0, 1.0, kTwoAbscissae, kTwoWeights, f);
 }
 
-// On what is round about an axis.
+// Integrates over an edge of a surface of revolution.
 template <typename F>
 void integrate_around(const Track& track, const Axes& axes, const F& f) {
     const Circle* circle = track.circle();
@@ -117,7 +119,7 @@ struct BelowCone {
 struct BelowSphere {
     double radius;
     Vec3 w;
-    double pole;  // 1 or -1: from where on
+    double pole;  // 1 or -1: pole from which the integral starts
     Below operator()(const Local& p) const {
         if (p.away <= 0.0) return {};
         const double s = p.z / radius, c = p.away / radius;
@@ -138,7 +140,7 @@ struct BelowTorus {
     double major, minor;
     Vec3 w;
     double cut;  // degrees, where the angle around the tube jumps
-    // Of a spindle from its tip on, which may be a corner.
+    // A spindle is integrated from its tip, which may be a corner.
     Below operator()(const Local& p) const {
         const double out = p.away - major;
         const double length = std::sqrt(out * out + p.z * p.z);
@@ -158,7 +160,7 @@ struct BelowTorus {
     }
 };
 
-// For each angle: how much area there is along a mm of the line, and how much volume.
+// Per angle: area and volume along a mm of the line.
 struct BelowExtrusion {
     double radius;
     Vec3 w, lean;
@@ -173,7 +175,7 @@ struct BelowExtrusion {
     }
 };
 
-// The angle around the axis that a step makes, per its parameter.
+// Returns the change of the angle around the axis by a step, per unit of the parameter.
 double turn(const Local& p, Vec3 step) {
     return (p.x * step.y - p.y * step.x) / (p.away * p.away);
 }
@@ -203,10 +205,10 @@ Measure around(const Part& part, const Face& face, const Axes& axes, const B& be
         sum.area -= turned * b.area;
         sum.volume -= turned * b.volume / 3.0;
     });
-    // Where edges miss their ends, what is below all of a face that does not go round counts for
-    // the angles of these gaps: it is left out, from where the first edge starts. Not where edges
-    // come near the axis, and may pass half a turn there. Cones have no radius, and begin at their
-    // apex.
+    // The edges of a face may miss their ends, so the angles have gaps. On a face that does not go
+    // round, each gap counts with the whole integral below the face; this share is subtracted, at
+    // the level of the first edge's start. The correction does not apply to edges near the axis,
+    // which may pass half a turn there, and to cones, which have no radius and begin at their apex.
     constexpr double kClearOfAxis = 0.1, kMostGaps = 0.1;  // of the radius; rad
     constexpr double kNoGap = 1e-14;                       // rad
     const double radius = radius_of(face.surface.form);
@@ -241,14 +243,14 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
 
 // --- What circles and tools pass ------------------------------------------------------------
 
-// Along an edge of an envelope. Where that folds, times change along edges as roots do, and points
-// that miss it by rounding tell them but roughly: pieces are halved there, and what is left of the
-// time that one takes counts for all of it evenly.
+// Integrates over the time along an edge of an envelope. Near a fold of the envelope, times along
+// edges change like square roots, and points that are off by rounding give inaccurate times. Pieces
+// are halved there, and the time that remains missing is distributed evenly.
 class OverTimes {
 public:
     OverTimes(const Track& track, const Envelope& envelope) : track_(track), envelope_(envelope) {}
 
-    // `take`: how much length, how much time, backwards, and the place.
+    // Calls `take` with the length, the time with opposite sign, and the aspect.
     template <typename Take>
     void operator()(Exactness exactness, const Take& take) {
         for_pieces(track_, exactness,
@@ -282,7 +284,7 @@ private:
         return all;
     }
 
-    // The nearer to it, the less the distance from the tool bends with time.
+    // The closer the fold, the smaller the second derivative of the distance by time.
     template <std::size_t N>
     static bool is_at_fold(const std::array<Step, N>& all) {
         constexpr double kEven = 0.25;
@@ -381,12 +383,13 @@ Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Ve
 
 // --- Middles --------------------------------------------------------------------------------
 
-// The integral of w (w n) over a face, w from `apex`, n the form's normal: four times what the cone
-// over it has of volume times middle. Over the second parameter by Gauss.
+// Geometry for the integral of w (w n) over a face, with w from `apex` and n the form's normal. The
+// integral is four times volume times centroid of the cone over the face. The second parameter uses
+// Gauss quadrature.
 struct Profile {
     double radius, height;  // of the point
     double out, up;         // of the normal
-    double per;             // area for each radian and unit of the parameter
+    double per;             // area per radian and unit of the parameter
 };
 
 Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) {
@@ -396,7 +399,7 @@ Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) 
     return (f.per * dot(w, n)) * w;
 }
 
-// Upright, w (w n) grows evenly with the height, on cones with its cube: two points tell it.
+// Along the axis, w (w n) is linear in the height, on cones cubic in total: two points are exact.
 template <typename At>
 Vec3 up_face(const Axes& axes, Vec3 apex, const Local& p, const At& at) {
     Vec3 sum;
@@ -438,11 +441,12 @@ Vec3 around_axis(const Part& part, const Face& face, const Axes& axes, const Inn
     return sum;
 }
 
-// Not of envelopes: sums_of().
+// Returns volume times centroid of the cone from `apex` over the face.
+// Requires: no envelope; for envelopes, see sums_of().
 Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     constexpr double kHalfTurn = 180.0;
     if (const auto* f = std::get_if<Plane>(&face.surface.form)) {
-        Vec3 sum;  // of w, over the face
+        Vec3 sum;  // Integral of w over the face.
         for_edges(part, face, [&](const Track& track, double sign) {
             integrate_level(track, [&](double weight, Vec3 at, Vec3 derivative) {
                 const Vec3 v = at - f->origin;
@@ -510,7 +514,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     }));
 }
 
-// What a body adds up to about a point of it.
+// Volume, area and first moment of a body about an apex.
 struct Sums {
     double volume = 0.0, area = 0.0;
     Vec3 moment;
@@ -522,7 +526,7 @@ Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
         const Measure measured = measure(part, face, apex);
         return {measured.volume, measured.area, moment(part, face, apex)};
     }
-    // What is around a point of an edge takes long, and is the same for all three.
+    // Integrals across an envelope take long, and serve all three sums.
     Sums sums;
     const OnEnvelope on(*envelope, apex, false);
     for_moved(part, face, *envelope, on, Exactness::Full,

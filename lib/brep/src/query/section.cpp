@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outline:
-//  1. Where do edges pass through the plane? A little above it, so that what lies in it is below.
-//  2. On each face the pieces of the cut go from where an edge comes down to where the next one
-//  goes up; a face that no edge tells of may have a closed curve as a whole.
-//  3. Pieces that meet in a crossing are joined: each is the start of one and the end of another.
+// 1. Find where edges pass through the plane, lifted slightly so that faces in the plane are below.
+// 2. On each face, connect each crossing where an edge descends with the next crossing where an
+// edge rises; a face without crossings may have a closed curve. 3. Join the pieces: each crossing
+// is the start of a piece and the end of a piece.
 #include "ncsim/brep/section.h"
 
 #include "ncsim/trig/angles.h"
@@ -31,9 +30,9 @@ using cda::norm;
 using cda::normalized;
 using trig::kRadiansPerDegree;
 
-// What is nearer to the plane lies in it, mm.
+// Distance within which a point counts as in the plane, mm.
 constexpr double kInPlane = 1e-6;
-// Pieces shorter than this are none: readers take their ends for one point.
+// Length below which readers take the ends of a piece for a single point, mm.
 constexpr double kNoLength = 1e-6;
 
 // --- The drawing --------------------------------------------------------------------------
@@ -59,7 +58,7 @@ double length_of(FlatPoint a) {
     return std::sqrt(a.u * a.u + a.v * a.v);
 }
 
-// What is passed from one angle to another, degrees in (0, 360].
+// Returns the angle passed from `from` to `to`, degrees in (0, 360].
 double turn_of(double from, double to, bool is_ccw) {
     double turn = is_ccw ? to - from : from - to;
     constexpr double kNoTurn = 1e-12;
@@ -72,7 +71,7 @@ struct Extent {
     double area = 0.0, length = 0.0;
 };
 
-// Of the triangle from the zero to the piece; a quarter turn is not more than any other.
+// Computes the signed area between the origin and the piece, and the length of the piece.
 struct ExtentOf {
     const SectionPiece* piece;
 
@@ -103,7 +102,7 @@ struct ExtentOf {
         const double start = angle(piece->from);
         const double turn = turn_of(start, angle(piece->to), e.is_ccw);
         const double sector = 0.5 * major * e.minor_radius * turn * kRadiansPerDegree;
-        // Ramanujan's circumference would do for all of it, not for a piece.
+        // No closed formula gives the length of a part of an ellipse.
         constexpr int kSteps = 64;
         double length = 0.0;
         for (int i = 0; i < kSteps; ++i) {
@@ -137,14 +136,14 @@ Extent extent_of(const SectionPiece& piece) {
 
 // --- Pieces -------------------------------------------------------------------------------
 
-// Where the cut of a face begins or ends.
+// Start or end of the cut of a face.
 struct Event {
     Vec3 at, above;
-    std::uint32_t crossing = kNone;  // of all
+    std::uint32_t crossing = kNone;  // Number among all crossings.
     bool starts = false;
 };
 
-// From one to the other, so many degrees where it is no line, so that places grow or not.
+// Piece between two events: the angle passed in degrees, 0 for lines, and whether places grow.
 struct Trace {
     const Event* begin;
     const Event* end;
@@ -155,7 +154,7 @@ struct Trace {
 
 struct Made {
     SectionPiece piece;
-    std::uint32_t begin = kNone, end = kNone;  // crossings; none: it is closed
+    std::uint32_t begin = kNone, end = kNone;  // Crossings; kNone for closed curves.
     double per_mm = 0.0;
 };
 
@@ -200,7 +199,8 @@ private:
                 const auto& crossings = crossings_[use.edge];
                 (is_above_[part_.edges[use.edge].from] ? is_above : is_below) = true;
                 for (std::size_t i = 0; i < crossings.size(); ++i) {
-                    // The face is on the left of its edges: where they come down, the cut begins.
+                    // The face is on the left of its edges, so the cut begins where an edge
+                    // descends.
                     events.push_back({crossings[i].at, crossings[i].above,
                                       first_[use.edge] + static_cast<std::uint32_t>(i),
                                       crossings[i].goes_up != use.is_forward});
@@ -210,7 +210,7 @@ private:
         return events;
     }
 
-    // The way on which material is on the left.
+    // Returns the direction of the cut that has the material on the left.
     Vec3 ahead(const Face& face, Vec3 p) const {
         return cross(sheet_.normal, outward(face.surface, p));
     }
@@ -245,14 +245,14 @@ private:
         return true;
     }
 
-    // Nobody knows there which pieces of the cut are those away from the axis.
+    // True if the pieces of the cut that are away from the axis cannot be identified.
     bool is_spindle_cut_upright(const Form& form) const {
         constexpr double kLevel = 1e-9;
         const auto* ring = std::get_if<Torus>(&form);
         return ring && is_spindle(*ring) && norm(cross(ring->axis, plane_.normal)) > kLevel;
     }
 
-    // Of rings that lie askew, and cones that are cut along a ruling.
+    // True if the plane may cut a form whose cut is unknown: a torus, a dome, a coil or a spiral.
     bool may_be_cut(const Form& form) const {
         if (const auto* f = std::get_if<Torus>(&form))
             return std::abs(plane_.height(f->centre)) < f->major + f->minor;
@@ -261,8 +261,8 @@ private:
         return std::holds_alternative<Coil>(form) || std::holds_alternative<Spiral>(form);
     }
 
-    // From each edge by which the cut comes in to one by which it goes out. Where it meets no edge,
-    // the face may be deeper than these, if any of it is.
+    // Walks from each crossing where the cut enters the face to a crossing where the cut leaves. A
+    // face without crossings may still pass through the plane between its edges.
     bool cut_step_by_step(const Face& face, const Envelope& envelope,
                           const std::vector<Event>& events) {
         if (events.empty()) return !may_be_deeper(face, envelope);
@@ -325,7 +325,7 @@ private:
         for (std::size_t i = 0; i < events.size(); ++i)
             order.emplace_back(sign * cut.place_of(events[i].above), i);
         std::sort(order.begin(), order.end());
-        // On a line the first starts; where it is closed, any does.
+        // On a line, the first event is a start; on closed curves, any event may be first.
         std::size_t first = 0;
         if (!events[order[0].second].starts) first = 1;
         if (order.size() % 2 != 0 || (first != 0 && cut.is_straight())) return false;
@@ -344,7 +344,7 @@ private:
         return true;
     }
 
-    // A closed curve without crossings, if the face has it.
+    // Adds a closed curve without crossings if the curve lies in the face.
     bool round(const Face& face, const PlaneCut& cut, const PlaneCut& exact, std::size_t branch) {
         const auto is_there = has(face, cut, branch);
         if (!is_there) return false;
@@ -355,10 +355,11 @@ private:
         return add(face, exact, branch, {&there, &there, grows, 360.0});
     }
 
-    // Is the branch, which no edge passes, in the face? Asked along a second cut, across it.
+    // True if the branch, which no edge crosses, lies in the face, tested along a second cut across
+    // the branch.
     std::optional<bool> has(const Face& face, const PlaneCut& cut, std::size_t branch) const {
         if (face.loops.empty()) return true;
-        // What has its tip as a corner does not go round.
+        // A face with its tip as a corner does not go round.
         const auto* ring = std::get_if<Torus>(&face.surface.form);
         if (ring && is_spindle(*ring) && face.loops.size() == 1) return false;
         constexpr int kTries = 16;
@@ -372,7 +373,7 @@ private:
             const Vec3 d = cross(second.normal, outward(face.surface, q));
             const Along along(other, q);
             const double sign = along.grows(q, d) ? 1.0 : -1.0;
-            // The next one ahead.
+            // The nearest crossing ahead decides.
             double nearest = 0.0;
             std::optional<bool> inside;
             bool any = false;
@@ -393,18 +394,19 @@ private:
             if (inside) return *inside;
             if (any || !other.is_closed()) return false;
         }
-        // Nothing of it is round there.
+        // No second cut decides.
         return false;
     }
 
-    // The branch of a cut that has a point; of a cone that is cut in its apex a ruling.
+    // Branch of a cut that contains a given point; for a cone cut in its apex, a ruling.
     class Along {
     public:
         Along(const PlaneCut& cut, Vec3 q) : cut_(cut), q_(q), branch_(cut.branch_of(q)) {}
         bool has(Vec3 p) const {
             const auto apex = cut_.apex();
             if (!apex) return cut_.branch_of(p) == branch_;
-            // Edges of facets are off the ruling; the other one of the plane is much farther away.
+            // Edges of facets are off the ruling; the second ruling in the plane is much farther
+            // away.
             constexpr double kOne = 2e-2;
             return norm(cross(p - *apex, q_ - *apex)) <= kOne * norm(p - *apex) * norm(q_ - *apex);
         }
@@ -423,7 +425,7 @@ private:
         std::size_t branch_;
     };
 
-    // Of a plane through `q` that cuts the surface in a line or a circle.
+    // Returns the normal of a plane through `q` that cuts the surface in a line or a circle.
     std::optional<Vec3> second_normal(const Form& form, Vec3 q, int turn) const {
         const auto along_axis = [&](Vec3 origin, Vec3 axis) -> std::optional<Vec3> {
             const Vec3 n = cross(axis, q - origin);
@@ -454,7 +456,7 @@ private:
         if (const auto apex = exact.apex()) {
             const Vec3 in = way.begin->at - *apex, out = way.end->at - *apex;
             const double far = std::min(norm(in), norm(out));
-            // Down one ruling and up another.
+            // The cut descends on a ruling and rises on another.
             if (far > kNoLength && norm(cross(in, out)) > kNoLength * far) {
                 Made down = made;
                 down.end = made.begin = crossings_in_all_++;
@@ -462,7 +464,7 @@ private:
                 keep(face, down);
             }
         } else if (way.is_whole() && exact.branches() <= branch) {
-            return true;  // where the plane touches it
+            return true;  // the plane touches the face
         } else if (!exact.is_straight() &&
                    !(is_short && (way.turn < 180.0 || exact.branches() <= branch))) {
             if (exact.branches() <= branch) return false;
@@ -477,7 +479,7 @@ private:
         const double from = exact.place_of(way.begin->at);
         double turn = 360.0;
         if (!way.is_whole()) turn = turn_of(from, exact.place_of(way.end->at), way.grows);
-        // The ends have passed each other: what is between them is not there.
+        // The ends have passed each other, so the piece does not exist.
         if (std::abs(turn - way.turn) > 180.0) return false;
         if (const auto b = exact.exact(branch)) {
             const double x = norm(b->x), y = norm(b->y);
@@ -513,7 +515,7 @@ private:
         const double length = length_of(chord);
         const double off = length > 0.0 ? std::abs(across_of(chord, minus(m, p))) / length
                                         : length_of(minus(m, p));
-        // What is between may bulge a little more than its middle.
+        // The curve may bulge more between a and b than in the middle.
         constexpr int kDeepest = 12;
         if (off <= 0.5 * kChordsMm || depth == kDeepest) return;
         refine(chords, exact, branch, from, sign, a, middle, depth + 1);
@@ -524,7 +526,8 @@ private:
     void keep(const Face& face, Made& made) {
         const Extent extent = extent_of(made.piece);
         section_.length_mm += extent.length;
-        // How much farther the cut moves than the surface does.
+        // Sine of the angle between surface and plane: if the surface is off by d, the cut is off
+        // by d / sine.
         const auto sine = [&](FlatPoint p) {
             Vec3 at = p.u * sheet_.u + p.v * sheet_.v + plane_.offset * plane_.normal;
             constexpr double kLeastStep = 0.02;
@@ -578,13 +581,13 @@ private:
             area += extent.area;
             length += extent.length;
         }
-        // Nothing is between its sides.
+        // An outline without area is dropped.
         if (std::abs(area) <= kInPlane * length) return;
         section_.area_mm2 += area;
         section_.outlines.push_back(std::move(outline));
     }
 
-    // Where the plane touches a face, its cut goes there and back on one line.
+    // Removes lines that go back on themselves, where the plane touches a face.
     static void flatten(Outline& outline) {
         for (std::size_t i = 0; outline.size() > 1 && i < outline.size();) {
             SectionPiece& a = outline[i];
@@ -597,7 +600,7 @@ private:
             a.to = b.to;
             const bool is_gone = length_of(minus(a.to, a.from)) <= kNoLength;
             if (is_gone) outline[(i + outline.size() - 1) % outline.size()].to = a.to;
-            // The later one first.
+            // The later piece is erased first.
             const std::size_t later = std::max(i, next), sooner = std::min(i, next);
             if (later == next || is_gone) outline.erase(outline.begin() + std::ptrdiff_t(later));
             if (sooner == next || is_gone) outline.erase(outline.begin() + std::ptrdiff_t(sooner));
@@ -614,7 +617,7 @@ private:
                d.u * e.u + d.v * e.v < 0.0;
     }
 
-    // Pieces of one line or circle by one origin are one.
+    // Joins adjacent pieces of the same line or circle with the same origin.
     static void merge(Outline& outline) {
         Outline merged;
         for (SectionPiece& piece : outline) {
@@ -650,9 +653,9 @@ private:
     Sheet sheet_;
     CutPlane plane_, lifted_;
     std::vector<bool> is_above_;
-    std::vector<std::vector<Crossing>> crossings_;  // of each edge
-    std::vector<std::uint32_t> first_;              // number of its first crossing
-    std::uint32_t crossings_in_all_ = 0;            // and apexes, where pieces meet, too
+    std::vector<std::vector<Crossing>> crossings_;  // By edge.
+    std::vector<std::uint32_t> first_;              // Number of each edge's first crossing.
+    std::uint32_t crossings_in_all_ = 0;            // Including apexes, where pieces meet.
     std::vector<Made> made_;
     Section section_;
 };
@@ -667,7 +670,7 @@ std::optional<SectionPlane> parse_section_plane(std::string_view text) {
     text.remove_prefix(2);
     SectionPlane plane{static_cast<int>(axis), 0.0};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), plane.at);
-    constexpr double kFar = 1e6;  // mm; no program goes there
+    constexpr double kFar = 1e6;  // mm; no program reaches this
     if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(plane.at) < kFar))
         return std::nullopt;
     return plane;

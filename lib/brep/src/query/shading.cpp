@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Faces are labelled one by one (label.h).
-//  2. Around each vertex the surfaces are gathered, each once for all faces that are of it.
-//  3. A round surface has the normal of the vertex there, or, where others go on in about its
-//  direction, of the point near it that is on all of these.
+// 1. Assign a surface to each face (label.h). 2. Collect the surfaces around each vertex, each
+// surface once for all its faces. 3. Take the normal of a round surface at the vertex; if adjacent
+// surfaces continue in about the same direction, at the nearby point that lies on all of these
+// surfaces.
 #include "ncsim/brep/shading.h"
 
 #include "geometry/none.h"
@@ -25,32 +25,33 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-// The same 60° as a chord.
+// Chord of 60°.
 constexpr double kMaxNormalTurn = 1.0;
-// Where coarse hulls meet, corners lie farther out than those of solids may. Which surface it is
-// tells the turn.
+// Factor of the error: corners where coarse hulls meet lie farther out than corners of solids. The
+// direction of the normal decides between surfaces.
 constexpr double kErrors = 2.0;
-// Surfaces that meet at less than 1° look like one, and where they cross is anywhere.
+// Cosine of 1°. Surfaces that meet at a smaller angle look like a single surface, and their
+// crossing is undetermined.
 constexpr double kAsOne = 0.99985;
 
 bool is_flat(const Surface& surface) {
     return std::holds_alternative<Plane>(surface.form);
 }
 
-// Of a surface where it bends least, or of a cone there; planes have none.
+// Returns the largest radius of curvature, for a cone at `p`; infinity for planes.
 double bend_of(const Form& form, Vec3 p) {
     if (std::holds_alternative<Plane>(form)) return std::numeric_limits<double>::infinity();
     const auto* cone = std::get_if<Cone>(&form);
     return cone ? norm(cross(p - cone->apex, cone->axis)) : radius_of(form);
 }
 
-// Of a cone, as far as the lattice tells.
+// True if `p` is the tip of a cone, within the resolution of the lattice.
 bool is_tip(const Form& form, Vec3 p) {
     constexpr double kTip = 1e-3;  // mm
     return std::holds_alternative<Cone>(form) && bend_of(form, p) < kTip;
 }
 
-// x with A x = b; A is symmetric and positive.
+// Returns x with A x = b; A is symmetric and positive definite.
 Vec3 solution(const std::array<Vec3, 3>& rows, Vec3 b) {
     const Vec3 c01 = cross(rows[0], rows[1]), c12 = cross(rows[1], rows[2]),
                c20 = cross(rows[2], rows[0]);
@@ -58,8 +59,9 @@ Vec3 solution(const std::array<Vec3, 3>& rows, Vec3 b) {
     return (1.0 / det) * (b.x * c12 + b.y * c20 + b.z * c01);
 }
 
-// The point near `p` that is on all of the surfaces; `p` if none is found within `reach`. By
-// Newton's method with a little damping, since what touches has no normals to tell a step by.
+// Returns the point near `p` that lies on all surfaces, or `p` if no such point is within `reach`.
+// Newton's method has slight damping, because the normals of tangent surfaces do not determine a
+// step.
 Vec3 point_on_all(std::span<const Surface* const> surfaces, Vec3 p, double reach) {
     constexpr int kMostSteps = 12;
     constexpr double kDamping = 1e-7, kOn = 1e-6, kNearlyOn = 1e-3;  // the latter in mm
@@ -123,7 +125,7 @@ void ShadingMaker::take(cda::Origin origin, const Source& source) {
 Shading ShadingMaker::finish() {
     const auto& of_face = shading_.of_face_;
     const auto& surfaces = shading_.surfaces_;
-    // The surfaces around each vertex, with repetitions.
+    // Surfaces around each vertex, with repetitions.
     std::vector<std::uint32_t> first(boundary_.vertices.size() + 1, 0);
     const auto for_each = [&](const auto& visit) {
         for (std::uint32_t f = 0; f < boundary_.faces.size(); ++f) {
@@ -170,7 +172,7 @@ Shading ShadingMaker::finish() {
                 shading_.corners_.push_back({s, own});
                 continue;
             }
-            // As wide as facets are that are off by so much.
+            // Width of facets that deviate by `error`.
             const double reach = std::sqrt(8.0 * bend * error);
             shading_.corners_.push_back({s, outward(surfaces[s], point_on_all(joined, p, reach))});
         }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Fit of facets to candidate surfaces.
 #include "sources/label.h"
 
 #include "geometry/envelope_contact.h"
@@ -17,18 +19,18 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-// Of planes that are one but for rounding, as a chord.
+// Largest deviation of equal planes, as a chord.
 constexpr double kLevel = 1e-6;
-// Corners of hulls that meet may lie farther out than those of the tool.
+// Corners of adjacent hulls may lie farther out than corners of the tool's polygon.
 constexpr double kSlack = 1.5;
-// Of coils, beside walls, both beyond the wall and below the floor.
+// Coils: corners next to walls lie both beyond the wall and below the floor.
 constexpr double kSlackOfCoils = 2.0;
-// Of flanks, where hulls of two poses of a tool that turns gain about as much as tools are off.
+// Flanks: the hull of two poses of a turning tool adds about as much as the tool's polygon is off.
 constexpr double kSlackOfFlanks = 3.0;
-// Of peaks, beyond whose tip facets go on as wide as polygons in their place have sides.
+// Peaks: facets continue beyond the tip by the width of a polygon's side.
 constexpr double kSlackOfPeaks = 3.0;
 
-// How far a facet turns away from the surface on average over its corners.
+// Returns the deviation of the face's normal from the surface, as a mean over the corners.
 double turn_at_corners(const FlatFace& face, const Surface& surface) {
     double sum = 0.0, corners = 0.0;
     for (const auto& loop : face.loops) {
@@ -40,8 +42,8 @@ double turn_at_corners(const FlatFace& face, const Surface& surface) {
     return sum / corners;
 }
 
-// Are its edges on the surface in their middles, too? Their ends may happen to be, of a wall beside
-// a floor that comes down to its foot.
+// True if the midpoints of the edges are on the surface, too. The ends alone may be on the surface
+// by chance, as for a wall that comes down to the foot of a floor.
 bool has_edges_on(const FlatFace& face, const Surface& surface, double most) {
     return std::ranges::all_of(face.loops, [&](const std::vector<std::uint32_t>& loop) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -57,21 +59,22 @@ bool is_flank(const Form& form) {
     return envelope && envelope->sweep->flank();
 }
 
-// No face of a spindle is above its centre: what lollipops leave there.
+// True if the face is above the centre of a spindle. Lollipop cutters leave such facets, and no
+// face of a spindle lies there.
 bool is_above_spindle(const FlatFace& face, const Surface& surface) {
     const auto* ring = std::get_if<Torus>(&surface.form);
     return ring && is_spindle(*ring) && dot(face.centroid - ring->centre, ring->axis) >= 0.0;
 }
 
-// Does it come to a tip, in material?
+// True if the surface comes to a tip in the material.
 bool is_peak(const Surface& surface) {
     const auto* ring = std::get_if<Torus>(&surface.form);
     return (ring && is_spindle(*ring)) ||
            (!surface.is_hollow && std::holds_alternative<Cone>(surface.form));
 }
 
-// A hill within an arc of a cutter that widens comes to a tip, and polygons in the place of the
-// cutter leave one that is as wide as half of their sides.
+// Returns the radius of a blunt tip. A hill inside an arc of a cutter that widens comes to a tip;
+// polygons in place of the cutter leave a tip as wide as half of their sides.
 double blunt_of(const FlatFace& face, const Cone& cone, double most) {
     double widest = 0.0;
     for (const auto& loop : face.loops) {
@@ -81,8 +84,9 @@ double blunt_of(const FlatFace& face, const Cone& cone, double most) {
     return 0.5 * std::sqrt(8.0 * widest * most / kSlackOfPeaks);
 }
 
-// Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does:
-// by how much, mm. Where the tool pivots there is none.
+// Returns how far `p` is beyond the end of an envelope's path, mm; infinity where the tool pivots
+// and there is no envelope. Beyond the end, the envelope is continued although a different motion,
+// or no motion, follows.
 double beyond_end(const Form& form, Vec3 p) {
     const auto* envelope = std::get_if<Envelope>(&form);
     if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return 0.0;
@@ -92,8 +96,9 @@ double beyond_end(const Form& form, Vec3 p) {
     return std::abs(aspect.t - std::clamp(aspect.t, 0.0, 1.0)) * norm(velocity);
 }
 
-// Facets between two poses of a tool that turns are as wide as polygons in its place have sides,
-// and may begin as much before the one.
+// Returns the largest distance beyond an end at which facets still belong to the surface. Facets
+// between two poses of a turning tool are as wide as the sides of polygons in its place, and may
+// begin by this width before the first pose.
 double farthest_beyond(const Form& form, double error) {
     if (!is_of_turning_tool(form)) return error;
     const Sweep& sweep = *std::get<Envelope>(form).sweep;
@@ -126,8 +131,9 @@ double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<c
 bool fits(const FlatFace& face, const Surface& surface, double most, double most_turn,
           double* score) {
     if (is_above_spindle(face, surface)) return false;
-    // In its middle, or, where that is off the surface (of a ring: the bottom of a round groove),
-    // at its corners: if these are on it, since of a floor between walls there may be thousands.
+    // The direction is compared at the centroid. If the centroid is off the surface (for a torus:
+    // the bottom of a round groove), the direction is compared at the corners. The distance of the
+    // corners is tested first, because a floor between walls may have thousands of corners.
     const auto [off_by, gradient] = off(surface.form, face.centroid);
     const bool is_on = std::abs(off_by) <= most;
     double turn =
@@ -155,8 +161,9 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
 
 const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
                          double most_turn, double& best, bool with_envelopes) {
-    // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors. A
-    // surface that the tool went along is preferred to one where it only stood, but beyond its end.
+    // A facet on a plane of the tool belongs to the plane, because ramps may be flatter than
+    // errors. Surfaces along which the tool moved are preferred to those at rest, except beyond the
+    // ends of paths.
     constexpr double kExact = -1.0, kAtRest = 0.05, kBeyond = 0.1, kNoLess = 1e-9;
     const Candidate* chosen = nullptr;
     const auto take = [&](const Candidate& candidate, double score) {
@@ -171,8 +178,8 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
             take(candidate, kExact);
     }
     if (chosen) return chosen;
-    // The score is no less than the turn: what turns away farther is not looked at any more. Those
-    // last on which points are looked for.
+    // The score is at least the deviation of the normal, so larger deviations are not examined.
+    // Forms on which the nearest point must be searched come last.
     for (const bool are_moved : {false, true}) {
         for (const Candidate& candidate : candidates) {
             const Form& form = candidate.surface.form;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which of the surfaces that a motion can leave a flat face approximates.
+// Assignment of planar facets to the surfaces that a motion can leave.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -13,27 +13,30 @@
 
 namespace ncsim::brep {
 
-/// Where planes of a simplified boundary meet, mm.
+/// Distance within which planes of a simplified boundary meet, mm.
 inline constexpr double kFlat = 1e-4;
 
-/// A flat face: its corners are `points` at the places that `loops` hold.
+/// Planar face whose corners are the `points` with the indices in `loops`.
 struct FlatFace {
-    Vec3 normal, centroid;  ///< Unit; by area.
+    Vec3 normal, centroid;  ///< Unit; centroid of the area.
     const std::vector<std::vector<std::uint32_t>>& loops;
     std::span<const Vec3> points;
 };
 
-/// Of a face with the normal `normal`; its area and, of one that has any, its centroid.
+/// Returns the area of a face with the normal `normal`. Sets `centroid`, to the first corner if the
+/// area is not positive.
 double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<const Vec3> points,
                Vec3 normal, Vec3& centroid);
 
-/// Does the face lie on the surface, within `most` (mm) and a turn (a chord)? `score`: how badly.
+/// True if the face lies on the surface within `most` (mm) and a deviation of the normal of
+/// `most_turn` (as a chord). Sets `score`; lower is better.
 bool fits(const FlatFace& face, const Surface& surface, double most, double most_turn,
           double* score = nullptr);
 
-/// The candidate that the face turns away from least, if one that fits within one and a half times
-/// `error` (mm; of coils twice) and `most_turn` (a chord) is better than `best`, which is then what
-/// it is worth; else null. `with_envelopes`: of all of them, else but for envelopes.
+/// Returns the candidate from which the face deviates least in direction; null if no candidate has
+/// a better score than `best`. Candidates must fit within 1.5 times `error` (mm; 2 times for coils,
+/// 3 times for flanks and peaks) and `most_turn` (as a chord). Sets `best` to the score of the
+/// result. Without `with_envelopes`, envelopes are left out.
 const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
                          double most_turn, double& best, bool with_envelopes = true);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lookup of equal surfaces by a scalar key.
 #include "sources/surface_set.h"
 
 #include <cmath>
@@ -10,18 +12,18 @@ namespace {
 using cda::dot;
 
 constexpr double kSameMm = 2e-5;
-// Of two surfaces that are the same, keys differ by less: numbers below are sums of a few lengths
-// that do, times at most one, over parts of a metre.
+// Largest difference between the keys of equal surfaces. A key is a sum of a few lengths that
+// differ by up to kSameMm, times factors of at most 1, for parts of up to a metre.
 constexpr double kKeyRange = 20 * kSameMm;
 
-// Some direction in which nothing is symmetric.
+// Direction without symmetry.
 constexpr Vec3 kAskew{0.4837, 0.6291, 0.6087};
 
 double along(Vec3 axis) {
     return std::abs(dot(axis, kAskew));
 }
 
-// Where the axis passes the origin.
+// Returns a number for the position of an axis, from the axis point nearest to the origin.
 double place(Vec3 origin, Vec3 axis) {
     return dot(origin - dot(origin, axis) * axis, kAskew);
 }
@@ -51,7 +53,7 @@ struct Key {
     double operator()(const Spiral& f) const {
         return place(f.centre, f.axis) + 0.7 * f.reach + 0.3 * f.offset + along(f.axis) + f.lead;
     }
-    // Of lines whatever piece of them it is, of other ways whichever end it starts from.
+    // Independent of the piece of a line, and of the direction of all other paths.
     double operator()(const Envelope& f) const {
         const Sweep& sweep = *f.sweep;
         const Around first = around(sweep, sweep.at(0.0)), last = around(sweep, sweep.at(1.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfaces, each once: what many lines cut in one place is one face.
+// Numbered set of surfaces. Equal surfaces have the same number, so many lines of a program that
+// cut in the same place leave a single face.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -13,9 +14,10 @@ namespace ncsim::brep {
 
 class SurfaceSet {
 public:
-    /// The number of one that is the same within 2e-5 mm, whoever came first; or a new one.
+    /// Returns the number of a surface of the set that equals `surface` within 2e-5 mm; adds
+    /// `surface` if there is none.
     std::uint32_t add(const Surface& surface);
-    /// One of its own.
+    /// Adds `surface` with a number of its own.
     std::uint32_t add_alone(const Surface& surface);
     const Surface& operator[](std::uint32_t number) const { return surfaces_[number]; }
 

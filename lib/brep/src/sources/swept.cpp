@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surfaces that the elements of a tool's profile sweep on lines, arcs, splines and paths of tools
+// that turn.
 #include "ncsim/brep/swept.h"
 
 #include "ncsim/toolpath/machine.h"
@@ -28,17 +31,17 @@ using gcode::Position;
 using toolpath::Pose;
 using toolpath::ProfilePoint;
 
-// Lengths that are equal but for rounding, mm.
+// Lengths below this are rounding errors, mm.
 constexpr double kEqual = 1e-9;
-// Of lines that rise by less for 1 mm, readers do not find points on the extruded circle.
+// Least rise of a line per mm at which readers find points on the extruded circle.
 constexpr double kFlattest = 1e-3;
-// Facets of what a rim passes are no farther from it, mm.
+// Largest distance of facets from the surface that a rim sweeps, mm.
 constexpr double kBesideRim = 0.5;
 
 // --- Profiles -----------------------------------------------------------------------------
 
-// A straight piece of a profile, from below: radius and height at both ends. Or a round one:
-// `fillet` about (radius, height).
+// Element of a profile. Straight: radius and height at the lower and the upper end. Round: `fillet`
+// about (radius, height).
 struct Element {
     double radius = 0.0, height = 0.0, end_radius = 0.0, end_height = 0.0;
     double fillet = 0.0;
@@ -64,7 +67,7 @@ std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
         corners.push_back({p.radius, p.height});
     corners.push_back({0.0, profile.back().height});
     std::vector<Element> elements;
-    Flat at = corners.front();  // where the last element ends
+    Flat at = corners.front();  // End of the last element.
     const auto straight_to = [&](Flat end) {
         if (std::abs(end.r - at.r) > kEqual || std::abs(end.h - at.h) > kEqual)
             elements.push_back({at.r, at.h, end.r, end.h});
@@ -91,7 +94,7 @@ std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
 
 // --- Sweeps -------------------------------------------------------------------------------
 
-// Of so many as long as each other.
+// Returns the i-th of `pieces` equal pieces of the path.
 RoundWay piece_of(const RoundWay& way, int i, int pieces) {
     if (pieces == 1) return way;
     const double width = way.swept / pieces, begin = i * width;
@@ -104,13 +107,13 @@ RoundWay piece_of(const RoundWay& way, int i, int pieces) {
     return piece;
 }
 
-// The least and the greatest height above its centre, along `axis`, that an arc passes on the side
-// of its centre to which `side` points; nothing if the arc is not there. mm.
+// Returns the least and the greatest height above the centre, along `axis`, that an arc passes on
+// the side of the centre to which `side` points, mm; no value if the arc does not pass there.
 std::optional<std::array<double, 2>> heights_passed(const ArcWay& way, Vec3 axis, Vec3 side) {
     constexpr double kTurn = 360.0, kQuarter = 90.0;
     const Vec3 on = way.swept < 0.0 ? cross(way.ahead, way.about) : cross(way.about, way.ahead);
     const double swept = std::abs(way.swept) / trig::kRadiansPerDegree;
-    // The angle from the start, in the direction of the arc, at which it passes `direction`.
+    // Returns the angle from the start, along the arc, at which the arc passes `direction`.
     const auto angle_at = [&](Vec3 direction) {
         const double angle = trig::angle_of(dot(direction, way.ahead), dot(direction, on));
         return angle < 0.0 ? angle + kTurn : angle;
@@ -129,7 +132,7 @@ std::optional<std::array<double, 2>> heights_passed(const ArcWay& way, Vec3 axis
     for (const double degrees : {0.0, swept, enters, leaves}) {
         if (degrees <= swept) take(degrees);
     }
-    // On the other side but for the place in which it crosses the axis.
+    // The arc is on the opposite side except for the point in which it crosses the axis.
     if (heights && (*heights)[1] - (*heights)[0] <= kEqual && swept > kEqual * kQuarter)
         return std::nullopt;
     return heights;
@@ -141,21 +144,22 @@ public:
 
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
 
-    /// Where all that is added is, but for planes; and what is not at rest, along the way.
+    /// Sets the box for surfaces that follow, except planes, and the end planes for surfaces that
+    /// are not at rest.
     void set_place(const std::optional<cda::Box>& place,
                    const std::optional<std::array<Plane, 2>>& ends) {
         place_ = place;
         ends_ = ends;
     }
 
-    /// Something of the motion has no surface here.
+    /// True if some surface of the motion is missing.
     bool leaves_unknown() const { return leaves_unknown_; }
     void leave_unknown() { leaves_unknown_ = true; }
 
-    /// By how many times what chords are off facets may be.
+    /// Returns the factor of chord errors by which facets may be off.
     double chords() const { return chords_; }
 
-    // The piece where it stands, as far as it looks that way.
+    // Adds the surface of the element at rest.
     void rest(const Element& e, Vec3 tip, Vec3 axis) {
         const Vec3 at = tip + e.height * axis;
         if (e.fillet > 0.0) {
@@ -175,7 +179,8 @@ public:
         const Vec3 at = tip + e.height * axis;
         const Vec3 side = normalized(cross(axis, d));
         if (norm(cross(axis, d)) <= kEqual) {
-            // Along the axis: what the tool itself leaves, but for the end that it leaves last.
+            // Along the axis, the element leaves the same surface as at rest, without the end that
+            // is left last.
             rest(e, tip, axis);
         } else if (e.fillet > 0.0) {
             if (e.radius <= kEqual) {
@@ -193,7 +198,7 @@ public:
         }
     }
 
-    // The corner in which a piece starts, on a line askew.
+    // Adds the surface of the lower corner of an element on a line oblique to the axis.
     void rim(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
         const double along = dot(d, axis);
         if (e.radius <= kEqual || std::abs(along) <= kFlattest || norm(cross(axis, d)) <= kEqual)
@@ -201,13 +206,13 @@ public:
         add(Extrusion{tip + e.height * axis, axis, along > 0.0 ? d : -d, e.radius});
     }
 
-    // About `centre`, at the height of the tip, at `reach` from it.
+    // Adds the surfaces of an arc about an axis parallel to the tool's.
     void arc(const Element& e, const RoundWay& way, bool is_level) {
         const Vec3 axis = way.axis, at = way.centre + e.height * axis;
         const double reach = way.reach;
         if (e.fillet > 0.0) {
             if (!is_level) return envelope(e, way);
-            // Farther around, the tip may be within a face.
+            // On longer arcs, the tip of a spindle may be inside a face.
             const bool is_at_most_half = std::abs(way.swept) <= std::numbers::pi + kEqual;
             tube(at, axis, reach + e.radius, e.fillet, is_at_most_half);
             if (e.radius > kEqual && reach > e.radius)
@@ -229,18 +234,18 @@ public:
         }
     }
 
-    // What is straight, on any way on which the tool turns.
+    // Adds the surfaces of a straight element on a path on which the tool turns.
     void flank(const Element& e, const TurningWay& way) {
         const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
         if (e.rise() <= kEqual) {
-            // Nothing is cut by what closes the profile above.
+            // The element that closes the profile above cuts no material.
             const Fillet edge{e.end_radius, e.end_height, 0.0};
             const bool is_unknown =
                 e.widening() > 0.0 ? !has_across(Sweep(edge, way)) : e.rise() < -kEqual;
             if (is_unknown) leave_unknown();
             return;
         }
-        // On both sides of the way of a tip it would be one surface with an edge in it.
+        // On both sides of the path of a tip, the surface would have an edge.
         if (e.radius <= kEqual) return leave_unknown();
         auto sweep = std::make_shared<Sweep>(
             Flank{e.radius, e.height, e.rise() / length, -e.widening() / length, length}, way);
@@ -249,9 +254,9 @@ public:
         add(Envelope{std::move(sweep)});
     }
 
-    // What is round about a circle, on any way. Where that comes back to itself, what it leaves
-    // last touches the tool where it ends, and what it left first crosses it there: these are
-    // apart, as halves of turns.
+    // Adds the envelopes of a round element on any path. If the path returns to its start, the
+    // surface that is left last is tangent to the tool at the end, and the surface that is left
+    // first crosses the tool there. Half turns keep these surfaces separate.
     void envelope(const Element& e, const ToolWay& way) {
         const auto* turning = std::get_if<TurningWay>(&way);
         if (turning && e.fillet <= 0.0) return flank(e, *turning);
@@ -260,8 +265,8 @@ public:
         const auto* round = std::get_if<RoundWay>(&way);
         const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
         const int pieces = turns > kNearlyBack ? static_cast<int>(std::ceil(2.0 * turns)) : 1;
-        // Of many turns the side leaves what is between the ends, as a rule, and each of them
-        // costs.
+        // On many turns, the flank usually leaves the surface between the ends, and each envelope
+        // costs time.
         constexpr int kEnds = 4;
         if (pieces > 2 * kEnds) leave_unknown();
         for (int i = 0; i < pieces; ++i) {
@@ -273,7 +278,7 @@ public:
         }
     }
 
-    // The corner in which a side starts, on any way on which the tool turns.
+    // Adds the envelope of the corner at the start of a flank, on a path on which the tool turns.
     void rim(const Element& e, const TurningWay& way) {
         if (e.radius <= kEqual || e.rise() <= kEqual) return;
         auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, 0.0}, way);
@@ -281,8 +286,8 @@ public:
         add(Envelope{std::move(sweep)});
     }
 
-    // The same where both ends of the arc are not as far from the centre. `left` is half of what it
-    // leaves of a turn, radians.
+    // Adds the walls of an arc whose ends have different radii. `left` is half of the angle that is
+    // missing to a full turn, radians.
     void spiral(const Element& e, const Spiral& way, double left, Vec3 axis, bool is_level) {
         if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, way.centre + e.height * axis, axis);
@@ -290,25 +295,25 @@ public:
             leave_unknown();
         } else {
             const double least = way.reach - std::numbers::pi * std::abs(way.lead);
-            // Where its ends are near each other, what lies beside the one lies beside the other.
+            // If the ends are close, a point next to the first end is also next to the second.
             constexpr double kFew = 5.0 * trig::kRadiansPerDegree;
             if (left < kFew && left * least < 2.0 * e.radius) return leave_unknown();
             Spiral wall = way;
             wall.offset = e.radius;
             add(wall);
             wall.offset = -e.radius;
-            // Nearer to the centre it has a cusp.
+            // Nearer to the centre, the wall has a cusp.
             constexpr double kLeastBend = 0.05;
             if (least > (1.0 + kLeastBend) * e.radius) add(wall, false);
         }
     }
 
-    // The same on a helix.
+    // Adds the coil of a corner on a helix.
     void rim_around(const Element& e, const RoundWay& way, double lead) {
         if (e.radius <= kEqual || way.reach <= kEqual || std::abs(lead) <= kEqual) return;
         const Vec3 start = way.centre + e.height * way.axis;
         add(Coil{start, way.axis, way.ahead, way.reach, e.radius, lead});
-        // Its other turns pass near whatever is level.
+        // The remaining turns of the coil pass near any level face.
         Vec3 beyond;
         for (int i = 0; i < 3; ++i) {
             const double level = std::sqrt(std::max(0.0, 1.0 - way.axis[i] * way.axis[i]));
@@ -322,9 +327,9 @@ public:
         into_->back().place = box;
     }
 
-    // The same on an arc about an axis across the tool's: on each side of its centre a dome, at the
-    // heights that the arc passes there. Beyond them the dome would go on along walls that the
-    // tool left where it started or ended.
+    // Adds the domes of a corner on an arc about an axis perpendicular to the tool's: a dome on
+    // each side of the arc's centre, limited to the heights that the arc passes there. Beyond these
+    // heights, the dome would continue along walls at the start or the end of the motion.
     void rim_across(const Element& e, const ArcWay& way, Vec3 axis) {
         if (e.radius <= kEqual || way.fitted_radius <= kEqual ||
             std::abs(dot(way.about, axis)) > kEqual)
@@ -342,13 +347,14 @@ public:
         }
     }
 
-    // A flat end where such an arc is level: at the bottom of a dip.
+    // Adds the plane of a flat end where such an arc is level, at the bottom of a dip.
     void level_across(const Element& e, Vec3 centre, Vec3 axis, double reach) {
         if (e.fillet > 0.0 || std::abs(e.rise()) > kEqual) return;
         disc(e, centre + (e.height + (e.widening() > 0.0 ? -reach : reach)) * axis, axis);
     }
 
-    // About an axis across the tool's: of its sides, which it passes upright.
+    // Adds the surfaces of an arc about an axis perpendicular to the tool's; upright sides leave
+    // planes.
     void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
         if (e.fillet > 0.0) {
             tube(centre + e.height * axis, about, reach, e.fillet);
@@ -361,14 +367,16 @@ public:
     }
 
 private:
-    // One pose of a helix and the next one, which is lower, leave a ledge between them on the wall
-    // that they turn around: as wide as two circles are apart beside where they touch.
+    // Sets the chord factor for helices. Between a pose of a helix and the next, lower pose, a
+    // ledge is left on the inner wall, as wide as two circles are apart next to their point of
+    // tangency.
     void go_down_beside(double reach, double radius) {
         constexpr double kMost = 16.0;
         chords_ = std::min(4.0 * reach * (1.0 / (reach - radius) + 1.0 / radius), kMost);
     }
 
-    // Where the tool turns in the plane of its way, what is upright leaves planes.
+    // Adds the planes of an upright flank if the tool turns in the plane of its path; otherwise
+    // returns false.
     bool walls(const Sweep& sweep) {
         const Flank& side = *sweep.flank();
         const Passage& start = sweep.samples().front();
@@ -393,13 +401,14 @@ private:
         if (!at_rest_) into_->back().ends = ends_;
     }
 
-    // What closes the profile below looks down, above up; the material is on the other side.
+    // An element that closes the profile below looks down, above up; the material is on the
+    // opposite side.
     void disc(const Element& e, Vec3 at, Vec3 axis) {
         add(Plane{at, e.widening() > 0.0 ? axis : -axis});
     }
 
     void tube(Vec3 centre, Vec3 axis, double major, double minor, bool may_be_spindle = false) {
-        // About as thick as wide, it comes to tips that nobody can tell from each other.
+        // A torus about as thick as wide has two tips that cannot be distinguished.
         constexpr double kLeastApart = 0.01;
         const Torus torus{centre, axis, major, minor};
         if (major <= kEqual) {
@@ -411,13 +420,14 @@ private:
         }
     }
 
-    // Through the circle of `radius` about `at`.
+    // Adds the cone through the circle of `radius` about `at`.
     void cone(Vec3 at, Vec3 axis, double radius, double slope, bool is_hollow = true) {
         const Vec3 apex = at - (radius / slope) * axis;
         add(Cone{apex, slope > 0.0 ? axis : -axis, std::abs(slope)}, is_hollow);
     }
 
-    // The planes that touch the side along two of its rulings, and hold the direction of the way.
+    // Adds the planes that are tangent to the side along two of its rulings and parallel to the
+    // path.
     void slopes(const Element& e, Vec3 at, Vec3 axis, Vec3 side, Vec3 d) {
         const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
         const double up = e.rise() / length, out = e.widening() / length;
@@ -439,7 +449,7 @@ private:
     double chords_ = 1.0;
 };
 
-// A piece of the profile on an arc.
+// Adds the surfaces of an element on an arc.
 void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcWay& way, Vec3 axis) {
     const double along = std::abs(dot(way.about, axis));
     const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
@@ -460,7 +470,8 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcWay& w
     }
 }
 
-// A piece of the profile along a spline. What each arc leaves is near it.
+// Adds the surfaces of an element along a spline. Each arc's surfaces are limited to a box around
+// the arc.
 void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
                   const std::vector<SplineWay>& ways, Vec3 axis) {
     const double wide = std::max(e.radius, e.end_radius) + e.fillet + kBesideRim;
@@ -485,7 +496,7 @@ void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
     sweeps.set_place({}, {});
 }
 
-// Of a line, unit. Programs round where a tool ends that goes along its axis.
+// Returns the unit direction of a line. Programs round the end of a motion along the tool's axis.
 Vec3 direction_of(Vec3 way, Vec3 axis) {
     constexpr double kMostBeside = 2e-3, kSteep = 1e-3;  // mm; of the length
     const double beside = norm(cross(axis, way));
@@ -504,7 +515,7 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
     if (!from || !to) return source;
     const toolpath::Poses poses(told, motion);
     const Pose start = poses.at(*from), end = poses.at(*to);
-    // Turns of a tool about itself let it go straight where its tip is told.
+    // If the program specifies the tip, a tool that turns about its own axis still moves straight.
     const bool turns = poses.of_tip() ? start.rows != end.rows : !is_still(*from, *to);
     const Vec3 axis = axis_of(start);
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Conversion of arcs, splines and rotary moves to paths in the workpiece frame.
 #include "sources/ways.h"
 
 #include "ncsim/toolpath/pose.h"
@@ -20,12 +22,12 @@ using cda::normalized;
 using gcode::Position;
 using toolpath::Pose;
 
-// What is 1, or 0, but for rounding.
+// Rounding error of a value that is meant to be 0 or 1.
 constexpr double kUnit = 1e-9;
-// Programs round: an arc may end so much nearer to its centre than it starts.
+// Largest difference between the radii of an arc's ends that counts as rounding in the program, mm.
 constexpr double kMostSpiral = 4e-3;
 
-// Nor do U, V and W, which stand at 0.
+// True if no rotary axis moves and U, V and W are 0.
 bool is_plain(const Position& from, const Position& to) {
     const auto is_at_0 = [](const Position& p) {
         return p.u == gcode::Length() && p.v == gcode::Length() && p.w == gcode::Length();
@@ -33,8 +35,8 @@ bool is_plain(const Position& from, const Position& to) {
     return is_still(from, to) && is_at_0(from) && is_at_0(to);
 }
 
-// As X, Y and Z are told, seen from W, with the rotary axes as they stand at `p`. Nothing where the
-// linear axes are not at right angles then.
+// Returns the frame in which the program specifies X, Y and Z, seen from W, with the rotary axes at
+// `p`; no value if the linear axes are not perpendicular there.
 std::optional<Pose> frame_of(const toolpath::Poses& poses, Position p) {
     Pose X_WP;
     p.x = p.y = p.z = gcode::Length();
@@ -69,14 +71,14 @@ Pose pose_of(const gcode::FeatureFrame& frame) {
     return X_WF;
 }
 
-// How far apart, but for one coordinate.
+// Returns the distance between two points without the coordinate `left_out`.
 double norm_across(Vec3 p, Vec3 q, int left_out) {
     Vec3 v = p - q;
     v[left_out] = 0.0;
     return norm(v);
 }
 
-// In the coordinates in which it is told.
+// Returns the path in the coordinates of the arc.
 std::optional<ArcWay> way_of(const gcode::Arc& arc) {
     constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
     const auto plane = static_cast<std::size_t>(arc.plane);
@@ -96,8 +98,8 @@ std::optional<ArcWay> way_of(const gcode::Arc& arc) {
     way.fitted = way.centre;
     Vec3 chord = to - from;
     chord[third] = 0.0;
-    // Along the chord: programs round both, and what is a micrometre higher where the way is level
-    // is far to the side.
+    // The centre moves along the chord. Programs round ends and centre, and a height error of a
+    // micrometre where the path is level is a large error to the side.
     if (const double square = dot(chord, chord); square > kUnit) {
         const Vec3 middle = 0.5 * (from + to);
         way.fitted = way.centre - (dot(way.centre - middle, chord) / square) * chord;
@@ -135,7 +137,7 @@ std::optional<ArcWay> way_of(const gcode::Arc& arc) {
     return way;
 }
 
-// All axes; before the start and beyond the end, too.
+// Interpolates all axes linearly, also before the start and beyond the end.
 Position in_step(const Position& from, const Position& to, double t) {
     const auto length = [t](gcode::Length p, gcode::Length q) {
         return gcode::Length::from_mm(p.mm() + t * (q.mm() - p.mm()));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the tip of a tool goes on a motion, in W, as a line, an arc or turns: what surfaces_of
-// sweeps its profile along.
+// Paths of a tool's tip during a motion: lines, arcs, and paths of tools that turn. mm, frame W.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -16,45 +15,49 @@
 
 namespace ncsim::brep {
 
-/// An arc, its centre where it starts. mm, frame W.
+/// Arc, helix or spiral of the tip, with the centre at the level of the start. mm, frame W.
 struct ArcWay {
     Vec3 centre, about;
     double radius = 0.0;
     bool is_level = true;
-    Vec3 fitted;  ///< The centre so that both ends are as far from it.
+    Vec3 fitted;  ///< Centre at equal distances from both ends.
     double fitted_radius = 0.0;
     Vec3 ahead;           ///< Unit, from the centre to the start.
-    double rise = 0.0;    ///< mm for each radian, counter-clockwise.
+    double rise = 0.0;    ///< mm per radian, counter-clockwise.
     double swept = 0.0;   ///< Radians, counter-clockwise.
-    double start = 0.0;   ///< Radius of the start.
-    double growth = 0.0;  ///< mm for each radian; 0 where programs round.
-    /// Where the ends are not as far from the centre, instead of a circle; and half of what it
-    /// leaves of a turn, radians.
+    double start = 0.0;   ///< Radius at the start; the mean radius if `growth` is 0.
+    double growth = 0.0;  ///< mm per radian; 0 if only rounding in the program.
+    /// Spiral instead of a circle, if the radii of the ends differ by more than rounding; and half
+    /// of the angle that is missing to a full turn, radians.
     std::optional<Spiral> spiral;
     double left = 0.0;
 };
 
-/// A level piece of a spline: a line, or an arc. mm, frame W.
+/// Level piece of a spline: a line or an arc. mm, frame W.
 struct SplineWay {
     Vec3 from, to;
     std::optional<ArcWay> arc;
-    cda::Box box;               ///< Of the way of the tip.
-    std::array<Plane, 2> ends;  ///< Across the way, looking along it.
+    cda::Box box;               ///< Around the path of the tip.
+    std::array<Plane, 2> ends;  ///< Across the path, with normals along the path.
     bool begins_in_corner = true;
 };
 
-/// Splines are taken as arcs that are no farther from them, mm: what programs round.
+/// Largest distance between a spline and the arcs that replace the spline, mm; about the rounding
+/// of programs.
 inline constexpr double kBesideSpline = 2e-3;
 
-/// No rotary axis moves.
+/// True if no rotary axis moves.
 bool is_still(const gcode::Position& from, const gcode::Position& to);
-/// Nothing where a rotary axis moves, U, V or W do not stand at 0, the linear axes are not at right
-/// angles as the rotary ones stand, or the radius changes by more than a fifth for each radian, or
-/// by more than what programs round in more than a turn.
+/// Returns the path of `arc`; no value if
+/// - a rotary axis moves, or U, V or W is not 0,
+/// - the linear axes are not perpendicular at the positions of the rotary axes,
+/// - the radius changes by more than a fifth of the radius per radian, or by more than rounding in
+///   more than a turn.
 std::optional<ArcWay> way_of(const gcode::Arc& arc, const toolpath::Poses& poses);
-/// None in the same cases.
+/// Returns the pieces of `spline`; empty in the same cases.
 std::vector<SplineWay> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses);
-/// Of a line on which axes turn: all of them in step, as the tool is moved.
+/// Returns the path of a linear motion on which rotary axes turn. All axes move in proportion, as
+/// in the simulation; no value for all other motions.
 std::optional<TurningWay> turning_way_of(const gcode::Motion& motion, const toolpath::Poses& poses);
 
 }  // namespace ncsim::brep

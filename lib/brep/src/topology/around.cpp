@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Angles that faces cover around an axis.
 #include "topology/around.h"
 
 #include "ncsim/trig/angles.h"

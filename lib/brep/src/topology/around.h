@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How faces go around an axis.
+// Angles that faces cover around an axis.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -9,22 +9,22 @@
 
 namespace ncsim::brep {
 
-/// Points along the loops of a face, in order, and where each edge ends.
+/// Returns points along the loops of a face, in order, including all vertices.
 std::vector<std::vector<Vec3>> points_along(const Part& part, const Face& face);
 
-/// What loops cover of a turn about an axis, degrees.
+/// Angles about an axis that loops cover, degrees.
 struct Round {
-    double gap_begin = 0.0, gap = 0.0;  ///< The widest that they do not.
-    bool goes_round = false;            ///< One of them does, as a whole.
-    double sum = 0.0;                   ///< Of all of them.
-    double nearest = 1.0;  ///< Sine of the angle between a point and the axis, at least.
+    double gap_begin = 0.0, gap = 0.0;  ///< Widest range that no loop covers.
+    bool goes_round = false;            ///< True if a loop goes all round.
+    double sum = 0.0;                   ///< Signed sum over all loops.
+    double nearest = 1.0;               ///< Least sine of the angle between a point and the axis.
 };
 
-/// Angles count from `x`, which is at right angles to `axis`.
+/// Returns the angles that `loops` cover about `axis`, from `x`, which is perpendicular to `axis`.
 Round round_of(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis, Vec3 x);
 
-/// The angle by which points go round an axis one after the other, degrees, signed: less than half
-/// a turn from each to the next.
+/// Returns the signed angle by which consecutive points go round an axis, degrees.
+/// Requires: less than half a turn between consecutive points.
 double turned(const std::vector<Vec3>& points, Vec3 centre, Vec3 axis);
 
 }  // namespace ncsim::brep

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Local coordinates on domes and tori.
 #include "topology/axes.h"
 
 #include "ncsim/trig/angles.h"
@@ -27,7 +29,8 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
     constexpr int kSteps = 32;
     struct Angle {
         double degrees;
-        int inwards;  // which way the face goes on: 1 to greater angles, -1 to smaller ones
+        // The face continues to greater angles (1), to smaller angles (-1), or neither.
+        int inwards;
         bool operator<(const Angle& o) const { return degrees < o.degrees; }
     };
     std::vector<Angle> angles;

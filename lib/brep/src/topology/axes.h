@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces in the frames of their surfaces of revolution.
+// Coordinates of faces in the frames of their surfaces of revolution.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -12,14 +12,14 @@ namespace ncsim::brep {
 
 /// A point in the frame of a surface of revolution.
 struct Local {
-    double x, y, z, away;  // away: from the axis
+    double x, y, z, away;  // away: distance from the axis
 };
 
-/// Coordinates may be askew: what counts along z is then how far one has to go along a line to
-/// come from the plane of x and y.
+/// Coordinates about an axis, possibly oblique. Oblique z is the distance from the plane of x and y
+/// along a line.
 struct Axes {
     Vec3 origin, x, y, z;
-    Vec3 lean;  ///< Local: what 1 mm along the line is.
+    Vec3 lean;  ///< Local components of 1 mm along the line.
 
     Axes(Vec3 at, const Frame& frame)
         : origin(at),
@@ -27,12 +27,12 @@ struct Axes {
           y(cda::cross(frame.axis, frame.x)),
           z(frame.axis),
           lean{0.0, 0.0, 1.0} {}
-    /// In which an extrusion is a cylinder.
+    /// Axes in which an extrusion is a cylinder.
     Axes(const Extrusion& of, const Frame& frame) : Axes(of.centre, frame) {
         lean = upright(of.along);
     }
 
-    /// By components along x, y and z as they are.
+    /// Returns the rectangular components along x, y and z.
     Vec3 upright(Vec3 v) const { return {cda::dot(v, x), cda::dot(v, y), cda::dot(v, z)}; }
     Vec3 turned(Vec3 v) const {
         const Vec3 u = upright(v);
@@ -45,16 +45,18 @@ struct Axes {
     }
 };
 
-/// The same of a point of a dome: about the centre of its circle, and along the arc.
+/// Returns the coordinates of a point of a dome: about the centre of the circle, and along the arc.
 Local local_on(const Dome& dome, const Axes& axes, Vec3 p);
 
-/// Of the face of a form that has an axis, from `origin`.
+/// Returns the axes of a face whose form has an axis, from `origin`; extrusions start at their
+/// centre.
 inline Axes axes_of(const Face& face, Vec3 origin) {
     const auto* askew = std::get_if<Extrusion>(&face.surface.form);
     return askew ? Axes(*askew, face.frame) : Axes(origin, face.frame);
 }
 
-/// Calls `visit` for each edge of a face with its track, and 1 or -1 for the way along it.
+/// Calls `visit` for each edge of a face, with the track of the edge and the direction of use, 1 or
+/// -1.
 template <typename Visit>
 void for_edges(const Part& part, const Face& face, const Visit& visit) {
     for (const Loop& loop : face.loops) {
@@ -66,12 +68,11 @@ void for_edges(const Part& part, const Face& face, const Visit& visit) {
     }
 }
 
-/// Where the face of a ring is not, on the way around the tube, degrees in (-180, 180]: in the
-/// middle of the widest gap between points of its edges, of those that are not between two edges
-/// with the face between them.
-/// Of a spindle in the tip.
+/// Returns an angle around the tube at which the face of a torus is absent, degrees in (-180, 180]:
+/// the middle of the widest gap between points of the edges, without gaps that the face fills. For
+/// a spindle, returns the angle of the tip.
 double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus& torus);
-/// From there on, degrees.
+/// Returns the angle of `p` around the tube from `cut`, degrees.
 double degrees_from(double cut, const Torus& torus, const Local& p);
 
 }  // namespace ncsim::brep

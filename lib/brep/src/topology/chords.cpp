@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Splitting of arcs next to corners of the same face.
 #include "topology/chords.h"
 
 #include "topology/halves.h"
@@ -18,10 +20,10 @@ namespace {
 using cda::dot;
 using cda::norm;
 
-// How deep a chord is that a reader may draw, mm.
+// Depth of a chord that a reader may draw, mm.
 constexpr double kChordDepth = 0.02;
 
-// An edge as a circle or an ellipse: its middle, and how far it comes from there.
+// Centre of a circle or an ellipse, and largest distance from the centre.
 struct Arc {
     Vec3 centre;
     double reach;
@@ -35,7 +37,7 @@ std::optional<Arc> arc_of(const Curve& curve) {
     return std::nullopt;
 }
 
-// Where a track is nearest to a point, if that is inside of it.
+// Returns the parameter at which a track is nearest to `p`, if that is between the ends.
 std::optional<double> nearest_inside(const Track& track, Vec3 p) {
     const auto ahead = [&](double t) {
         const Track::Step step = track.step(t);
@@ -59,7 +61,7 @@ std::optional<double> nearest_inside(const Track& track, Vec3 p) {
     return best;
 }
 
-// Of the corners of a plane, by their places along an axis.
+// Corners of a planar face, in the order of X.
 class CornersOfPlane {
 public:
     CornersOfPlane(const Part& part, const Face& face) : part_(part) {
@@ -72,7 +74,7 @@ public:
         std::ranges::sort(corners_, {}, [&](std::uint32_t v) { return part.vertices[v].x; });
     }
 
-    // Where the arc is to end beside one of them.
+    // Returns the fraction of the arc at which to split, next to a corner.
     std::optional<double> place_on(const Edge& edge, const Arc& arc) const {
         const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
         const double reach = arc.reach + kChordDepth;
@@ -89,20 +91,21 @@ public:
     }
 
 private:
-    // Is a chord of it as deep as the corner, or deeper?
+    // Returns the fraction nearest to `corner` if a chord of the arc may pass on the wrong side of
+    // the corner.
     static std::optional<double> place_beside(const Track& track, const Arc& arc, Vec3 corner) {
         if (norm(corner - arc.centre) > arc.reach) return std::nullopt;
         const auto at = nearest_inside(track, corner);
         if (!at) return std::nullopt;
         const Vec3 foot = track.at(*at), in = corner - foot;
         const Vec3 before = track.at(0.0) - foot, after = track.at(1.0) - foot;
-        // Nearer to an end than that, they are one with it.
+        // A corner nearer to an end than kEnd coincides with the end.
         constexpr double kEnd = 1e-3, kAsDeep = 0.5;
         const double nearer = std::min(norm(before), norm(after));
         const double off = norm(in);
         if (off > kChordDepth || nearer < kEnd || dot(in, arc.centre - foot) <= 0.0)
             return std::nullopt;
-        // The chord of the arc as a whole lies so deep below the foot.
+        // Depth of the whole arc's chord below the foot.
         const Vec3 along = cda::normalized(after - before);
         const double depth = norm(before - dot(before, along) * along);
         const bool is_long = track.sweep_degrees() > 90.0;
@@ -114,7 +117,7 @@ private:
     std::vector<std::uint32_t> corners_;
 };
 
-// True: it has divided one.
+// Returns true if an edge was split.
 bool divide_once(Part& part) {
     bool any = false;
     Halving halving(part);
@@ -138,7 +141,7 @@ bool divide_once(Part& part) {
 }  // namespace
 
 void divide_arcs_beside_corners(Part& part) {
-    // Of each corner there may be one such place on an arc.
+    // An arc may need a split for each of several corners.
     constexpr int kMostTimes = 100;
     for (int i = 0; i < kMostTimes && divide_once(part); ++i) {
     }

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Corners between an arc and its chords.
+// Corners of planes that lie between an arc and its chords.
 #pragma once
 
 #include "ncsim/brep/part.h"
 
 namespace ncsim::brep {
 
-/// Arcs of planes on whose inner side, nearer than 0.02 mm and than the chord of the arc, a corner
-/// of the same plane is become two, with an end where they are nearest to it. Readers draw chords,
-/// which would pass on the other side of the corner, and then draw nothing of the plane. Not of
-/// splines. New vertices and edges are added at the end. O(n log n) for n edges that are spread
-/// evenly.
+/// Splits arcs of planar faces next to corners. An arc is split if a corner of the same face lies
+/// on the arc's inner side, within 0.02 mm of the arc and within twice the depth of the arc's
+/// chord. The new vertex is the point of the arc nearest to the corner. Readers draw chords; if a
+/// chord passes on the wrong side of a corner, readers draw nothing of the face. Splines are not
+/// split. New vertices and edges are appended.
+/// Cost: O(n log n) for n evenly distributed edges.
 void divide_arcs_beside_corners(Part& part);
 
 }  // namespace ncsim::brep

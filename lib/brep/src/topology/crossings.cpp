@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Crossings by bisection between extreme heights of an edge.
 #include "topology/crossings.h"
 
 #include <cmath>
@@ -25,7 +27,8 @@ public:
     double slope(double t) const { return dot(plane_.normal, track_.derivative(t)); }
     std::size_t pieces() const { return track_.pieces(); }
 
-    // Where it is `height`, between two places on different sides of it.
+    // Returns the parameter at which the height is `height`, between parameters with heights on
+    // both sides.
     double reach(double begin, double end, double height) const {
         const bool is_above = (*this)(begin) > height;
         for (int i = 0; i < kHalvings; ++i) {
@@ -41,7 +44,7 @@ private:
     Track track_;
 };
 
-// Between which places it goes but up, or down.
+// Returns parameters between which the edge only rises or only falls.
 std::vector<double> turns_of(const Heights& height) {
     const std::size_t steps = 4 * height.pieces();
     std::vector<double> turns{0.0};
@@ -79,7 +82,7 @@ std::vector<Crossing> crossings_of(const Part& part, const Edge& edge, const Cut
         Crossing crossing;
         crossing.goes_up = last > lift;
         crossing.above = height.point(height.reach(begin, end, lift));
-        // The plane itself may be passed as well, or only nearly.
+        // The edge passes the plane itself, or only comes near.
         if ((first > 0.0) != (last > 0.0)) {
             crossing.at = height.point(height.reach(begin, end, 0.0));
         } else {

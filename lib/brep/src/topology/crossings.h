@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where edges pass through a plane.
+// Points in which edges pass through a plane.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -11,15 +11,16 @@
 
 namespace ncsim::brep {
 
+/// Passage of an edge through a plane.
 struct Crossing {
-    Vec3 at;              ///< In the plane, or as near to it as the edge comes.
-    Vec3 above;           ///< Where it is `lift` above it.
-    bool goes_up = true;  ///< From the start of the edge to its end.
+    Vec3 at;              ///< In the plane, or as near to the plane as the edge comes.
+    Vec3 above;           ///< Point of the edge that is `lift` above the plane.
+    bool goes_up = true;  ///< True if the edge rises there, from its start to its end.
 };
 
-/// Where the edge passes from what is no more than `lift` mm above the plane to what is more, or
-/// back, in order along the edge. Whether its ends are above is a matter of the vertices alone, so
-/// that edges agree.
+/// Returns the passages of the edge between heights of at most `lift` mm above the plane and
+/// greater heights, in order along the edge. The vertices alone decide whether the ends are above,
+/// so that adjacent edges agree.
 std::vector<Crossing> crossings_of(const Part& part, const Edge& edge, const CutPlane& plane,
                                    double lift);
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. How far does the face go, around the way and along it?
-//  2. In each knot the point, its derivatives both ways and the mixed one, by differences: a cubic
-//  patch of these between neighbours (Ferguson), all of them together a smooth spline.
-//  3. Pieces become longer or shorter by a share, as arcs do in cubics that meet them in the
-//  middle.
-//  4. Where it is too far off between knots, another one is put there, around or along, whichever
-//  way is worse. From 2 again.
+// 1. Find the extent of the face. 2. At each knot, compute the point, both derivatives and the
+// mixed derivative by differences; cubic (Ferguson) patches between the knots form a smooth spline.
+// 3. Scale the pieces so that the cubics meet the surface in their middles, as cubics for arcs do.
+// 4. Where the patch is too far off between knots, add a knot around or along, and repeat from 2.
 #include "topology/envelope_patch.h"
 
 #include "topology/around.h"
@@ -26,12 +23,12 @@ using cda::dot;
 constexpr double kNearEnough = 1e-6;  // mm
 constexpr std::size_t kMostKnots = 400;
 
-// A point of the spline, and its derivatives.
+// Point of the spline, with derivatives.
 struct Bent {
     Vec3 at, around, along, both;
 };
 
-// By differences that are right for polynomials of degree 4: of what is so many steps away.
+// Returns the derivative from points one and two steps away, exact for polynomials of degree 4.
 constexpr int kStepsAway = 2;
 template <typename At>
 Vec3 slope_of(const At& steps_away, double step) {
@@ -58,7 +55,7 @@ public:
     }
 
 private:
-    // At a time, and by steps before and after.
+    // Tool positions at a time, and at steps before and after.
     using Passages = std::array<Passage, 2 * kStepsAway + 1>;
     Passages passages_at(double t) const {
         Passages passages;
@@ -109,7 +106,7 @@ private:
         }
     }
 
-    // By how much longer or shorter pieces meet the surface in their middles, by least squares.
+    // Factor by which pieces are scaled to meet the surface in their middles, by least squares.
     struct Middle {
         void take(const Aspect& aspect, Vec3 bow) {
             const double out = dot(aspect.normal, bow);
@@ -127,7 +124,7 @@ private:
 
     const Bent& knot(std::size_t i, std::size_t j) const { return knots_[i * along_.size() + j]; }
 
-    // Between knots i and i + 1, j and j + 1; u and v from 0 to 1.
+    // Returns the point between knots i and i + 1, j and j + 1; u and v from 0 to 1.
     Vec3 at(std::size_t i, std::size_t j, double u, double v) const {
         const auto weights = [](double x, double size) {
             const double y = 1.0 - x;
@@ -146,7 +143,7 @@ private:
         return sum;
     }
 
-    // At about the time of the knots beside it.
+    // Returns the aspect of the patch's point, near the time of the adjacent knots.
     Aspect aspect(std::size_t i, std::size_t j, double u, double v) const {
         const double time = along_[j] + v * (along_[j + 1] - along_[j]);
         return place_on(envelope_, at(i, j, u, v), time);
@@ -155,7 +152,8 @@ private:
         return std::abs(aspect(i, j, u, v).off);
     }
 
-    // Another knot in the middle of pieces that are too far off, both ways; true: there are.
+    // Adds a knot in the middle of pieces that are too far off, in both directions. Returns true if
+    // a knot was added.
     bool refine() {
         std::vector<bool> wide(around_.size(), false), long_(along_.size(), false);
         for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
@@ -186,14 +184,15 @@ private:
         return true;
     }
 
-    // Of a cubic with its derivatives at both ends the control points are a third of these away.
+    // A cubic with given end derivatives has its control points at a third of these from the ends.
     Patch patch() const {
         std::vector<double> widths, lengths;
         for (std::size_t i = 0; i + 1 < around_.size(); ++i)
             widths.push_back(width(i));
         for (std::size_t j = 0; j + 1 < along_.size(); ++j)
             lengths.push_back(length(j));
-        // To the control points before and after a knot; one of both at the ends.
+        // Offsets to the control points before and after a knot; at the ends, a control point
+        // coincides with the knot.
         const auto thirds = [](const std::vector<double>& pieces, std::size_t i) {
             return std::array{i > 0 ? -pieces[i - 1] / 3.0 : 0.0,
                               i < pieces.size() ? pieces[i] / 3.0 : 0.0};
@@ -221,10 +220,10 @@ private:
 
     const Sweep& sweep_;
     Envelope envelope_;
-    std::vector<double> around_, along_;  // as places across; t
+    std::vector<double> around_, along_;  // Coordinates of place_across(); t.
     double step_around_, step_along_;
     std::vector<Bent> knots_;
-    std::vector<double> share_around_, share_along_;  // of pieces
+    std::vector<double> share_around_, share_along_;  // Scale factors of pieces.
 };
 
 std::vector<double> evenly(double from, double to, double piece) {
@@ -239,7 +238,7 @@ std::vector<double> evenly(double from, double to, double piece) {
 }  // namespace
 
 Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& envelope) {
-    constexpr double kShare = 0.02;  // of the way, and of the height of flanks
+    constexpr double kShare = 0.02;  // of the path, and of the height of flanks
     constexpr double kBeyondAround = 4.0, kPieceAround = 15.0, kTurn = 360.0;  // degrees
     const Sweep& sweep = *envelope.sweep;
     double first = 1e9, last = -1e9, begin = 1e9, end = -1e9;

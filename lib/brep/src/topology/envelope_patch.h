@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Envelopes as splines.
+// Spline patches of envelopes.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -8,8 +8,9 @@
 
 namespace ncsim::brep {
 
-/// Around the way and along it, as far as the face goes and a little beyond. Measured between the
-/// knots, which are as many as it takes: within 1e-6 mm, or as near as 400 knots each way come.
+/// Returns the patch around and along the path, to a little beyond the face. Knots are added until
+/// the patch is within 1e-6 mm of the envelope between knots, or there are 400 knots in a
+/// direction.
 Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& envelope);
 
 }  // namespace ncsim::brep

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Choice of parameter frames by form.
 #include "ncsim/brep/frames.h"
 
 #include "ncsim/trig/angles.h"
@@ -21,7 +23,7 @@ using cda::dot;
 using cda::norm;
 using cda::normalized;
 
-// The x axis that a face with these loops gets.
+// Returns the x axis for a face with these loops.
 Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
     const Vec3 x = across(axis);
     const Round round = round_of(loops, origin, axis, x);
@@ -35,7 +37,7 @@ Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis)
     return normalized(angle.cos * x + angle.sin * cross(axis, x));
 }
 
-// Is the face a cap or a zone, between circles about one axis?
+// Returns the common axis of a cap or zone, whose edges are circles about the same axis.
 std::optional<Vec3> axis_of_zone(const Part& part, const Face& face) {
     std::optional<Vec3> axis;
     for (const Loop& loop : face.loops) {
@@ -49,7 +51,7 @@ std::optional<Vec3> axis_of_zone(const Part& part, const Face& face) {
     return axis;
 }
 
-// How near the loops come to an axis, as Round tells it.
+// Returns the least sine between points of the loops and an axis, as Round::nearest.
 double nearest_to(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
     double least = 1.0;  // squared
     for (const auto& points : loops) {
@@ -62,7 +64,7 @@ double nearest_to(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3
     return std::sqrt(std::max(0.0, least));
 }
 
-// The axis of a sphere: as far from the loops as may be, and not through the face.
+// Returns the axis of a sphere: as far from the loops as possible, and not through the face.
 Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
     const Vec3 up{0, 0, 1};
     std::vector<Vec3> axes{up};
@@ -86,10 +88,10 @@ Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
     return best;
 }
 
-// Returns an axis about which all edges are lines of parameters: circles about the axis, or great
-// circles through the poles that do not pass a pole inside. The face contains no pole. OpenCASCADE
-// lays other circles down on a sphere roughly, by 2e-5 mm on one of 3 mm, and finds the curve off
-// its surface.
+// Returns an axis about which all edges are parameter lines: circles about the axis, or great
+// circles through the poles without a pole between their ends. The face contains no pole.
+// OpenCASCADE computes the parameters of all other circles on a sphere roughly, to 2e-5 mm for a
+// radius of 3 mm, and then finds the curve off its surface.
 std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const Sphere& sphere) {
     constexpr double kOne = 1e-9;
     std::vector<const Edge*> edges;
@@ -135,7 +137,7 @@ std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const
     return std::nullopt;
 }
 
-// From the start of its first edge, along that if it is straight.
+// Returns the frame at the start of the first edge, with x along the edge if it is straight.
 Frame frame_of_plane(const Part& part, const Face& face, const Plane& plane) {
     const EdgeUse& use = face.loops.front().front();
     const Edge& edge = part.edges[use.edge];
@@ -174,7 +176,7 @@ Frame frame_for(const Part& part, const Face& face) {
         return {f->origin, f->axis, x_axis(loops, f->origin, f->axis)};
     if (const auto* f = std::get_if<Torus>(&face.surface.form)) {
         if (!is_spindle(*f)) return {f->centre, f->axis, x_axis(loops, f->centre, f->axis)};
-        // Of the tip there is no angle.
+        // The tip has no angle.
         constexpr double kInTip = 1e-6;
         std::vector<std::vector<Vec3>> clear = loops;
         for (auto& points : clear) {
@@ -189,7 +191,7 @@ Frame frame_for(const Part& part, const Face& face) {
         return {f->centre, axis, x_axis(loops, f->centre, axis)};
     }
     if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
-        // Not in the apex, where CAD would have to take a radius of 0.
+        // The origin is not the apex, because CAD systems would need a radius of 0 there.
         double height = 0.0;
         for (const auto& points : loops) {
             for (const Vec3& p : points)
@@ -198,7 +200,7 @@ Frame frame_for(const Part& part, const Face& face) {
         return {f->apex + height * f->axis, f->axis, x_axis(loops, f->apex, f->axis)};
     }
     if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
-        // Seen along the line.
+        // Projects the loops along the line.
         auto seen = loops;
         for (auto& points : seen) {
             for (Vec3& p : points)
@@ -207,7 +209,7 @@ Frame frame_for(const Part& part, const Face& face) {
         return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
     }
     const auto& f = std::get<Dome>(face.surface.form);
-    // About the centre of the circle wherever it is.
+    // Moves the loops to the centre of the arc, relative to the circle's centre at each point.
     auto seen = loops;
     for (auto& points : seen) {
         for (Vec3& p : points)
@@ -226,7 +228,8 @@ Frame frame_in_file(const Part& part, const Face& face) {
 
 std::optional<Vec3> half_of_ramp(const Part& part, const Face& face) {
     constexpr double kShallow = 0.1, kBeyond = 1e-3;
-    // Of the radius: nearer to the side are corners of walls, which are there but for rounding.
+    // Fractions of the radius. Corners nearer to the side than kAtSide are corners of walls,
+    // displaced by rounding.
     constexpr double kAtSide = 1e-4, kBesideSide = 0.05;
     const auto* ramp = std::get_if<Extrusion>(&face.surface.form);
     if (!ramp || std::abs(dot(ramp->along, ramp->axis)) >= kShallow) return std::nullopt;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Splitting of circles, ellipses and splines.
 #include "topology/halves.h"
 
 #include "geometry/none.h"
@@ -13,10 +15,10 @@ namespace ncsim::brep {
 
 namespace {
 
-// At an inner knot.
+// Splits the spline at an inner knot.
 Halves spline_in_two(const Spline& spline, std::size_t middle) {
     const auto width = [&](std::size_t i) { return spline.knots[i + 1] - spline.knots[i]; };
-    // Of both control points beside it, as far from each as the pieces are wide.
+    // Divides the segment between the adjacent control points in the ratio of the adjacent pieces.
     const double before = width(middle - 1), after = width(middle);
     const Vec3 at = (1.0 / (before + after)) *
                     (after * spline.points[2 * middle] + before * spline.points[2 * middle + 1]);
@@ -37,20 +39,20 @@ Halves spline_in_two(const Spline& spline, std::size_t middle) {
     return Halves{at, std::move(first), std::move(second)};
 }
 
-// At the knot in the middle, where there is one.
+// Splits the spline at the middle knot, if there is an inner knot.
 std::optional<Halves> spline_in_two(const Spline& spline) {
     const std::size_t knots = spline.knots.size();
     if (knots < 3) return std::nullopt;
     return spline_in_two(spline, knots / 2);
 }
 
-// At any place: the cubic there becomes two, which are the same curve.
+// Splits the spline at any place: the cubic there becomes two cubics on the same curve.
 Halves spline_in_two(const Part& part, const Edge& edge, const Spline& spline, double at) {
     const auto& k = spline.knots;
     const double place = k.front() + at * (k.back() - k.front());
     const auto after = static_cast<std::size_t>(std::ranges::upper_bound(k, place) - k.begin());
     const std::size_t i = std::clamp<std::size_t>(after, 1, k.size() - 1);
-    // A knot as near as that is the place.
+    // A knot this near to the place is the place.
     constexpr double kNear = 1e-3;
     const double width = k[i] - k[i - 1];
     if (place - k[i - 1] < kNear * width && i > 1) return spline_in_two(spline, i - 1);
@@ -59,7 +61,7 @@ Halves spline_in_two(const Part& part, const Edge& edge, const Spline& spline, d
     const Track::Step step = track.step(at);
     const Vec3 third = (1.0 / (3.0 * (k.back() - k.front()))) * step.derivative;
     Spline finer = spline;
-    // Both control points of the piece move to its ends: their handles are shorter.
+    // The inner control points of the piece move towards its ends in proportion to the new widths.
     const std::size_t first = 2 * i - 1;
     const double before = place - k[i - 1], rest = k[i] - place;
     const Vec3 from = track.at((k[i - 1] - k.front()) / (k.back() - k.front()));

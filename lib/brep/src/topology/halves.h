@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edges that become two, with a vertex between.
+// Edges that are split at a new vertex.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -11,33 +11,33 @@
 
 namespace ncsim::brep {
 
-/// An edge in two, from where it starts to `middle` and on from there.
+/// Halves of an edge: from the start to `middle`, and on to the end.
 struct Halves {
     Vec3 middle;
     Curve first, second;
 };
 
-/// Circles and ellipses where `at` of their angle is passed, from 0 to 1; splines end at the knot
-/// in the middle. Nothing of lines, and of splines that have no knot inside.
+/// Returns the halves of `edge`. Circles and ellipses are split at the fraction `at` of their
+/// angle, splines at the middle knot. No value for lines, and for splines without an inner knot.
 std::optional<Halves> edge_in_two(const Part& part, const Edge& edge, double at = 0.5);
 
-/// Halves edges of a part, in all of its loops at once: between the first of them and finish() the
-/// loops are those from before. New vertices and edges are added at the end.
+/// Splits edges of a part in all loops together. The loops stay unchanged until finish(). New
+/// vertices and edges are appended.
 class Halving {
 public:
     explicit Halving(Part& part);
-    /// There. False: it stays as it is, has been halved, or is a half itself.
+    /// Splits the edge at `at`. False if the edge stays as it is, has been split, or is a new half.
     bool halve(std::uint32_t edge, double at = 0.5);
-    /// The same, but splines at any place, where they get a knot.
+    /// Does the same, but splits splines at any place with a new knot.
     bool divide(std::uint32_t edge, double at);
-    /// Loops run along both halves. O(n) for n edges.
+    /// Replaces split edges by their halves in all loops. Cost: O(n) for n edges.
     void finish();
 
 private:
     bool take(std::uint32_t edge, std::optional<Halves> halves);
 
     Part& part_;
-    std::vector<std::uint32_t> second_;  // of each edge that was there
+    std::vector<std::uint32_t> second_;  // Second half of each original edge, or kNone.
 };
 
 }  // namespace ncsim::brep

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nesting of shells by signed volumes and winding numbers.
 #include "topology/nesting.h"
 
 #include "ncsim/trig/angles.h"
@@ -16,7 +18,7 @@ using cda::dot;
 using cda::normalized;
 using cda::Vec3;
 
-// Volume inside the faces, six times, about a common corner; negative for a void.
+// Returns six times the volume inside the faces, negative for a void.
 double sixfold_volume(const cda::Boundary& boundary, std::span<const std::uint32_t> faces) {
     double sum = 0.0;
     const Vec3 apex = boundary.vertices[boundary.faces[faces[0]].loops[0][0]];
@@ -32,8 +34,9 @@ double sixfold_volume(const cda::Boundary& boundary, std::span<const std::uint32
     return sum;
 }
 
-// How often the faces wind around the point: ±1 inside, 0 outside. Sum of the solid angles of the
-// loops' triangles, signed (van Oosterom and Strackee, The Solid Angle of a Plane Triangle, 1983).
+// Returns how often the faces wind around `p`: ±1 inside, 0 outside, by the signed solid angles of
+// triangles.
+// Source: van Oosterom and Strackee, The Solid Angle of a Plane Triangle, 1983.
 double winding_number(const cda::Boundary& boundary, std::span<const std::uint32_t> faces, Vec3 p) {
     double sum = 0.0;
     for (const std::uint32_t f : faces) {
@@ -77,7 +80,7 @@ std::vector<Nesting> nesting_of(const cda::Boundary& boundary) {
     if (solids.empty() && voids.size() == 1) return {{voids.front(), {}}};
     for (const std::uint32_t s : voids) {
         const Vec3 point = boundary.vertices[boundary.faces[shells[s][0]].loops[0][0]];
-        // Nothing to choose from with a single solid, the usual case.
+        // A single solid, the usual case, needs no test.
         const auto around = std::find_if(solids.begin(), solids.end(), [&](const Nesting& solid) {
             return solids.size() == 1 ||
                    winding_number(boundary, shells[solid.outside], point) > 0.5;

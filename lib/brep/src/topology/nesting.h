@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shells of a boundary, and their nesting: solids with the voids inside.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -8,11 +10,11 @@
 
 namespace ncsim::brep {
 
-/// The faces of each shell, by its number; of a number that no face has, none.
+/// Returns the faces of each shell, by the shell's number; empty for numbers without faces.
 std::vector<std::vector<std::uint32_t>> shells_of(const cda::Boundary& boundary);
 
-/// Shells that enclose material, each with the voids that lie in it, as numbers of shells of the
-/// boundary. A void by itself stands for one.
+/// Shell that encloses material, with the voids inside, as numbers of shells. A boundary with a
+/// void alone has a nesting with that void as the outside.
 struct Nesting {
     std::uint32_t outside = 0;
     std::vector<std::uint32_t> voids;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Part with planar faces from a boundary.
 #include "ncsim/brep/part.h"
 
 #include "topology/nesting.h"
@@ -14,7 +16,7 @@ using cda::normalized;
 Part faceted(const cda::Boundary& boundary, const std::vector<std::vector<cda::Origin>>& origins) {
     Part part;
     part.vertices = boundary.vertices;
-    std::unordered_map<std::uint64_t, std::uint32_t> edges;  // by the two vertices
+    std::unordered_map<std::uint64_t, std::uint32_t> edges;  // By both vertices.
     const auto edge = [&](std::uint32_t a, std::uint32_t b) {
         const auto [low, high] = std::minmax(a, b);
         const auto [at, is_new] = edges.try_emplace(std::uint64_t{low} << 32 | high,

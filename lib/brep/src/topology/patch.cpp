@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spline patches of domes, coils and spirals.
 #include "ncsim/brep/patch.h"
 
 #include "ncsim/trig/angles.h"
@@ -20,16 +22,16 @@ namespace {
 using cda::cross;
 using cda::dot;
 
-// Control points of a B-spline of degree 5 with triple knots, one apart.
+// Control points of a B-spline of degree 5 with triple knots at distance 1.
 struct Quintic {
     std::vector<Vec3> points;
     std::vector<double> knots;
 };
 
-// The arc from x to y about `centre`, both of its radius and at right angles, as a helix if it
-// climbs `rise` for each radian. Its parameter is the angle: at each knot the place and both
-// derivatives by the angle are exact, and between knots of 10 degrees the error is 6e-10 of the
-// radius. Readers lay circles down on such a surface evenly, as they run along them.
+// Returns the arc from x to y about `centre`, both with the length of the radius and perpendicular;
+// a helix if `rise` per radian is not zero. The parameter is the angle: position and two
+// derivatives are exact at knots, and between knots 10 degrees apart the error is 6e-10 of the
+// radius. Readers map circles on such a surface to evenly spaced parameters.
 Quintic quintic_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end, double piece,
                        Vec3 rise = {}) {
     const int pieces = std::max(1, static_cast<int>((end - begin) / piece) + 1);
@@ -62,7 +64,7 @@ Quintic quintic_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end, do
     return spline;
 }
 
-// How far a face goes around a circle, and along its way; degrees.
+// Extent of a face around a circle and along the circle's path; degrees.
 struct Reach {
     double first = 1e9, last = -1e9, low = 1e9, high = -1e9;
     void take(double around, double along) {
@@ -74,15 +76,16 @@ struct Reach {
 };
 
 constexpr double kBeyond = 4.0;  // degrees
-// Widest pieces of arcs, degrees.
+// Largest piece of an arc, degrees.
 constexpr double kPiece = 10.0;
-// Of spirals, within 2e-9 of the radius.
+// Largest piece of a spiral, degrees, for an error of 2e-9 of the radius.
 constexpr double kPieceOfSpiral = 3.0;
 
-// The reach of a patch. The patch ends with the face where an edge runs along that end, and goes
-// beyond the face elsewhere. OpenCASCADE knows the parameters of edges on the end of a patch
-// without a search; near an end of the face at which a wall is tangent a search finds them roughly.
-// `place_of`: both angles of a point, degrees; the radii are those of both circles, mm.
+// Returns the extent of a patch. The patch ends with the face where an edge runs along that end,
+// and extends beyond the face elsewhere. OpenCASCADE knows the parameters of edges on the end of a
+// patch without a search; near an end of the face at which a wall is tangent, a search is
+// inaccurate. `place_of` returns both angles of a point, degrees; the radii are those of both
+// circles, mm.
 template <typename PlaceOf>
 Reach reach_of_patch(const Part& part, const Face& face, const Reach& reach,
                      const PlaceOf& place_of, double radius_around, double radius_along) {
@@ -142,8 +145,8 @@ Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
     return patch;
 }
 
-// Is it where a level circle is, so that the patch may end there? Readers know what lies on the end
-// of a patch without looking for it.
+// True if a level circle is at `degrees`, so that the patch may end there. Readers know the
+// parameters of edges on the end of a patch without a search.
 bool ends_level(const Part& part, const Face& face, const Coil& coil, double degrees) {
     constexpr double kOn = 1e-9;
     for (const Loop& loop : face.loops) {
@@ -158,8 +161,8 @@ bool ends_level(const Part& part, const Face& face, const Coil& coil, double deg
     return false;
 }
 
-// Control numbers of a spline of sine and cosine are those of an arc of radius 1, so that each
-// control point of the circle turns about the axis as the way does.
+// Returns the patch of a coil. The control values of cosine and sine are those of an arc of radius
+// 1, so each control point of the circle turns about the axis as the path does.
 Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     double ahead = 0.0;
     Reach reach;
@@ -176,7 +179,7 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     double low = reach.low, high = reach.high;
     if (!ends_level(part, face, coil, low)) low -= kBeyond;
     if (!ends_level(part, face, coil, high)) high += kBeyond;
-    // Where the circle is ahead for t = 0, and on from there.
+    // The circle is ahead at t = 0 in the direction of `side`.
     const Quintic circle = quintic_of_arc(
         {}, (sign * coil.radius) * side, (-sign * coil.radius) * coil.ahead, -kHalf, kHalf, kPiece);
     const Quintic turn = quintic_of_arc({}, {1, 0, 0}, {0, 1, 0}, low, high, kPiece);
@@ -192,8 +195,8 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     return patch;
 }
 
-// In pieces as of an arc, since it is nearly one, as fast as the wall goes there. A line upwards,
-// as a cubic.
+// Returns the patch of a spiral. The pieces are those of an arc, because the wall is nearly an arc,
+// with the speed of the wall. Along the axis, the patch is a line, as a cubic.
 Patch patch_of_spiral(const Part& part, const Face& face, const Spiral& spiral) {
     Reach reach;
     for (const auto& points : points_along(part, face)) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Union-find with path halving.
 #include "ncsim/cda/disjoint_sets.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Threads that take tasks from a shared counter.
 #include "ncsim/cda/parallel.h"
 
 #include <atomic>
@@ -39,7 +41,7 @@ Background::Background(std::size_t others, std::size_t tasks, std::function<void
 
 Background::~Background() {
     shared_->next = shared_->tasks;
-    shared_->others.clear();  // joins
+    shared_->others.clear();  // joins the threads
 }
 
 void Background::finish() {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An array in chunks of fixed size.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +10,8 @@
 
 namespace ncsim::cda {
 
-/// An array that grows without moving what is in it: at no time are there two of it, nor more room
-/// than a chunk that nobody needs. For what grows to a large share of all memory.
+/// An array that grows without moving its items. So the array never exists twice, and at most one
+/// chunk is unused. For arrays that take a large share of the memory.
 template <class T>
 class Chunks {
 public:
@@ -22,7 +24,7 @@ public:
     T& operator[](std::size_t i) { return chunks_[i / kChunk][i % kChunk]; }
     const T& operator[](std::size_t i) const { return chunks_[i / kChunk][i % kChunk]; }
     std::size_t size() const { return size_; }
-    /// Keeps the room.
+    /// Removes all items and keeps the memory.
     void clear() { size_ = 0; }
 
 private:

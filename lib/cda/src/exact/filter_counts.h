@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How often doubles answer a question of the kernel, and how often integers have to: counted in
-// builds with NCSIM_COUNT_FILTERS (cmake -DNCSIM_COUNT_FILTERS=ON) alone, printed by engine_table.
-// In all others there is nothing of it.
+// Counts of decisions by doubles and by integers, only in builds with NCSIM_COUNT_FILTERS (cmake
+// -DNCSIM_COUNT_FILTERS=ON); printed by engine_table. Empty functions in all other builds.
 #pragma once
 
 #include <array>
@@ -12,10 +11,11 @@
 
 namespace ncsim::cda {
 
-/// What is asked.
+/// Kinds of decisions.
 enum class Filter : std::uint8_t {
-    Point,       ///< classify(): an exact point and a plane.
-    Glance,      ///< FilteredPolygon::look(): a polygon and a plane; doubt is looked at once more.
+    Point,  ///< classify(): an exact point and a plane.
+    /// FilteredPolygon::look(): a polygon and a plane; undecided pairs are classified again.
+    Glance,
     Corner,      ///< A corner of a FilteredPolygon, or an end of a segment, and a plane.
     Coordinate,  ///< compare_coordinate().
 };
@@ -24,8 +24,9 @@ inline constexpr std::size_t kFilters = 4;
 #ifdef NCSIM_COUNT_FILTERS
 struct FilterCount {
     std::atomic<std::uint64_t> asked{0};
-    std::atomic<std::uint64_t> doubtful{0};  ///< Of those asked: doubles could not tell.
-    std::atomic<std::uint64_t> touching{0};  ///< Of those doubtful: On, which no double can tell.
+    std::atomic<std::uint64_t> doubtful{0};  ///< Number of decisions that doubles left undecided.
+    /// Number of undecided cases with the result On, which doubles can never prove.
+    std::atomic<std::uint64_t> touching{0};
 };
 inline std::array<FilterCount, kFilters> filter_counts;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lists of items by group in a single array.
 #pragma once
 
 #include "ncsim/cda/parallel.h"
@@ -13,22 +15,22 @@
 
 namespace ncsim::cda {
 
-/// A list for each of many groups, all in one array: items are counted first, and filled in then.
+/// A list for each of many groups, all in one array. Items are counted first, then added.
 template <class Item>
 class Groups {
 public:
     explicit Groups(std::size_t groups) : begin_(groups + 2, 0) {}
 
     void count(std::uint32_t group) { ++begin_[group + 2]; }
-    /// After all are counted.
+    /// Allocates the lists. Call after all items are counted.
     void reserve() {
         std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
         items_.resize(begin_.back());
     }
-    /// As many times as counted.
+    /// Adds an item. Requires: not more items than counted.
     void add(std::uint32_t group, const Item& item) { items_[begin_[group + 1]++] = item; }
 
-    // After all are added.
+    // Valid after all items are added.
 
     std::span<Item> of(std::size_t group) {
         return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
@@ -37,12 +39,12 @@ public:
         return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
     }
     std::span<const Item> all() const { return items_; }
-    /// Replaces each list by what change(group, list, result) adds to `result`, which must not be
-    /// more. All threads work on runs of groups, each with a `change` of its own from
-    /// make_change().
+    /// Replaces each list by the items that change(group, list, result) adds to `result`.
+    /// Requires: `result` is not longer than the list. All threads process runs of groups, each run
+    /// with a separate `change` from make_change().
     template <class MakeChange>
     void replace(const Runs& runs, std::size_t threads, const MakeChange& make_change) {
-        // In place, run by run; then runs move up.
+        // Works in place, run by run; afterwards the runs move together.
         std::vector<std::size_t> end(runs.tasks());
         in_parallel(threads, runs.tasks(), [&](std::size_t task) {
             auto change = make_change();
@@ -53,7 +55,7 @@ public:
                 result.clear();
                 change(static_cast<std::uint32_t>(group), list, result);
                 assert(result.size() <= list.size());
-                // The first one's is read by whoever has the run before it.
+                // The task of the previous run reads the first begin of this run.
                 if (group != runs.begin(task)) begin_[group] = to;
                 std::ranges::copy(result, items_.begin() + static_cast<std::ptrdiff_t>(to));
                 to += result.size();
@@ -75,8 +77,8 @@ public:
     }
 
 private:
-    // Group g is from begin_[g] to begin_[g + 1]; until all are added, the next of it goes where
-    // the latter is.
+    // Group g is [begin_[g], begin_[g + 1]). Until all items are added, begin_[g + 1] is the
+    // position of the group's next item.
     std::vector<std::size_t> begin_;
     std::vector<Item> items_;
 };

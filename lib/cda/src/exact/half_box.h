@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Boxes of the tree: corners at odd numbers of half units, so that no facet with whole coordinates
-// ever lies on a face of a box.
+// Boxes of the tree: corners are odd numbers of half units, so that no facet with integer
+// coordinates lies on a face of a box.
 #pragma once
 
 #include "ncsim/cda/plane.h"
@@ -15,7 +15,7 @@
 
 namespace ncsim::cda {
 
-/// In half lattice units.
+/// A box in half lattice units.
 struct HalfBox {
     std::array<std::int64_t, 3> min{}, max{};
 
@@ -27,7 +27,7 @@ struct HalfBox {
         }
         return axis;
     }
-    /// Where halves meet: the middle, odd again.
+    /// Returns the coordinate of the cut between the halves: the middle, rounded to an odd number.
     std::int64_t middle(std::size_t axis) const { return ((min[axis] + max[axis]) >> 1) | 1; }
     HalfBox half(std::size_t axis, bool upper) const {
         HalfBox result = *this;
@@ -38,7 +38,7 @@ struct HalfBox {
     bool operator==(const HalfBox&) const = default;
 };
 
-/// What both have in common; empty if that has no volume.
+/// Returns the intersection; empty if there is no common volume.
 inline HalfBox intersection(const HalfBox& a, const HalfBox& b) {
     HalfBox result;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -57,7 +57,7 @@ inline HalfBox enclosing(const HalfBox& a, const HalfBox& b) {
     return result;
 }
 
-/// Centre and half extents of a box, in half units: whole numbers.
+/// Centre and half extents of a box, in half units: integers.
 struct BoxFrame {
     explicit BoxFrame(const HalfBox& box) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -70,7 +70,7 @@ struct BoxFrame {
     std::array<double, 3> centre{}, half{};
 };
 
-/// n·x <= d2 for x in half units: a plane of the lattice in doubles, exactly.
+/// The halfspace n·x <= d2 for x in half units: a plane of the lattice in doubles, exactly.
 struct HalfPlane {
     HalfPlane() = default;
     explicit HalfPlane(const Plane& p)
@@ -79,23 +79,23 @@ struct HalfPlane {
     double nx = 0, ny = 0, nz = 0, d2 = 0;
 };
 
-/// How far the middle of a box is above a plane, and how far the box reaches from it to both sides;
-/// in half units times the length of the normal.
+/// Height of a box's middle above a plane, and reach of the box to both sides of its middle; in
+/// half units times the length of the normal.
 struct Sight {
     Sight(const BoxFrame& box, const HalfPlane& p)
         : above(p.nx * box.centre[0] + p.ny * box.centre[1] + p.nz * box.centre[2] - p.d2),
           reach(std::abs(p.nx) * box.half[0] + std::abs(p.ny) * box.half[1] +
                 std::abs(p.nz) * box.half[2]) {}
-    /// Exact: normals below 2^24 and coordinates below 2^26 half units make products below 2^50
-    /// whose sums are whole numbers below 2^53; only a difference that decides by its size alone
-    /// may be rounded.
+    /// Exact: normals below 2^24 and coordinates below 2^26 half units give products below 2^50,
+    /// with sums that are integers below 2^53. Only a difference whose size alone decides may be
+    /// rounded.
     Side side() const {
         return above + reach <= 0 ? Side::Below : above >= reach ? Side::Above : Side::On;
     }
     double above, reach;
 };
 
-/// Where a box lies to a plane.
+/// Returns how a box lies to a plane.
 inline Side side_of(const BoxFrame& box, const HalfPlane& p) {
     return Sight(box, p).side();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Equal keys get equal numbers, in order of first sight: a hash table with open addressing that
-// keeps its keys in one array.
+// A hash table with open addressing that numbers distinct keys in order of first occurrence and
+// keeps the keys in one array.
 #pragma once
 
 #include "ncsim/cda/mix.h"
@@ -18,16 +18,16 @@
 
 namespace ncsim::cda {
 
-/// `Hash` is a function of a key; `Equal` of two, and need not be transitive to the eye: it is only
-/// asked of keys with equal hashes.
+/// Numbers distinct keys. `Hash` takes a key, `Equal` takes two keys. `Equal` is called only for
+/// keys with equal tags, so only there must `Equal` be an equivalence.
 template <class Key, class Hash, class Equal = std::equal_to<Key>>
 class Interner {
 public:
     explicit Interner(Hash hash = {}, Equal equal = {}) : hash_(hash), equal_(equal) {}
 
     std::uint32_t operator()(const Key& key) { return number(key, tag_of(key)); }
-    /// The same for keys[0], keys[1], …: calls take(i, number of keys[i]). While one is looked up,
-    /// what the next ones need is fetched: large tables are in no cache.
+    /// Calls take(i, number of keys[i]) for all keys in order. While a key is looked up, the data
+    /// of the next keys is prefetched, because large tables exceed the caches.
     template <class Take>
     void number_all(std::span<const Key> keys, Take take) {
         constexpr std::size_t kSlotAhead = 16;
@@ -52,13 +52,13 @@ public:
     }
     const Chunks<Key>& keys() const { return keys_; }
     std::size_t size() const { return keys_.size(); }
-    /// Forgets all keys but keeps the room.
+    /// Removes all keys and keeps the memory.
     void clear() {
         keys_.clear();
         slots_.assign(slots_.size(), {});
     }
 
-    /// After the last key: gives back memory that only numbering needs.
+    /// Frees memory that only numbering needs. Call after the last key.
     void close() { slots_ = {}; }
 
 private:
@@ -68,8 +68,8 @@ private:
         std::uint32_t tag = 0;
     };
 
-    // What is kept of a hash: enough to find the place in a table of any size, and to pass over
-    // most of the others there.
+    // Returns the stored part of a hash: sufficient to find the slot in a table of any size and to
+    // reject most other keys.
     std::uint32_t tag_of(const Key& key) const {
         return static_cast<std::uint32_t>(hash_(key) >> 32);
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Choice of the lattice unit and rounding.
 #include "ncsim/cda/lattice.h"
 
 #include <array>
@@ -11,7 +13,7 @@ Lattice Lattice::for_stock(const Box& stock_mm) {
         reach = std::max({reach, std::abs(stock_mm.min[axis]), std::abs(stock_mm.max[axis])});
     }
     const double limit = static_cast<double>(std::int64_t{1} << kCoordinateBits);
-    // 1, 2, 5 times a power of ten; the last of them holds any stock that can be named.
+    // Steps 1, 2, 5 times a power of ten; the largest exceeds any representable stock.
     double decade = 1e-5;
     for (int k = 0; k < 300; ++k, decade *= 10.0) {
         for (const double step : {1.0, 2.0, 5.0}) {

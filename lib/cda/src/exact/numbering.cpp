@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Plücker coordinates: hash and comparison.
 #include "exact/numbering.h"
 
 #include "ncsim/cda/mix.h"
@@ -25,8 +27,8 @@ Pluecker::Pluecker(const Plane& s, const Plane& t)
 }
 
 std::uint64_t Pluecker::hash() const {
-    // Quotients by the longest component of the direction do not know the common factor. Whole
-    // numbers, rounded towards zero.
+    // Quotients by the longest component of the direction are independent of the common factor.
+    // Integers, rounded towards zero.
     const std::size_t axis = longest(d);
     const Int128 divisor = d[axis];
     std::uint64_t h = axis;
@@ -39,7 +41,8 @@ std::uint64_t Pluecker::hash() const {
 }
 
 bool are_same(const Pluecker& a, const Pluecker& b) {
-    // Proportional, each pair of coordinates; directions are not zero and agree in sign.
+    // Tests that each pair of coordinates is proportional; directions are non-zero and agree in
+    // sign.
     const std::size_t axis = longest(a.d);
     const Int128 p = a.d[axis];
     const Int128 q = b.d[axis];
@@ -47,7 +50,7 @@ bool are_same(const Pluecker& a, const Pluecker& b) {
         if (p * b.d[i] != q * a.d[i]) return false;
     }
     for (std::size_t i = 0; i < 3; ++i) {
-        // 50 and 78 bits: by quotient and remainder, so that nothing overflows.
+        // 50 and 78 bits: compares quotient and remainder, so that no product overflows.
         if (a.m[i] / p != b.m[i] / q) return false;
         if ((a.m[i] % p) * q != (b.m[i] % q) * p) return false;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names for exact things: keys for lines.
+// Keys of lines for hash tables.
 #pragma once
 
 #include "ncsim/cda/predicates.h"
@@ -13,22 +13,22 @@
 
 namespace ncsim::cda {
 
-/// The line where two planes meet, by its Plücker coordinates up to a factor: direction n_s × n_t,
-/// the first component that is not zero positive, and moment d_s n_t − d_t n_s. Requires planes
-/// that are not parallel.
+/// The line of intersection of two planes in Plücker coordinates up to a factor: direction n_s ×
+/// n_t with the first non-zero component positive, and moment d_s n_t − d_t n_s.
+/// Requires: the planes are not parallel.
 struct Pluecker {
     Pluecker(const Plane& s, const Plane& t);
     std::array<std::int64_t, 3> d{};  ///< 50 bits.
     std::array<Int128, 3> m{};        ///< 78 bits.
 
-    /// Equal for equal lines, whichever planes meet in them.
+    /// Returns equal values for equal lines, independent of the two planes.
     std::uint64_t hash() const;
 };
 
-/// Exactly.
+/// Decides exactly if two lines are equal.
 bool are_same(const Pluecker& a, const Pluecker& b);
 
-/// The axis along which a direction is longest; the first of several.
+/// Returns the axis along which a direction is longest; the first among equals.
 inline std::size_t longest(const std::array<std::int64_t, 3>& d) {
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i) {

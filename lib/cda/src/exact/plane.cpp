@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Conversions and hash of planes.
 #include "ncsim/cda/plane.h"
 
 #include "ncsim/cda/mix.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The predicates: filters in doubles, decisions in 128-bit integers.
 #include "ncsim/cda/predicates.h"
 
 #include "exact/filter_counts.h"
@@ -26,7 +28,7 @@ Side side_of(Int128 v) {
     return v > 0 ? Side::Above : v < 0 ? Side::Below : Side::On;
 }
 
-// The cross product of two normals.
+// Cross product of two normals.
 struct Minor {
     std::int64_t x, y, z;
 };
@@ -37,7 +39,7 @@ Minor minor(const Plane& a, const Plane& b) {
             std::int64_t{a.nx} * b.ny - std::int64_t{a.ny} * b.nx};
 }
 
-// Sign of p/q − r/s for q, s > 0, by continued fractions: no product exceeds 128 bits.
+// Returns the sign of p/q − r/s for q, s > 0, by continued fractions: no product exceeds 128 bits.
 int compare_fractions(Int128 p, Int128 q, Int128 r, Int128 s) {
     int sign = 1;
     while (true) {
@@ -47,7 +49,7 @@ int compare_fractions(Int128 p, Int128 q, Int128 r, Int128 s) {
         p -= a * q;
         r -= b * s;
         if (p == 0 || r == 0) return sign * (p == r ? 0 : p == 0 ? -1 : 1);
-        // Fractions in (0, 1): compare the reciprocals the other way round.
+        // Both fractions are in (0, 1): compares the reciprocals with opposite sign.
         std::swap(p, q);
         std::swap(r, s);
         sign = -sign;
@@ -99,7 +101,7 @@ Side classify_exact(const ExactPoint& p, const Plane& plane) {
 
 Side classify_near(const Plane& p, const Plane& q, const Plane& r, const Plane& plane,
                    double most) {
-    // Below 2^50, but for a bit.
+    // Cross products are below 2^50, up to one bit.
     const Minor qr = minor(q, r);
     const Minor rp = minor(r, p);
     const Minor pq = minor(p, q);
@@ -109,7 +111,7 @@ Side classify_near(const Plane& p, const Plane& q, const Plane& r, const Plane& 
     const double w_at_most = size(qr.x, p.nx) + size(qr.y, p.ny) + size(qr.z, p.nz);
     constexpr double kFits = 0x1p62;
     if (w_at_most * most >= kFits) return classify_exact(*meet_exactly(p, q, r), plane);
-    // Sums and products that wrap around; the last one does not.
+    // Sums and products modulo 2^64; the final value fits 64 bits.
     const auto times = [](std::int64_t a, std::int64_t b) {
         return static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b);
     };
@@ -123,7 +125,7 @@ Side classify_near(const Plane& p, const Plane& q, const Plane& r, const Plane& 
         sum(qr.z, rp.z, pq.z) * static_cast<std::uint64_t>(std::int64_t{plane.nz}) -
         w * static_cast<std::uint64_t>(plane.d));
     if (height == 0) return Side::On;
-    // What is common to all terms may be negative.
+    // The common factor w may be negative.
     const Int128 exact_w = static_cast<Int128>(qr.x) * p.nx + static_cast<Int128>(qr.y) * p.ny +
                            static_cast<Int128>(qr.z) * p.nz;
     return (height > 0) == (exact_w > 0) ? Side::Above : Side::Below;
@@ -150,7 +152,7 @@ ExactPoint reduced(const ExactPoint& p) {
     const UInt128 g = gcd(gcd(magnitude(p.x), magnitude(p.y)), gcd(magnitude(p.z), magnitude(p.w)));
     const auto s = static_cast<Int128>(g);
     ExactPoint r{p.x / s, p.y / s, p.z / s, p.w / s, {}};
-    // From the reduced numbers, so that the doubles too depend on the point alone.
+    // Computed from the reduced numbers, so that the doubles depend only on the point.
     r.approx = nearest(r);
     return r;
 }
@@ -170,7 +172,7 @@ int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
     const double p = a.approx[axis];
     const double q = b.approx[axis];
     count_asked(Filter::Coordinate);
-    // Each within 2 ulp.
+    // Both coordinates are within 2 ulp.
     if (std::abs(p - q) > 1e-15 * (std::abs(p) + std::abs(q))) return p < q ? -1 : 1;
     count_doubtful(Filter::Coordinate);
     const int order = compare_coordinate_exact(a, b, axis);
@@ -191,7 +193,7 @@ Side order_along(const Plane& s, const Plane& t, const ExactPoint& a, const Plan
 }
 
 int compare_distances(const Plane& a, const Plane& b) {
-    // d/|n| in a component that is not zero: parallel normals are in proportion.
+    // Compares d/|n| by a non-zero component: normals of parallel planes are proportional.
     const auto component = [axis = a.nx != 0   ? 0
                                    : a.ny != 0 ? 1
                                                : 2](const Plane& p) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A point somebody asks about, in fixed point: its sides are then questions about integers.
+// A query point in fixed point: sides of planes are decided in integers.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -13,12 +13,13 @@
 
 namespace ncsim::cda {
 
+/// A point rounded to 2^-16 of a lattice unit.
 struct QueryPoint {
-    static constexpr std::int64_t kScale = 65536;  ///< Of a lattice unit.
+    static constexpr std::int64_t kScale = 65536;  ///< Steps per lattice unit.
     std::array<std::int64_t, 3> at{};
 
     QueryPoint(Vec3 mm, const Lattice& lattice) {
-        constexpr double kReach = 1e12;  // units; nothing of the lattice is as far away
+        constexpr double kReach = 1e12;  // units; beyond any object on the lattice
         for (std::size_t i = 0; i < 3; ++i) {
             const double units = mm[static_cast<int>(i)] / lattice.unit_mm;
             at[i] = static_cast<std::int64_t>(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What 128-bit integers lack.
+// Operations on 128-bit integers that the compiler does not provide.
 #pragma once
 
 #include "ncsim/cda/int128.h"
@@ -23,7 +23,8 @@ inline int trailing_zeros(UInt128 v) {
                     : 64 + std::countr_zero(static_cast<std::uint64_t>(v >> 64));
 }
 
-/// Binary algorithm (Stein): shifts and subtractions, since 128-bit division is slow.
+/// Returns the greatest common divisor by Stein's binary algorithm: shifts and subtractions,
+/// because 128-bit division is slow.
 inline UInt128 gcd(UInt128 a, UInt128 b) {
     if (a == 0) return b;
     if (b == 0) return a;
@@ -37,7 +38,7 @@ inline UInt128 gcd(UInt128 a, UInt128 b) {
     return a << shift;
 }
 
-/// Largest integer not above p / q, q > 0.
+/// Returns the largest integer not above p / q, q > 0.
 inline Int128 floor_quotient(Int128 p, Int128 q) {
     const Int128 quotient = p / q;
     return p % q < 0 ? quotient - 1 : quotient;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Collision tests against the flat aggregate.
 #include "ncsim/cda/collision.h"
 
 #include "ncsim/cda/hull.h"
@@ -21,7 +23,7 @@ using RationalPoint = std::array<Rational, 3>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point3 = Kernel::Point_3;
 
-// The first convex piece of body ∩ material that `accept` wants.
+// Returns the first convex piece of body ∩ material that `accept` accepts.
 std::optional<ConvexPolytope> first_piece(
     const FlatCda& part, const Cell& body,
     const std::function<bool(const ConvexPolytope&)>& accept) {
@@ -45,7 +47,7 @@ public:
     }
     const std::vector<LatticePoint>& points() const { return points_; }
 
-    // A point of the surface strictly inside the piece, in units.
+    // Returns a point of the surface strictly inside the piece, in units.
     std::optional<Vec3> point_inside(const ConvexPolytope& piece) const {
         for (const auto& triangle : triangles_) {
             std::vector<RationalPoint> polygon;
@@ -56,7 +58,7 @@ public:
             for (const auto& facet : piece.facets())
                 polygon = clip(polygon, facet.plane);
             if (polygon.empty()) continue;
-            // The middle of what is left is strictly inside if any point of it is.
+            // The middle of the rest is strictly inside if any point of the rest is.
             RationalPoint middle{0, 0, 0};
             for (const RationalPoint& p : polygon) {
                 for (std::size_t i = 0; i < 3; ++i)
@@ -75,7 +77,8 @@ public:
         return std::nullopt;
     }
 
-    // Ray shooting: the parity of crossings, in a direction that meets no edge and no corner.
+    // Casts rays and counts crossings; a ray that meets an edge or a corner is replaced by another
+    // ray.
     bool contains(Vec3 p) const {
         constexpr double kFar = 1e12;  // units: beyond every body
         const Point3 from(p.x, p.y, p.z);
@@ -156,8 +159,8 @@ std::optional<Vec3> collision(const FlatCda& part, const TriangleMesh& body) {
     std::optional<Vec3> certificate;
     first_piece(part, *hull, [&](const ConvexPolytope& piece) {
         certificate = surface.point_inside(piece);
-        // No surface passes through the piece: it is inside the body or outside as a whole, and an
-        // inner point of it is not on the surface.
+        // No surface passes through the piece. So the piece is wholly inside or outside of the
+        // body, and an inner point of the piece is not on the surface.
         if (!certificate && surface.contains(inner_point(piece))) {
             certificate = inner_point(piece);
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons go in with exact rational corners; what comes out is described by planes again: every
-// edge of the result lies on an edge of the facet or of a mask.
+// Difference of polygons with exact rational corners. The result is expressed in planes: every edge
+// of the result lies on an edge of the facet or of a mask.
 #include "flat/facet_difference.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -25,7 +25,7 @@ using PolygonWithHoles2 = CGAL::Polygon_with_holes_2<Kernel>;
 using PolygonSet2 = CGAL::Polygon_set_2<Kernel>;
 
 Exact exact(Int128 v) {
-    // Three digits of 43 bits, each of them a double without loss.
+    // Three digits of 43 bits, each exactly a double.
     const bool negative = v < 0;
     if (negative) v = -v;
     constexpr Int128 kBase = Int128{1} << 43;
@@ -36,8 +36,8 @@ Exact exact(Int128 v) {
     return negative ? Exact(-sum) : sum;
 }
 
-// The plane seen along the axis in which its normal is longest, oriented so that what is
-// counter-clockwise seen from above the plane stays so.
+// Projection of the plane along the axis in which the normal is longest, oriented so that
+// counter-clockwise loops seen from above the plane stay counter-clockwise.
 struct Projection {
     int first = 0, second = 1, dropped = 2;
 
@@ -70,7 +70,7 @@ struct ProjectedLine {
     Plane edge;
 
     ProjectedLine(const Plane& plane, const Plane& cut, const Projection& view) : edge(cut) {
-        // The coordinate that was dropped is eliminated.
+        // Eliminates the dropped coordinate.
         const auto n = normal_of(plane);
         const auto m = normal_of(cut);
         const auto at = [](const auto& v, int i) {
@@ -93,7 +93,7 @@ Polygon2 project(const ConvexPolygon& polygon, const Projection& view) {
     return projected;
 }
 
-// A loop of the result in terms of planes; empty if it has no area.
+// Expresses a loop of the result in planes; empty if the loop has no area.
 std::vector<Fragment::Corner> name_loop(const Polygon2& loop, const Plane& plane,
                                         const std::vector<ProjectedLine>& lines) {
     const std::size_t n = loop.size();
@@ -108,7 +108,7 @@ std::vector<Fragment::Corner> name_loop(const Polygon2& loop, const Plane& plane
     }
     std::vector<Fragment::Corner> corners;
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        // Corners on a straight edge are no corners; `meet` finds none there.
+        // Corners on a straight edge are not corners; `meet` returns no point there.
         const Plane& before = edges[(i + edges.size() - 1) % edges.size()];
         if (const auto corner = meet(plane, before, edges[i])) {
             corners.push_back({*corner, edges[i]});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The flat aggregate: subtraction, bindings, remainders, volume, boundary.
 #include "ncsim/cda/flat.h"
 
 #include "exact/query_point.h"
@@ -23,7 +25,8 @@ CdaCell make_cell(CellKind kind, const Cell& from, ConvexPolytope body) {
     return cell;
 }
 
-// A facet of a negative cell is a wall whose material is on the outer side of the cell.
+// Reverses a fragment: the facet of a negative cell is a wall with the material outside of the
+// cell.
 void turn_over(Fragment& fragment) {
     fragment.plane = fragment.plane.opposite();
     for (auto& loop : fragment.loops) {
@@ -101,8 +104,8 @@ void FlatCda::add_remainder(const FacetRef& facet) {
     touched_.push_back(facet);
 }
 
-// The volume is a third of the sum of distance times area over the surface, about the centre of
-// the stock; walls made by negative cells face the other way.
+// The volume is a third of the sum of distance times area over the surface, relative to the centre
+// of the stock; walls made by negative cells have the opposite sign.
 double FlatCda::settle_volume() {
     double change = 0.0;
     for (const FacetRef& facet : touched_) {
@@ -150,9 +153,9 @@ bool FlatCda::comes_before(std::uint32_t a, std::uint32_t b) const {
     return key(a) < key(b);
 }
 
-// The facet rule of docs/cda.md: a facet of a zero cell is a hole in the facet of that negative
-// cell which has it in its plane. Where both have, in the same orientation, the wall is one and the
-// same; it stays with the cell that came first.
+// Applies the facet rule of docs/cda.md: a facet of a zero cell is a hole in the facet of the
+// negative cell with the same plane. If both cells have this plane with the same orientation, the
+// walls coincide, and the wall stays with the first cell.
 void FlatCda::bind_zero_cell(std::uint32_t zero, std::uint32_t first, std::uint32_t second) {
     for (std::uint32_t i = 0; i < zero_[zero].body.facets().size(); ++i) {
         const Plane& plane = zero_[zero].body.facets()[i].plane;
@@ -267,7 +270,7 @@ void FlatCda::render(FacetCanvas& canvas) const {
         masks.clear();
         for (const FacetRef& hole : cell.bindings[facet.facet].down) {
             masks.push_back(corners_mm(polygon(hole)));
-            // Masks are drawn from the same side as the facet they are holes in.
+            // Masks are drawn from the same side as their facet.
             const bool opposite =
                 hole.kind == CellKind::Contact && contacts_[hole.cell].polygon.plane != whole.plane;
             if (inside_out != opposite) std::reverse(masks.back().begin(), masks.back().end());
@@ -281,7 +284,7 @@ void FlatCda::render(FacetCanvas& canvas) const {
     }
     for (std::uint32_t n = 0; n < negative_.size(); ++n) {
         for (std::uint32_t i = 0; i < negative_remainders_[n].size(); ++i) {
-            // Facets without a remainder are masked altogether.
+            // Facets without a remainder are completely masked.
             if (negative_remainders_[n][i].polygons.empty()) continue;
             draw(negative_[n], {CellKind::Negative, n, i}, true);
         }
@@ -323,7 +326,7 @@ bool FlatCda::contains(Vec3 point) const {
                     [&](const auto& f) { return query.side_of(f.plane) == Side::Above; })) {
         return false;
     }
-    // Negative cells end with the stock. What they took there they took to the last point.
+    // Negative cells end at the stock's facets; there, the removed space includes the facet.
     const auto is_of_stock = [&](const Plane& plane) {
         return std::any_of(stock.begin(), stock.end(),
                            [&](const auto& f) { return f.plane == plane; });

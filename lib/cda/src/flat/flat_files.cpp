@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the flat aggregate writes of itself: statistics and XML, as visitors.
+// Statistics and XML output of the flat aggregate, as visitors.
 #include "ncsim/cda/flat.h"
 
 #include <array>
@@ -12,7 +12,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// The shortest text that reads back as the same number, in any locale.
+// Writes the shortest text that reads back as the same number, in any locale.
 template <class T>
 void write_number(std::ostream& out, T value) {
     std::array<char, 32> text{};

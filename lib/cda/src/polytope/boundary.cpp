@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Volume, area and bounds of a boundary.
 #include "ncsim/cda/boundary.h"
 
 namespace ncsim::cda {
 
 namespace {
 
-// Twice the area vector of a loop about its first corner, so that far-away loops lose nothing.
+// Returns twice the area vector of a loop. Differences to the first corner keep the precision of
+// loops far from the origin.
 Vec3 double_area(const Boundary& boundary, const std::vector<std::uint32_t>& loop) {
     Vec3 sum;
     const Vec3 a = boundary.vertices[loop[0]];

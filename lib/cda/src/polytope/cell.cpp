@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cells from boxes.
 #include "ncsim/cda/cell.h"
 
 #include "ncsim/cda/lattice.h"

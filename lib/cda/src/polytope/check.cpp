@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks that surfaces are closed, and volumes of meshes.
 #include "ncsim/cda/check.h"
 
 #include "ncsim/cda/mix.h"
@@ -26,7 +28,7 @@ SurfaceCheck check_edges(std::vector<Edge> edges) {
     return result;
 }
 
-// Twice the area vector of a loop, about its first corner.
+// Returns twice the area vector of a loop, relative to the loop's first corner.
 template <class Loop>
 Vec3 double_area(const std::vector<Vec3>& vertices, const Loop& loop) {
     Vec3 sum;
@@ -37,7 +39,7 @@ Vec3 double_area(const std::vector<Vec3>& vertices, const Loop& loop) {
     return sum;
 }
 
-// Collects loops of either kind of surface.
+// Collects loops of boundaries and of meshes.
 class Surface {
 public:
     explicit Surface(const std::vector<Vec3>& vertices) : vertices_(vertices) {}

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exact difference of convex bodies by clipping.
 #include "polytope/difference.h"
 
 #include <utility>
@@ -7,7 +9,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// The parts of `body` outside of `other`; nothing if they have no volume in common.
+// Returns the parts of `body` outside of `other`; empty if the two have no common volume.
 std::optional<std::vector<ConvexPolytope>> parts_outside(const ConvexPolytope& body,
                                                          const ConvexPolytope& other) {
     if (!body.bounds().overlaps(other.bounds())) return std::nullopt;
@@ -27,8 +29,8 @@ std::optional<std::vector<ConvexPolytope>> parts_outside(const ConvexPolytope& b
 std::optional<ConvexPolytope> first_of_difference(
     const ConvexPolytope& body, std::span<const ConvexPolytope* const> taken,
     const std::function<bool(const ConvexPolytope&)>& accept) {
-    // A stack of pieces, each with the number of bodies already taken from it: the search goes
-    // deep before it goes wide, so memory is the depth times the pieces of one cut.
+    // Depth-first search with a stack of pieces, each with the number of subtracted bodies. Memory
+    // is the depth times the pieces of one cut.
     std::vector<std::pair<ConvexPolytope, std::size_t>> stack;
     stack.emplace_back(body, 0);
     while (!stack.empty()) {

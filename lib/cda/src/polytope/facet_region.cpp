@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Clipping of planar regions in doubles.
 #include "polytope/facet_region.h"
 
 #include <algorithm>
@@ -59,7 +61,7 @@ FacetRegion::Where FacetRegion::where(std::span<const Point> corners, const Line
     return !any_above ? Where::Below : any_below ? Where::Cut : Where::Above;
 }
 
-// Of a polygon that the line cuts, at the end of the points.
+// Appends the part of a polygon on a side of a line that cuts the polygon.
 FacetRegion::Polygon FacetRegion::part(const Polygon& polygon, const Line& line, bool above) {
     const double sign = above ? -1.0 : 1.0;
     Polygon result{points_.size(), 0};
@@ -114,7 +116,7 @@ double FacetRegion::take(std::span<const Plane* const> cuts) {
     return stretch_ * sum;
 }
 
-// Of one polygon; what is left goes to the rest.
+// Removes a single polygon's part below all lines; the remainder goes to rest_.
 double FacetRegion::take(Polygon polygon) {
     const std::size_t before = rest_.size();
     const Polygon whole = polygon;
@@ -128,7 +130,7 @@ double FacetRegion::take(Polygon polygon) {
         switch (where(corners(polygon), line)) {
             case Where::Below: break;
             case Where::Above:
-                // Nothing is taken: as one piece again.
+                // Nothing is removed; the pieces are replaced by the whole polygon.
                 rest_.resize(before);
                 rest_.push_back(whole);
                 return 0.0;

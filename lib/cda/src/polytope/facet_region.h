@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is left of a facet while others take from it, as an area: convex polygons in its plane, in
-// doubles.
+// The remaining area of a facet while cells remove parts of the facet: convex polygons in the
+// facet's plane, in doubles.
 #pragma once
 
 #include "ncsim/cda/plane.h"
@@ -16,48 +16,49 @@
 
 namespace ncsim::cda {
 
-/// Areas in square units. Corners are off by a few 2^-52 of the extent of the box, divided by the
-/// sine of the angle between the planes that meet there; areas by as much times their outline.
-/// Planes that are parallel to the facet are for the caller to decide, exactly.
+/// A region of a facet; areas are in square units. The error of a corner is a few 2^-52 of the
+/// extent of the box, divided by the sine of the angle between the planes that meet at the corner;
+/// the error of an area is the corner error times the length of the outline. Planes parallel to the
+/// facet must be decided exactly by the caller.
 class FacetRegion {
 public:
     struct Point {
         double u = 0, v = 0;
     };
-    /// a u + b v <= c
+    /// The half-plane a u + b v <= c.
     struct Line {
         double a = 0, b = 0, c = 0;
         double above(const Point& p) const { return a * p.u + b * p.v - c; }
     };
-    /// Corners, counter-clockwise or not as the plane has it.
+    /// Range of corners, in the orientation of the plane's projection.
     struct Polygon {
         std::size_t first = 0, count = 0;
     };
 
-    /// The part of `plane` within a box; false if that is nothing.
+    /// Sets the region to the part of `plane` within a box; false if the part is empty.
     bool assign(const Plane& plane, const HalfBox& box);
-    /// Keeps what lies below `cut`; false if nothing does.
+    /// Keeps the part below `cut`; false if the part is empty.
     bool clip(const Plane& cut);
-    /// Might some of it lie below all of `cuts`? Surely not, if one has all of it above.
+    /// False if one cut has the whole region above, so that no part is below all of `cuts`.
     bool meets(std::span<const Plane* const> cuts) const;
-    /// Takes away what lies below all of `cuts`. How much that is.
+    /// Removes the part below all of `cuts` and returns the removed area.
     double take(std::span<const Plane* const> cuts);
 
     double area() const;
     bool is_empty() const { return polygons_.empty(); }
 
-    /// What is left, and what was taken last. Valid until the next facet; a polygon may have no
-    /// area.
+    /// Return the remaining polygons and the polygons removed last. Valid until the next facet. A
+    /// polygon may have no area.
     std::span<const Polygon> polygons() const { return polygons_; }
     std::span<const Polygon> taken() const { return taken_; }
     std::span<const Point> corners(const Polygon& polygon) const {
         return std::span(points_).subspan(polygon.first, polygon.count);
     }
-    /// Where the facet meets a plane, in the coordinates of the corners; above() is what the normal
-    /// has of the distance.
+    /// Returns the line in which the facet meets a plane, in the coordinates of the corners.
+    /// Line::above() is the distance from the plane times the length of the plane's normal.
     Line line_of(const Plane& cut) const;
-    /// How much of `along`, a length times the normal of the facet, is that length times areas in
-    /// the coordinates of the corners.
+    /// Converts `along`, a length times the length of the facet's normal, into a factor for areas
+    /// in the coordinates of the corners.
     double flattened(double along) const { return along / std::abs(n_[axes_[2]]); }
 
 private:
@@ -68,11 +69,12 @@ private:
     double flat_area(const Polygon& polygon) const;
     double take(Polygon polygon);
 
-    // Coordinates are about the middle of the box, along two axes; the third follows from them.
+    // Coordinates are relative to the middle of the box, along two axes; the third coordinate
+    // follows.
     std::array<std::size_t, 3> axes_{};
     std::array<double, 3> middle_{}, n_{};
     double e_ = 0;
-    double stretch_ = 1;  // of areas
+    double stretch_ = 1;  // ratio of true areas to projected areas
     std::vector<Point> points_;
     std::vector<Polygon> polygons_, rest_, taken_;
     std::vector<Line> lines_;

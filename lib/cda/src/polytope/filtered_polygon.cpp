@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Clipping of convex polygons in doubles with error bounds; integers decide doubtful cases.
 #include "polytope/filtered_polygon.h"
 
 #include "exact/filter_counts.h"
@@ -11,7 +13,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// As many as every machine of the kind takes at once.
+// Lanes of a vector that every machine of the target architecture supports.
 constexpr std::size_t kLanes = 2;
 using Doubles = double __attribute__((vector_size(kLanes * sizeof(double))));
 
@@ -24,20 +26,21 @@ Doubles load(const double* from) {
 // Error of a corner computed by one division from planes of 24 bits, coordinates below 2^26: a few
 // ulp.
 constexpr double kCornerError = 0x1p-24;
-// A corner with a larger bound is computed from its planes instead.
+// A corner with a larger error bound is computed from its planes instead.
 constexpr double kLargestError = 1e-2;
-// Rounding of n·p − d itself, for a plane of |n|₁ = 1: coordinates are below 2^26, and so is |d|
-// of a plane that meets the stock. Three products, two sums and a difference are off by 5 · 2^-27.
+// Rounding error of n·p − d, for a plane with |n|₁ = 1. Coordinates are below 2^26, and so is |d|
+// of a plane that meets the stock. Three products, two sums and a difference have an error of at
+// most 5 · 2^-27.
 constexpr double kHeightError = 0x1p-24;
 
-// By how much the height of a point above a plane may be off, in units of its normal.
+// Returns the largest error of a point's height above a plane, in units of the plane's normal.
 double height_error(const FilterPlane& plane, double error) {
     return plane.one_norm * (kHeightError + error);
 }
 
-// On which side of `cut` the point lies where the planes a, b and c meet, which doubles found to be
-// within `most` of it. Hulls that follow each other have many planes in common, by the pose they
-// have in common: corners of one lie in planes of the other.
+// Returns the side of `cut` on which the meeting point of a, b and c lies. Doubles found the point
+// within `most` of `cut`. Successive hulls share many planes, because they share a pose: corners of
+// a hull lie in planes of the next.
 Side side_exactly(const FilterPlane& a, const FilterPlane& b, const FilterPlane& c,
                   const FilterPlane& cut, double most) {
     count_doubtful(Filter::Corner);
@@ -52,7 +55,7 @@ Side side_exactly(const FilterPlane& a, const FilterPlane& b, const FilterPlane&
     return side;
 }
 
-// The same, in doubles first; and how far, in units of its normal.
+// The same, in doubles first. `height` receives the height above `cut` in units of the normal.
 Side side_of(const FilteredPoint& point, const FilterPlane& a, const FilterPlane& b,
              const FilterPlane& c, const FilterPlane& cut, double& height) {
     count_asked(Filter::Corner);
@@ -65,19 +68,20 @@ Side side_of(const FilteredPoint& point, const FilterPlane& a, const FilterPlane
     return side;
 }
 
-// Where the line of `plane` and `line`, on which a and b lie, meets `cut`; heights of both above
-// it.
+// Returns the point where the line of `plane` and `line`, which contains a and b, meets `cut`.
+// `from` and `to` are the heights of a and b above `cut`.
 FilteredPoint crossing(const FilterPlane& plane, const FilterPlane& line, const FilterPlane& cut,
                        const FilteredPoint& a, const FilteredPoint& b, double from, double to) {
     const Vec3 along = b.p - a.p;
     const double length = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
     const double error = std::max(a.error, b.error);
     const double bound = height_error(cut, error);
-    // Between the true ends, the heights above `cut` differ by this much at least.
+    // Lower bound of the difference of the true end points' heights above `cut`.
     const double span = std::abs(from - to) - 2.0 * bound;
     FilteredPoint c;
-    // What is between a and b is off the true line by no more than they are. There, `cut` is
-    // missed by `bound`: so far away is the crossing at most, along the line.
+    // A point between a and b is as close to the true line as a and b. There, the height above
+    // `cut` has the error `bound`, so the error of the crossing along the line is at most length ·
+    // bound / span.
     c.error = span > 0.0 ? error + kCornerError + length * bound / span : 1.0;
     if (c.error <= kLargestError) {
         c.p = a.p + (from / (from - to)) * along;
@@ -88,12 +92,12 @@ FilteredPoint crossing(const FilterPlane& plane, const FilterPlane& line, const 
     return c;
 }
 
-// How many corners are certainly above a plane, and how many below.
+// Numbers of corners certainly above and certainly below a plane.
 struct Found {
     std::int64_t above = 0, below = 0;
 };
 
-// Requires that `count` is a multiple of kLanes.
+// Requires: `count` is a multiple of kLanes.
 Found heights_above(const FilterPlane& cut, double bound, const double* x, const double* y,
                     const double* z, std::size_t count, double* heights) {
     using Lanes = decltype(Doubles{} > Doubles{});
@@ -103,7 +107,7 @@ Found heights_above(const FilterPlane& cut, double bound, const double* x, const
         const Doubles height =
             load(x + i) * cut.nx + load(y + i) * cut.ny + load(z + i) * cut.nz - cut.d;
         std::memcpy(heights + i, &height, sizeof height);
-        // All bits of a lane are set where it is so: -1.
+        // A true comparison sets all bits of a lane: -1.
         certainly_above -= height > bound;
         certainly_below -= height < -bound;
     }
@@ -121,10 +125,11 @@ struct RowsOfGlances {
     double *low, *high;
 };
 
-// So many planes at a time, at most.
+// Largest number of planes per iteration.
 constexpr std::size_t kRowsAtOnce = 8;
 
-// Vectors of several lengths. Not by a template: GCC does not see attributes there.
+// Vector types of several lengths. Not templates, because GCC ignores the attribute on dependent
+// types.
 struct Twos {
     using Numbers = double __attribute__((vector_size(2 * sizeof(double))));
     using Masks = std::int64_t __attribute__((vector_size(2 * sizeof(double))));
@@ -134,14 +139,14 @@ struct Fours {
     using Masks = std::int64_t __attribute__((vector_size(4 * sizeof(double))));
 };
 
-// From anywhere, however it is aligned.
+// Loads from any address, without alignment.
 template <class Numbers>
 [[gnu::always_inline]] inline void load_into(Numbers& to, const double* from) {
     std::memcpy(&to, from, sizeof to);
 }
 
-// Two vectors of planes at a time; compiled for more than one kind of machine, with the same
-// results: there is no fused multiplication, and lanes know nothing of each other.
+// Processes two vectors of planes at a time. Compiled for several instruction sets with identical
+// results, because no fused multiplication is used and lanes are independent.
 template <class Lanes>
 [[gnu::always_inline]] inline void look_at_with(const RowsOfPlanes& planes, std::size_t count,
                                                 const RowsOfPoints& points, std::size_t corners,
@@ -191,7 +196,7 @@ template <class Lanes>
     }
 }
 
-// Nothing, but in builds that count.
+// Counts glances; empty except in builds that count.
 void count_glances([[maybe_unused]] std::span<const Glance> glances) {
 #ifdef NCSIM_COUNT_FILTERS
     count_asked(Filter::Glance, glances.size());
@@ -285,7 +290,7 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
                                      const std::array<std::int64_t, 3>& max,
                                      const std::array<FilterPlane, 6>& walls) {
     plane_ = &plane;
-    // Four walls around the axis along which the plane is steepest cut a parallelogram out of it.
+    // The four walls around the axis along which the plane is steepest cut out a parallelogram.
     const std::array<double, 3> n{plane.nx, plane.ny, plane.nz};
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -314,8 +319,8 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
     return clip_to_walls(walls[2 * axis], walls[2 * axis + 1]);
 }
 
-// The same as two calls of clip(), for four corners between parallel planes: where doubles tell on
-// which side of both they are, in one walk around them.
+// The same as two calls of clip(), for four corners between parallel planes. If doubles decide the
+// sides of all corners, one pass around the corners suffices.
 bool FilteredPolygon::clip_to_walls(const FilterPlane& lower, const FilterPlane& upper) {
     constexpr std::size_t kCorners = 4;
     std::array<double, kCorners> below, above;
@@ -377,7 +382,7 @@ int FilteredPolygon::classify_corners(const FilterPlane& cut) {
     return 0;
 }
 
-// The same where doubles do not tell for some corners.
+// The same if doubles do not decide for some corners.
 int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) {
     sides_.resize(size());
     bool any_below = false;
@@ -402,7 +407,7 @@ int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) {
 bool FilteredPolygon::clip(const FilterPlane& cut) {
     const int where = classify_corners(cut);
     if (where != 0) return where > 0;
-    // Corners above stand in a row: from `first` to before `next`, around the end perhaps.
+    // Corners above are consecutive: from `first` up to `next`, perhaps across the end.
     const std::size_t n = size();
     std::size_t first = 0;
     while (sides_[first] != Side::Above || sides_[before(first)] == Side::Above)
@@ -425,7 +430,8 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
         error = std::max(error, at.error);
         to.add(at.p, edge);
     };
-    // The edge in `cut` begins at the last corner before those above, if that lies in it.
+    // The edge in `cut` begins at the last corner before the corners above, if this corner lies in
+    // `cut`.
     const auto leave = [&]() __attribute__((always_inline)) {
         const std::size_t last = before(first);
         if (sides_[last] == Side::On) {

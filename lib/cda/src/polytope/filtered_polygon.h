@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Convex polygons in a plane, and segments on a line of two planes, for the inner loop of the tree:
-// corners are doubles with a bound on their error; the planes that make a corner are kept, so that
-// a question the doubles cannot answer is put to integers. Same answers as polygon.h, no allocation
-// per cut.
+// Convex polygons in a plane, and segments on a line of two planes, for the inner loop of the tree.
+// Corners are doubles with an error bound. The planes of each corner are stored, so that integers
+// decide if doubles cannot. The results equal those of polygon.h, without allocation per cut.
 #pragma once
 
 #include "ncsim/cda/polygon.h"
@@ -16,7 +15,7 @@
 
 namespace ncsim::cda {
 
-/// A plane with its coefficients as doubles (exact: they have 24 and 52 bits at most).
+/// A plane with coefficients in doubles, exactly (at most 24 and 52 bits).
 struct FilterPlane {
     FilterPlane() = default;
     explicit FilterPlane(const Plane& p, std::uint32_t source_number = 0)
@@ -31,10 +30,10 @@ struct FilterPlane {
     double nx = 0, ny = 0, nz = 0, d = 0;
     double one_norm = 0;  ///< |nx| + |ny| + |nz|
     Plane exact;
-    std::uint32_t source = 0;  ///< Whoever made it knows it by this number.
+    std::uint32_t source = 0;  ///< Number chosen by the creator of the plane.
 };
 
-/// Planes side by side, for looking at many of them at once.
+/// Planes in rows, for SIMD classification.
 class PlaneRows {
 public:
     void clear() { size_ = 0; }
@@ -46,50 +45,51 @@ private:
     friend class FilteredPolygon;
     std::size_t size_ = 0;
     std::vector<const FilterPlane*> planes_;
-    std::vector<double> nx_, ny_, nz_, d_, one_norm_;  // longer, so that none is read beyond
+    // longer than size_, so that vector loads stay within
+    std::vector<double> nx_, ny_, nz_, d_, one_norm_;
 };
 
-/// Where a polygon lies to a plane, as far as doubles tell.
+/// Position of a polygon relative to a plane, as far as doubles decide.
 enum class Glance : std::int64_t { Doubtful = 0, Below = 1, Above = 2, Across = 4 };
 
-/// The same for each plane of some rows, and how high above it the lowest and the highest corner
-/// are, nearly.
+/// Position for each plane of some rows, with the approximate heights of the lowest and the highest
+/// corner above the plane.
 struct Glances {
     std::vector<Glance> where;
     std::vector<double> low, high;
 };
 
-/// A point with its error, in lattice units.
+/// A point with an error bound, in lattice units.
 struct FilteredPoint {
     Vec3 p;
-    double error = 0;  ///< Of each coordinate.
+    double error = 0;  ///< Bound for each coordinate.
 };
 
-/// A piece of the line where two planes meet, in direction n_plane × n_line. Planes are referred to
-/// by their address, which must outlive it.
+/// A piece of the line where two planes meet, in direction n_plane × n_line. Planes are stored as
+/// pointers and must outlive the segment.
 struct FilteredSegment {
     const FilterPlane* plane = nullptr;
     const FilterPlane* line = nullptr;
-    const FilterPlane* tail_cut = nullptr;  ///< Ends are where the line meets these.
+    const FilterPlane* tail_cut = nullptr;  ///< Planes that the line meets at the ends.
     const FilterPlane* head_cut = nullptr;
     FilteredPoint tail, head;
 
     enum class Clipped : std::uint8_t {
-        Whole,    ///< Lies below.
-        Tail,     ///< Lost its tail.
-        Head,     ///< Lost its head.
-        Nothing,  ///< Lies above: undefined now.
-        Inside,   ///< Lies in the plane.
+        Whole,    ///< The segment is below the plane.
+        Tail,     ///< The tail was cut off.
+        Head,     ///< The head was cut off.
+        Nothing,  ///< The segment is above the plane and is undefined afterwards.
+        Inside,   ///< The segment lies in the plane.
     };
-    /// Keeps what lies below `cut`.
+    /// Keeps the part below `cut`.
     Clipped clip(const FilterPlane& cut);
 };
 
-/// Planes are referred to by their address, which must outlive the polygon.
+/// A convex polygon. Planes are stored as pointers and must outlive the polygon.
 class FilteredPolygon {
 public:
-    /// The part of `plane` within a box of half units: walls[2·axis] is the lower wall,
-    /// walls[2·axis + 1] the upper one. False if it has no area.
+    /// Sets the polygon to the part of `plane` within a box of half units; false if the part has no
+    /// area. walls[2·axis] is the lower wall, walls[2·axis + 1] the upper wall.
     bool assign_section(const FilterPlane& plane, const std::array<std::int64_t, 3>& min,
                         const std::array<std::int64_t, 3>& max,
                         const std::array<FilterPlane, 6>& walls);
@@ -98,29 +98,31 @@ public:
 
     const FilterPlane& plane() const { return *plane_; }
     std::size_t size() const { return corners().size; }
-    /// The plane that cuts off the edge from corner `i` to the next.
+    /// Returns the plane that cuts off the edge from corner `i` to the next corner.
     const FilterPlane& edge_plane(std::size_t i) const { return *corners().edge[i]; }
-    /// From corner `i` to the next.
+    /// Returns the edge from corner `i` to the next corner.
     FilteredSegment edge(std::size_t i) const;
 
-    /// Keeps what lies below `cut`; false, and then undefined, if that has no area.
+    /// Keeps the part below `cut`. False if the part has no area; the polygon is undefined
+    /// afterwards.
     bool clip(const FilterPlane& cut);
 
-    /// Looks at planes `begin` … `end` of the rows: the glances at the same places, and nobody
-    /// knows what at a few more. O(corners · planes), with a small factor.
+    /// Classifies the polygon against planes [begin, end) of the rows. Results have the same
+    /// indices; a few more entries are overwritten with undefined values.
+    /// Cost: O(corners · planes), with a small factor.
     void look(const PlaneRows& planes, std::size_t begin, std::size_t end, Glances& glances) const;
 
-    /// 1: lies below or in the plane; -1: no part of it below; 0: on both sides. Exact. Not const:
-    /// it notes what it finds.
+    /// Returns 1 if the polygon is below or in the plane, -1 if no part is below, 0 if parts are on
+    /// both sides. Exact. Not const, because sides and heights are cached.
     int classify(const FilterPlane& cut) { return classify_corners(cut); }
 
 private:
     struct Corners {
         std::vector<double> x, y, z;
-        std::vector<const FilterPlane*> edge;  // from corner i to the next
+        std::vector<const FilterPlane*> edge;  // edge from corner i to the next
         std::size_t size = 0;
 
-        // None, with room for so many.
+        // Removes all corners and reserves space for `most`.
         void clear(std::size_t most) {
             size = 0;
             if (x.size() < most + kSpare) make_room(most);
@@ -134,7 +136,7 @@ private:
         }
         void add(const Corners& other, std::size_t i) { add(other.at(i), other.edge[i]); }
         Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
-        // Repeats the first corner, so that loops over corners have no remainder: until where.
+        // Repeats the first corner so that vector loops have no remainder; returns the padded size.
         std::size_t pad();
 
     private:
@@ -143,13 +145,14 @@ private:
     };
     Corners& corners() { return sets_[now_]; }
     const Corners& corners() const { return sets_[now_]; }
-    // What clip() keeps: until turn(), another set of corners.
+    // Second set of corners that clip() fills; turn() makes it current.
     Corners& kept() { return sets_[1 - now_]; }
     void turn() { now_ = 1 - now_; }
     FilteredPoint corner(std::size_t i) const { return {corners().at(i), error_}; }
     std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
     std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
-    // 1: all below or on; -1: none below; 0: cut, and sides_ and heights_ are known.
+    // Returns 1 if all corners are below or on, -1 if none is below, 0 if cut; sides_ and heights_
+    // are then valid.
     int classify_corners(const FilterPlane& cut);
     int classify_doubtful(const FilterPlane& cut, double bound);
     bool clip_to_walls(const FilterPlane& lower, const FilterPlane& upper);
@@ -158,8 +161,8 @@ private:
     std::array<Corners, 2> sets_;
     std::size_t now_ = 0;
     std::size_t padded_ = 0;
-    double error_ = 0.0;  // of each coordinate of them
-    // Of the last classification.
+    double error_ = 0.0;  // bound for each coordinate of the corners
+    // Results of the last classification.
     std::vector<Side> sides_;
     std::vector<double> heights_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Quickhull says which points make which facet; everything that is kept is then computed from
-// the integer points, so that qhull's rounding never reaches a plane where qhull is asked.
+// Cells from convex hulls. Quickhull decides which points form which facet. All stored values are
+// then computed from the integer points, so that the rounding of qhull, if used, affects no plane.
 #include "ncsim/cda/hull.h"
 
 #include "ncsim/cda/predicates.h"
@@ -40,7 +40,7 @@ Wide cross(LatticePoint a, LatticePoint b) {
             product(a.x, b.y) - product(a.y, b.x)};
 }
 
-// Twice the area vector of a loop (Newell): the same for every starting corner, since it is exact.
+// Returns twice the area vector of a loop (Newell). Exact, hence independent of the first corner.
 Wide area_vector(std::span<const LatticePoint> points, const std::vector<std::uint32_t>& loop) {
     Wide sum;
     const LatticePoint a = points[loop[0]];
@@ -51,8 +51,8 @@ Wide area_vector(std::span<const LatticePoint> points, const std::vector<std::ui
     return sum;
 }
 
-// Of absolute values. The greatest common divisor, or 0 if it is less than `least`: what remains
-// of divisions gets smaller, and is a multiple of it. Of nothing but zeros it is 0.
+// Returns the greatest common divisor of absolute values, or 0 if the divisor is less than `least`:
+// the remainders of Euclid's algorithm decrease and are multiples of the divisor. 0 for zeros only.
 std::int64_t common_divisor(std::array<std::int64_t, 3> values, std::int64_t least) {
     std::int64_t a = 0;
     for (std::int64_t b : values) {
@@ -66,8 +66,8 @@ std::int64_t common_divisor(std::array<std::int64_t, 3> values, std::int64_t lea
     return a;
 }
 
-// The nearest normal of kNormalBits to `v`, without common divisors; exact where it fits. v and -v
-// give opposite normals. Requires v != 0, components below 2^100.
+// Returns the normal of kNormalBits nearest to `v`, without common divisors; exact if possible. v
+// and -v give opposite normals. Requires: v != 0, components below 2^100.
 Normal quantised(const Wide& v) {
     const Int128 largest = std::max({absolute(v.x), absolute(v.y), absolute(v.z)});
     constexpr Int128 kLimit = Int128{1} << kNormalBits;
@@ -81,19 +81,19 @@ Normal quantised(const Wide& v) {
     if (largest < (Int128{1} << 62)) {
         const auto x = static_cast<std::int64_t>(v.x), y = static_cast<std::int64_t>(v.y),
                    z = static_cast<std::int64_t>(v.z);
-        // What it has to be divided by at least, to fit.
+        // Smallest divisor with which the components fit.
         const auto least = static_cast<std::int64_t>((largest + kLimit - 1) >> kNormalBits);
         const std::int64_t g = common_divisor({std::abs(x), std::abs(y), std::abs(z)}, least);
         if (g != 0) return {x / g, y / g, z / g};
     } else {
-        // Divided by hand, since std::gcd has no 128 bits: only what is axis-parallel or diagonal
-        // matters here, and for that a division by the largest component is enough.
+        // std::gcd does not support 128 bits. Only axis-parallel and diagonal vectors matter here,
+        // and for these a division by the largest component suffices.
         const auto divides = [&](Int128 c) { return c % largest == 0; };
         if (divides(v.x) && divides(v.y) && divides(v.z)) {
             return reduced(v.x / largest, v.y / largest, v.z / largest);
         }
     }
-    // Halves away from zero, so that opposite vectors round to opposite normals.
+    // Rounds halves away from zero, so that opposite vectors give opposite normals.
     const auto scaled = [&](Int128 c) {
         const Int128 q = (2 * absolute(c) * kLimit / largest + 1) / 2;
         return c < 0 ? -q : q;
@@ -105,7 +105,7 @@ std::int64_t dot(Normal n, LatticePoint p) {
     return n.x * p.x + n.y * p.y + n.z * p.z;
 }
 
-// The plane of a normal that has all of `points` below it.
+// Returns the distance of the supporting plane: all `points` are below or on the plane.
 std::int64_t support(Normal n, std::span<const LatticePoint> points) {
     std::int64_t d = dot(n, points[0]);
     for (const LatticePoint& p : points)
@@ -126,11 +126,11 @@ Extent extent(std::span<const LatticePoint> points) {
     return e;
 }
 
-// The hull with its facets in lattice coordinates. To quantise a normal takes long divisions: only
-// where it is asked for.
+// The hull with facets in lattice coordinates. Normals are quantised on demand, because
+// quantisation needs long divisions.
 struct LatticeHull {
     std::vector<std::vector<std::uint32_t>> loops;
-    std::vector<Wide> areas;  // twice their area vectors
+    std::vector<Wide> areas;  // twice the area vectors
 
     Normal normal(std::size_t facet) const { return quantised(areas[facet]); }
 };
@@ -148,10 +148,10 @@ LatticeHull lattice_hull(std::span<const LatticePoint> points, HullFacets facets
     return hull;
 }
 
-// By qhull, facets in one plane as one.
+// Returns the hull by qhull, with coplanar facets merged.
 std::optional<LatticeHull> merged_hull(std::span<const LatticePoint> points) {
     if (points.empty()) return std::nullopt;
-    // Relative to a corner: doubles then hold the differences exactly.
+    // Relative to a corner, so that doubles represent the differences exactly.
     const Extent e = extent(points);
     std::vector<Vec3> local;
     local.reserve(points.size());
@@ -165,13 +165,13 @@ std::optional<LatticeHull> merged_hull(std::span<const LatticePoint> points) {
     return lattice_hull(points, std::move(*facets));
 }
 
-// In triangles, where that can be.
+// Returns the hull in triangles if the integer algorithm succeeds.
 std::optional<LatticeHull> hull_of(std::span<const LatticePoint> points) {
     if (auto facets = lattice_quickhull(points)) return lattice_hull(points, std::move(*facets));
     return merged_hull(points);
 }
 
-// Normals have no common divisor here, so planes are canonical as they are.
+// Normals have no common divisor here, so the planes are canonical.
 Plane plane_of(Normal n, std::int64_t d) {
     return {static_cast<std::int32_t>(n.x), static_cast<std::int32_t>(n.y),
             static_cast<std::int32_t>(n.z), d};
@@ -187,7 +187,7 @@ Plane facet_plane(const LatticeHull& hull, std::size_t facet, std::span<const La
     return plane_of(n, d);
 }
 
-// None stands twice: facets in one plane share it. Its index.
+// Adds a plane unless present, so that facets in one plane share the plane. Returns the index.
 std::size_t add(std::vector<Plane>& planes, const Plane& plane) {
     const auto same = std::find(planes.begin(), planes.end(), plane);
     const auto index = static_cast<std::size_t>(same - planes.begin());
@@ -195,8 +195,8 @@ std::size_t add(std::vector<Plane>& planes, const Plane& plane) {
     return index;
 }
 
-// A unit vector that leans as little as is easily found from the worst of `normals`, of unit
-// length; the cosine between them, below 0 if there is none. None better is looked for once it is
+// Returns the cosine between the worst of `normals` (unit vectors) and a unit vector that is close
+// to all; negative if no such vector is found. The search stops as soon as the cosine is at least
 // `enough`.
 double common_cosine(std::span<const Vec3> normals, double enough) {
     const auto worst_of = [&](Vec3 m) {
@@ -208,8 +208,8 @@ double common_cosine(std::span<const Vec3> normals, double enough) {
         sum = sum + n;
     Vec3 m = normalized(sum);
     double best = dot(m, worst_of(m));
-    // Towards the worst by ever less: the middle of the smallest ball around the normals (Badoiu
-    // and Clarkson, Smaller core-sets for balls, 2003).
+    // Moves towards the worst normal by decreasing steps: the centre of the smallest ball around
+    // the normals (Badoiu and Clarkson, Smaller core-sets for balls, 2003).
     constexpr int kSteps = 8;
     for (int i = 1; i <= kSteps && !(best > 0.0 && best >= enough); ++i) {
         m = m + (1.0 / (i + 1)) * (worst_of(m) - m);
@@ -219,7 +219,7 @@ double common_cosine(std::span<const Vec3> normals, double enough) {
     return best;
 }
 
-// Which facet is on the other side of an edge of a facet.
+// The facet on the opposite side of each edge.
 class Neighbours {
 public:
     explicit Neighbours(const std::vector<std::vector<std::uint32_t>>& loops) {
@@ -230,7 +230,7 @@ public:
             for (const std::uint32_t corner : loop)
                 corners = std::max(corners, corner + 1);
         }
-        // Edges by where they begin.
+        // Edges grouped by tail.
         begin_.resize(corners + std::size_t{1});
         for (const auto& loop : loops) {
             for (const std::uint32_t corner : loop)
@@ -252,9 +252,9 @@ public:
             }
         }
     }
-    // Does each edge of a facet belong to one other, the other way round?
+    // True if each edge of a facet occurs exactly once in each direction.
     bool is_closed() const { return is_closed_; }
-    // Requires that they are closed.
+    // Requires: is_closed().
     std::uint32_t across(std::uint32_t from, std::uint32_t to) const {
         return find(to, from)->facet;
     }
@@ -263,7 +263,7 @@ private:
     struct Edge {
         std::uint32_t to, facet;
     };
-    // The first of its kind. Few edges begin at a corner.
+    // Returns the first edge with these ends. Few edges begin at a corner.
     const Edge* find(std::uint32_t from, std::uint32_t to) const {
         for (std::uint32_t i = begin_[from]; i < begin_[from + std::size_t{1}]; ++i) {
             if (edges_[i].to == to) return &edges_[i];
@@ -271,12 +271,12 @@ private:
         return nullptr;
     }
 
-    std::vector<std::uint32_t> begin_;  // of the edges of a corner
+    std::vector<std::uint32_t> begin_;  // index of each corner's first edge
     std::vector<Edge> edges_;
     bool is_closed_ = true;
 };
 
-// The outline of facets that are one patch; empty if it is not one loop.
+// Returns the outline of the facets of a patch; empty if the outline is not one loop.
 std::vector<std::uint32_t> outline(const LatticeHull& hull, std::span<const std::uint32_t> patch,
                                    const std::vector<std::uint32_t>& patch_of,
                                    const Neighbours& neighbours) {
@@ -301,14 +301,15 @@ std::vector<std::uint32_t> outline(const LatticeHull& hull, std::span<const std:
     return loop;
 }
 
-// They close, as the facets do.
+// A hull of merged facets, closed if the facets are.
 struct Patches {
     LatticeHull hull;
-    std::vector<Plane> planes;  // one a patch, with all points below it
+    std::vector<Plane> planes;  // one per patch, with all points below
 };
 
-// The hull in patches, each with the plane of its largest facet: around that, all whose corners are
-// less than `depth` units below. Nothing if the facets do not close, or a patch is no disc.
+// Merges the hull into patches, each with the plane of the largest facet: a patch contains the
+// connected facets around whose corners are less than `depth` units below the plane. Empty if the
+// facets do not close, or a patch is not a disc.
 std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const LatticePoint> points,
                                   double depth) {
     const Neighbours neighbours(hull.loops);
@@ -331,7 +332,7 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     });
     constexpr std::uint32_t kNone = ~0U;
     std::vector<std::uint32_t> patch_of(count, kNone);
-    std::vector<std::uint32_t> looked_at(count, kNone);  // for which patch
+    std::vector<std::uint32_t> looked_at(count, kNone);  // patch of the last test
     std::vector<std::int64_t> heights(points.size());
     std::vector<std::uint32_t> facets;  // patch by patch
     facets.reserve(count);
@@ -380,17 +381,18 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     return result;
 }
 
-// Is the cell of these planes, one a facet, nowhere farther than `limit` units from the hull of the
-// points? False if that is not known. Each plane has all points below it, and each edge of a facet
-// belongs to one other.
+// True if the cell of these planes, one per facet, is proven to be nowhere farther than `limit`
+// units from the hull of the points. Requires: each plane has all points below, and the facets
+// close.
 //
-// Around each corner the normals of the facets span a cone. If the facets close, and each faces
-// away from a point inside at all of its corners, these cones cover all directions: the map from
-// the surface to its normals can be shrunk to that from its points to where they are seen from
-// inside. So any unit vector u is a sum Σ λi ni over the facets around one corner p, and no point
-// of the cell is farther along it than Σ λi (ni·p + e) = u·p + e Σ λi, where e is how far the
-// planes are above p, which is in the hull. If m is a unit vector with m·ni ≥ c for these facets,
-// then c Σ λi ≤ m·u ≤ 1: the cell is no farther away along u than e/c.
+// Proof: around each corner the normals of the facets span a cone. If the facets close, and each
+// faces away from a point inside at all of the facet's corners, these cones cover all directions,
+// because the map from the surface to the normals is homotopic to the map from the surface to the
+// directions seen from the point inside. So any unit vector u is a sum Σ λi ni over the facets
+// around one corner p. No point of the cell is farther along u than Σ λi (ni·p + e) = u·p + e Σ λi,
+// where e is the largest height of the planes above p, and p is in the hull. If m is a unit vector
+// with m·ni ≥ c for these facets, then c Σ λi ≤ m·u ≤ 1. So the cell is at most e/c farther along
+// u.
 bool is_within(const LatticeHull& hull, std::span<const LatticePoint> points,
                const std::vector<Plane>& planes, double limit) {
     const auto vec_of = [](std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -433,8 +435,8 @@ bool is_within(const LatticeHull& hull, std::span<const LatticePoint> points,
     return true;
 }
 
-// Six planes that keep a cell within the box of its points: where facets are nearly parallel,
-// quantising them could let a corner run far away.
+// Normals of six planes that keep a cell within the box of the points. Without these planes,
+// quantisation of nearly parallel facets could move a corner far away.
 constexpr std::array<Normal, 6> kBoxNormals{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
@@ -465,14 +467,14 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
 
 std::optional<Cell> convex_hull_within(std::span<const LatticePoint> points, const Lattice& lattice,
                                        Origin origin, double slack) {
-    // Which facets qhull finds in one plane may depend on the order of the points.
+    // The facets that qhull merges may depend on the order of the points.
     std::vector<LatticePoint> sorted(points.begin(), points.end());
     std::sort(sorted.begin(), sorted.end(), [](const LatticePoint& a, const LatticePoint& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     });
     const auto hull = hull_of(sorted);
     if (!hull) return std::nullopt;
-    // Where the normals around a corner are far apart the cell reaches farther out than its planes.
+    // If the normals around a corner differ much, the cell reaches farther than the planes.
     constexpr double kShare = 0.5;
     if (kShare * slack >= 1.0) {
         if (const auto patches = in_patches(*hull, sorted, kShare * slack)) {
@@ -502,7 +504,7 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
     sweep.lattice_ = lattice;
     sweep.rounding_ = rounding;
 
-    // Only corners of the hull count for supports.
+    // Only corners of the hull affect supports.
     std::map<std::uint32_t, std::uint32_t> renumbered;
     for (const auto& loop : hull->loops) {
         for (const std::uint32_t corner : loop)
@@ -526,8 +528,8 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
     for (const auto& [edge, left] : facet_at) {
         if (edge.first > edge.second) continue;
         const auto right = facet_at.find({edge.second, edge.first});
-        if (right == facet_at.end()) continue;  // qhull merged across it
-        if (right->second == left) continue;    // quantised to one plane
+        if (right == facet_at.end()) continue;  // qhull merged across the edge
+        if (right->second == left) continue;    // both quantised to one plane
         sweep.edges_.push_back({left, right->second, edge.first, edge.second});
     }
     for (const Normal& n : kBoxNormals)
@@ -570,8 +572,9 @@ Box TranslationSweep::bounds(LatticePoint from, LatticePoint to) const {
     return {lattice_.to_mm(low_ + least(from, to)), lattice_.to_mm(high_ + most(from, to))};
 }
 
-// Edges of the silhouette seen along t: e × t points outwards where the left facet goes with the
-// motion and the right one against it (left facet counter-clockwise, e = n_left × n_right).
+// Adds the planes along the motion through edges of the silhouette. e × t points outwards if the
+// left facet faces forward and the right facet backward (left facet counter-clockwise, e = n_left ×
+// n_right).
 void TranslationSweep::add_sides(Cell& cell, LatticePoint from, LatticePoint to) const {
     const LatticePoint t = to - from;
     const auto normal = [](const Plane& p) { return Normal{p.nx, p.ny, p.nz}; };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Intersection of polytopes: duality in doubles, verified exactly, with an exact fallback.
 #include "ncsim/cda/intersect.h"
 
 #include "polytope/linear_program.h"
@@ -11,7 +13,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// Seeds are counted up from here when a corner of the linear program was degenerate.
+// First seed; the next seed is tried if a corner of the linear program is degenerate.
 constexpr std::uint64_t kSeed = 2001;
 constexpr int kTries = 3;
 
@@ -32,7 +34,7 @@ std::vector<Plane> planes_of(const ConvexPolytope& polytope) {
     return planes;
 }
 
-// Planes of both, each once, sorted.
+// Returns the planes of both, sorted, without duplicates.
 std::vector<Plane> joint_planes(std::vector<Plane> planes, const std::vector<Plane>& others) {
     planes.insert(planes.end(), others.begin(), others.end());
     std::sort(planes.begin(), planes.end());
@@ -40,7 +42,7 @@ std::vector<Plane> joint_planes(std::vector<Plane> planes, const std::vector<Pla
     return planes;
 }
 
-// In whole units, not smaller.
+// Returns a box in integer units that contains the box in mm.
 Box box_in_units(const Box& mm, const Lattice& lattice) {
     const auto units = [&](Vec3 p, double widen) {
         const double k = 1.0 / lattice.unit_mm;
@@ -62,10 +64,10 @@ std::vector<Halfspace> halfspaces_of(const std::vector<Plane>& planes) {
     return halfspaces;
 }
 
-// Is the point, a dyadic number of lattice units, strictly below all planes?
+// True if the point, rounded to 2^-16 units, is strictly below all planes.
 bool is_strictly_inside(Vec3 point, const std::vector<Plane>& planes) {
-    // 2^-16 of a unit is 0.15 fm at 10 nm; the point itself may be moved by that, so the rounded
-    // one is what is tested.
+    // 2^-16 of a unit is 0.15 fm at 10 nm. Moving the point by this distance is harmless, so the
+    // rounded point is tested.
     constexpr double kScale = 65536.0;
     const auto fixed = [](double v) { return static_cast<std::int64_t>(std::round(v * kScale)); };
     const std::int64_t x = fixed(point.x);
@@ -78,8 +80,8 @@ bool is_strictly_inside(Vec3 point, const std::vector<Plane>& planes) {
     });
 }
 
-// Dual facets are corners, dual corners are facets. The corner of a dual facet is computed from
-// three of its planes and must lie on the others, exactly.
+// Computes the primal polytope: dual facets become corners, dual corners become facets. The corner
+// of a dual facet is computed from three planes and must lie on the remaining planes, exactly.
 std::optional<ConvexPolytope> primal_of(const HullFacets& dual, const std::vector<Plane>& planes) {
     std::vector<ExactPoint> vertices;
     vertices.reserve(dual.loops.size());
@@ -96,7 +98,8 @@ std::optional<ConvexPolytope> primal_of(const HullFacets& dual, const std::vecto
     }
 
     struct Place {
-        std::uint32_t facet, previous;  ///< A dual facet with the edge, and the corner before it.
+        /// A dual facet with the edge, and the corner before the edge.
+        std::uint32_t facet, previous;
     };
     std::map<std::pair<std::uint32_t, std::uint32_t>, Place> edges;  // i → next
     for (std::uint32_t j = 0; j < dual.loops.size(); ++j) {
@@ -108,7 +111,8 @@ std::optional<ConvexPolytope> primal_of(const HullFacets& dual, const std::vecto
         }
     }
 
-    // Counter-clockwise about dual corner i: from each facet across the edge to the corner before.
+    // Counter-clockwise about dual corner i: from each facet across the edge to the previous
+    // corner.
     std::vector<ConvexPolytope::Facet> facets(planes.size());
     for (std::uint32_t i = 0; i < planes.size(); ++i)
         facets[i].plane = planes[i];
@@ -125,7 +129,7 @@ std::optional<ConvexPolytope> primal_of(const HullFacets& dual, const std::vecto
             }
             at = next->second;
         } while (at.facet != first.facet);
-        // Corners that coincide belong to an edge of no length, which qhull made of rounding.
+        // Coincident corners belong to an edge of length 0, an artefact of rounding in qhull.
         for (std::size_t k = 0; k < facet.vertices.size(); ++k) {
             const auto& other = dual.loops[facet.vertices[(k + 1) % facet.vertices.size()]];
             const ExactPoint& corner = vertices[facet.vertices[k]];
@@ -192,7 +196,7 @@ std::optional<ConvexPolytope> intersect_exact(const ConvexPolytope& a, const Con
 
 namespace {
 
-// Within `box`, which is not smaller than the intersection.
+// Intersects within `box`, which contains the intersection.
 std::optional<ConvexPolytope> intersect_within(const Box& box, const ConvexPolytope& a,
                                                const std::vector<Plane>& cuts,
                                                IntersectionCosts& costs, Clock clock) {
@@ -281,7 +285,7 @@ std::optional<Vec3> point_inside(const std::vector<Plane>& told, const Box& box)
     const auto polytope = ConvexPolytope::of(cell, lattice);
     if (!polytope) return std::nullopt;
     const Vec3 middle = middle_of_corners(*polytope);
-    // Of slivers that doubles cannot tell from planes it may lie beside them.
+    // For slivers below the resolution of doubles, the middle may lie outside.
     return is_strictly_inside(middle, planes) ? std::optional(middle) : std::nullopt;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outline: a tetrahedron, then one point after the other, each time the farthest that some triangle
-// sees. The triangles that it sees go; a cone over the rim of the hole takes their place. A
-// triangle that has the point in its plane does not see it: it stays, and the cone adds to its
-// facet.
+// Quickhull: starts with a tetrahedron and adds the farthest point that some triangle sees, one at
+// a time. The triangles that see the point are removed, and a cone over the rim of the hole is
+// added. A triangle whose plane contains the point does not see the point: the triangle stays, and
+// the cone extends the triangle's facet.
 #include "polytope/lattice_quickhull.h"
 
 #include "ncsim/cda/predicates.h"
@@ -22,13 +22,13 @@ namespace {
 
 struct Triangle {
     std::array<std::uint32_t, 3> corners{};
-    std::array<std::uint32_t, 3> across{};  // the edge from corners[i] to the next one
-    std::int64_t nx = 0, ny = 0, nz = 0;    // outwards; twice its area
-    std::uint32_t seen = kNone;             // the first of the points that it sees
-    std::uint32_t farthest = kNone;         // of them
-    double distance = 0.0;                  // of that, times |n|
+    std::array<std::uint32_t, 3> across{};  // neighbour across the edge from corners[i] to the next
+    std::int64_t nx = 0, ny = 0, nz = 0;    // outward normal; twice the area
+    std::uint32_t seen = kNone;             // first of the points that the triangle sees
+    std::uint32_t farthest = kNone;         // farthest of these points
+    double distance = 0.0;                  // distance of `farthest`, times |n|
     bool is_gone = false;
-    std::uint32_t looked_at = kNone;  // for which point
+    std::uint32_t looked_at = kNone;  // point of the last test
     bool sees_it = false;
 };
 
@@ -51,7 +51,8 @@ public:
     }
 
 private:
-    // Then a normal has 62 bits, and its product with a difference 91.
+    // True if all coordinates are close enough: normals then have 62 bits, and products of normals
+    // and differences 91.
     bool is_near_together() const {
         constexpr std::int64_t kFarthest = std::int64_t{1} << 29;
         const LatticePoint a = points_[0];
@@ -61,8 +62,8 @@ private:
         });
     }
 
-    // How far `p` is above the triangle, times |n|: 0 only if it is in its plane, and of the right
-    // sign.
+    // Returns the height of `p` above the triangle, times |n|: with the right sign, and 0 only if
+    // `p` is in the plane.
     double above(const Triangle& t, std::uint32_t p) const {
         const LatticePoint d = points_[p] - points_[t.corners[0]];
         const double x = static_cast<double>(t.nx) * static_cast<double>(d.x);
@@ -76,7 +77,7 @@ private:
         return static_cast<double>(exact);
     }
 
-    // Its index; kNone if it has no area.
+    // Adds a triangle and returns the index; kNone if the triangle has no area.
     std::uint32_t add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         Triangle t;
         t.corners = {a, b, c};
@@ -89,7 +90,8 @@ private:
         return static_cast<std::uint32_t>(triangles_.size()) - 1;
     }
 
-    // To the first of the triangles from `first` on that sees it. Which none sees is in the hull.
+    // Assigns a point to the first triangle from `first` on that sees the point. A point that no
+    // triangle sees is in the hull.
     void give(std::uint32_t p, std::size_t first) {
         for (std::size_t i = first; i < triangles_.size(); ++i) {
             Triangle& t = triangles_[i];
@@ -105,7 +107,7 @@ private:
         }
     }
 
-    // The tetrahedron; false if all points lie in a plane.
+    // Builds the tetrahedron; false if all points lie in a plane.
     bool begin() {
         const auto count = static_cast<std::uint32_t>(points_.size());
         const auto vec = [this](std::uint32_t i, std::uint32_t from) {
@@ -132,7 +134,7 @@ private:
         const double height = above(base, d);
         if (height == 0.0) return false;
         triangles_.clear();
-        // `d` is below the first.
+        // `d` is below the first triangle.
         const std::array<std::uint32_t, 3> abc =
             height < 0.0 ? std::array{a, b, c} : std::array{a, c, b};
         add_triangle(abc[0], abc[1], abc[2]);
@@ -157,7 +159,7 @@ private:
         return t.sees_it;
     }
 
-    // False if the cone would have a triangle without an area.
+    // Adds a point; false if the cone would have a triangle without area.
     bool add_point(std::uint32_t p, std::uint32_t first) {
         gone_.assign(1, first);
         rim_.clear();
@@ -186,7 +188,8 @@ private:
                     beyond.across[k] = made;
             }
         }
-        // The rim is one loop: the triangle that begins where another one ends is beside it.
+        // The rim is one loop: a triangle is adjacent to the triangle that begins where the first
+        // ends.
         at_.resize(points_.size());
         for (std::uint32_t i = 0; i < rim_.size(); ++i)
             at_[rim_[i].from] = begin + i;
@@ -209,7 +212,7 @@ private:
         std::uint32_t from, to, beyond;
     };
     std::span<const LatticePoint> points_;
-    std::vector<std::uint32_t> next_;  // among the points that a triangle sees
+    std::vector<std::uint32_t> next_;  // list of the points that a triangle sees
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> gone_;
     std::vector<Edge> rim_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Seidel's linear programming in one, two and three dimensions.
 #include "polytope/linear_program.h"
 
 #include "ncsim/cda/mix.h"
@@ -14,16 +16,16 @@ namespace ncsim::cda {
 
 namespace {
 
-// a·s + b·t <= c in the coordinates (s, t) of a plane.
+// The half-plane a·s + b·t <= c in the coordinates (s, t) of a plane.
 struct Halfplane {
     double a = 0.0, b = 0.0, c = 0.0;
 };
 
-// How far a point may be beyond a halfspace and still count as in it, relative to the size of the
-// coordinates. Only the speed of the caller depends on it: it verifies whatever comes out.
+// Tolerance of a point beyond a halfspace, relative to the size of the coordinates. Callers verify
+// every result, so the tolerance affects only the speed.
 constexpr double kRelativeSlack = 1e-12;
 
-// The best point of a line p + r·(dx, dy) in the halfplanes; nothing if there is none.
+// Returns the best point of the line p + r·(dx, dy) in the half-planes; empty if there is none.
 std::optional<std::pair<double, double>> best_on_line(double px, double py, double dx, double dy,
                                                       std::span<const Halfplane> halfplanes,
                                                       double reach, bool forward, double slack) {
@@ -45,7 +47,7 @@ std::optional<std::pair<double, double>> best_on_line(double px, double py, doub
     return std::pair{px + r * dx, py + r * dy};
 }
 
-// The two-dimensional program: the same thing one dimension lower.
+// Solves the two-dimensional program by the same algorithm, one dimension lower.
 std::optional<std::pair<double, double>> farthest_in_plane(std::span<const Halfplane> halfplanes,
                                                            double cs, double ct, double reach,
                                                            double slack) {
@@ -53,7 +55,7 @@ std::optional<std::pair<double, double>> farthest_in_plane(std::span<const Halfp
     for (std::size_t i = 0; i < halfplanes.size(); ++i) {
         const Halfplane& h = halfplanes[i];
         if (h.a * best.first + h.b * best.second <= h.c + slack) continue;
-        // The optimum is now on the boundary of h.
+        // The optimum is on the boundary of h.
         const double dx = -h.b;
         const double dy = h.a;
         const auto next = best_on_line(h.a * h.c, h.b * h.c, dx, dy, halfplanes.first(i),
@@ -74,7 +76,7 @@ std::optional<Vec3> farthest_point(std::span<const Halfspace> halfspaces, const 
                   std::abs(start.max.x), std::abs(start.max.y), std::abs(start.max.z), 1.0});
     const double slack = kRelativeSlack * size;
 
-    // The bounding planes first: the program is bounded from the beginning.
+    // The bounding planes are first, so the program is bounded from the start.
     std::vector<Halfspace> order{{{1, 0, 0}, start.max.x},   {{0, 1, 0}, start.max.y},
                                  {{0, 0, 1}, start.max.z},   {{-1, 0, 0}, -start.min.x},
                                  {{0, -1, 0}, -start.min.y}, {{0, 0, -1}, -start.min.z}};
@@ -92,7 +94,7 @@ std::optional<Vec3> farthest_point(std::span<const Halfspace> halfspaces, const 
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Halfspace& h = order[i];
         if (dot(h.normal, best) <= h.distance + slack) continue;
-        // The optimum is now on the boundary of h: coordinates (s, t) about its foot point.
+        // The optimum is on the boundary of h: coordinates (s, t) about the foot point of h.
         const Vec3 origin = h.distance * h.normal;
         const Vec3 n = h.normal;
         const Vec3 helper = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -128,7 +130,7 @@ std::optional<Vec3> interior_point(std::span<const Halfspace> halfspaces, const 
     const auto corner = farthest_point(halfspaces, start, {cx, cy, cz}, random.next());
     if (!corner) return std::nullopt;
 
-    // The three planes nearest to the corner whose normals are independent span the cone.
+    // The three planes nearest to the corner with independent normals span the cone.
     const std::array<Halfspace, 6> box{{{{1, 0, 0}, start.max.x},
                                         {{0, 1, 0}, start.max.y},
                                         {{0, 0, 1}, start.max.z},
@@ -156,7 +158,7 @@ std::optional<Vec3> interior_point(std::span<const Halfspace> halfspaces, const 
     if (m == tight.size()) return std::nullopt;
     const Vec3 n3 = tight[m].second;
 
-    // The axis of the cone: the direction that leaves all three planes at the same speed.
+    // Axis of the cone: the direction that leaves all three planes at the same speed.
     const Vec3 axis = normalized((-1.0 / dot(n12, n3)) * (n12 + cross(n2, n3) + cross(n3, n1)));
     double low = 0.0;
     double high = std::numeric_limits<double>::infinity();

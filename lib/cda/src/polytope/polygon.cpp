@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exact clipping of convex polygons.
 #include "ncsim/cda/polygon.h"
 
 #include <algorithm>
@@ -39,7 +41,7 @@ std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, const Plane& cu
         const bool leaves = side[i] == Side::Below && side[k] == Side::Above;
         if (side[i] != Side::Above) {
             part.corners.push_back(polygon.corners[i]);
-            // From a corner on the cut the way goes along the cut, unless it leads back inside.
+            // The edge after a corner on the cut is in the cut, unless the edge leads back inside.
             part.edges.push_back(side[i] == Side::On && side[k] != Side::Below ? cut
                                                                                : polygon.edges[i]);
         }
@@ -89,7 +91,7 @@ void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
     ConvexPolygon inside = polygon;
     for (const Plane& cut : crossing) {
         auto next = below(inside, cut);
-        if (!next) {  // no area in common
+        if (!next) {  // no common area
             rest.resize(before);
             rest.push_back(polygon);
             return;
@@ -103,7 +105,7 @@ ConvexPolygon turned_over(const ConvexPolygon& polygon) {
     ConvexPolygon turned;
     turned.plane = polygon.plane.opposite();
     turned.corners.assign(polygon.corners.rbegin(), polygon.corners.rend());
-    // The edge into a corner becomes the edge out of it.
+    // The edge into a corner becomes the edge out of the corner.
     const std::size_t n = polygon.edges.size();
     for (std::size_t i = 0; i < n; ++i)
         turned.edges.push_back(polygon.edges[(2 * n - 2 - i) % n]);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exact clipping of polytopes, volume, and consistency.
 #include "ncsim/cda/polytope.h"
 
 #include "base/none.h"
@@ -14,8 +16,8 @@ namespace ncsim::cda {
 
 namespace {
 
-// A whole number not below (up) or not above the coordinate numerator / w, whose nearest double is
-// `approx`: the coordinate itself where it is whole.
+// Returns an integer not below (`up`) or not above the coordinate numerator / w; the coordinate
+// itself if integer. `approx` is the nearest double of the coordinate.
 double outward(Int128 numerator, Int128 w, double approx, bool up) {
     const double nearest = std::round(approx);
     if (std::abs(approx - nearest) > 1e-3) return up ? std::ceil(approx) : std::floor(approx);
@@ -27,8 +29,8 @@ double outward(Int128 numerator, Int128 w, double approx, bool up) {
 }  // namespace
 
 Side classify_box(const Box& box_units, const Plane& plane) {
-    // The corners farthest along and against the normal. Bounds of polytopes are whole numbers
-    // below 2^(B+1), so 128 bits hold every product.
+    // Evaluates the plane at the corners farthest along and against the normal. Bounds of polytopes
+    // are integers below 2^(B+1), so 128 bits hold every product.
     const auto extreme = [&](bool along) {
         const auto term = [&](std::int64_t n, double low, double high) {
             return static_cast<Int128>(n) *
@@ -44,7 +46,7 @@ Side classify_box(const Box& box_units, const Plane& plane) {
 }
 
 std::optional<ConvexPolytope> ConvexPolytope::of(const Cell& cell, const Lattice& lattice) {
-    // Starts from a box one unit larger than the bounds, whose own planes then vanish.
+    // Starts with a box one unit larger than the bounds; the planes of this box vanish by clipping.
     const LatticePoint min = lattice.round(cell.bounds.min) - LatticePoint{1, 1, 1};
     const LatticePoint max = lattice.round(cell.bounds.max) + LatticePoint{1, 1, 1};
     ConvexPolytope box;
@@ -114,15 +116,15 @@ std::optional<ConvexPolytope> ConvexPolytope::clip(const std::vector<Plane>& pla
     return current;
 }
 
-// 1. Classify the corners. 2. Cut each facet's loop, making one new corner per cut edge.
-// 3. Close the facets along the plane with edges to the new facet. 4. Chain those edges, reversed.
+// 1. Classify the corners. 2. Clip each facet's loop, with a new corner per cut edge. 3. Close the
+// facets along the plane with edges to the new facet. 4. Chain the reversed edges to the new facet.
 std::optional<ConvexPolytope> ConvexPolytope::clip(const Plane& plane) const {
     switch (classify_box(bounds_, plane)) {
         case Side::Below: return *this;
         case Side::Above: return std::nullopt;
         case Side::On: break;
     }
-    // 1.
+    // Step 1.
     std::vector<Side> side(vertices_.size());
     bool any_below = false;
     bool any_above = false;
@@ -172,7 +174,7 @@ std::optional<ConvexPolytope> ConvexPolytope::clip(const Plane& plane) const {
     };
     std::vector<LidEdge> lid_edges;
 
-    // 2. and 3.
+    // Steps 2 and 3.
     for (std::uint32_t i = 0; i < facets_.size(); ++i) {
         if (!kept[i]) continue;
         const Facet& facet = facets_[i];
@@ -185,7 +187,8 @@ std::optional<ConvexPolytope> ConvexPolytope::clip(const Plane& plane) const {
             const std::uint32_t g = facet.neighbours[k];
             if (side[u] == Side::Below) {
                 out.vertices.push_back(keep(u));
-                out.neighbours.push_back(new_facet[g]);  // g is kept: it has u too
+                // g is kept, because u is also a corner of g
+                out.neighbours.push_back(new_facet[g]);
                 if (side[v] == Side::Above) {
                     out.vertices.push_back(cut(u, v, i, g));
                     out.neighbours.push_back(lid);
@@ -210,7 +213,7 @@ std::optional<ConvexPolytope> ConvexPolytope::clip(const Plane& plane) const {
         result.facets_.push_back(std::move(out));
     }
 
-    // 4.
+    // Step 4.
     Facet top;
     top.plane = plane;
     std::size_t at = 0;
@@ -230,7 +233,7 @@ std::optional<ConvexPolytope> ConvexPolytope::clip(const Plane& plane) const {
 }
 
 double ConvexPolytope::volume() const {
-    // About the centre, so that far-away polytopes lose nothing.
+    // Relative to the centre, which keeps the precision of polytopes far from the origin.
     const Vec3 centre = bounds_.centre();
     double sixfold = 0.0;
     for (const Facet& facet : facets_) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Interface to the reentrant qhull library.
 #include "polytope/qhull.h"
 
 #include <algorithm>
@@ -13,14 +15,14 @@ namespace ncsim::cda {
 
 namespace {
 
-// qhull prints what troubles it; it is told by its return code, so the text goes nowhere.
+// Returns a sink for the messages of qhull; the return code indicates failure.
 std::FILE* null_sink() {
     static const std::unique_ptr<std::FILE, int (*)(std::FILE*)> sink(
         std::fopen("/dev/null", "w"), [](std::FILE* f) { return f ? std::fclose(f) : 0; });
     return sink.get();
 }
 
-// Frees a qhT in whatever state an error left it.
+// Frees a qhT in any state, also after an error.
 struct Session {
     qhT qh{};
     Session() { qh_zero(&qh, null_sink()); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Quickhull (Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996) as this
-// library uses it: the reentrant C interface of qhull behind one function.
+// Quickhull in doubles: one function that hides the reentrant C interface of qhull.
+// Source: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -13,13 +13,13 @@
 
 namespace ncsim::cda {
 
-/// The facets of a hull, coplanar ones merged: for each its corners (indices into the points),
+/// The facets of a hull, coplanar facets merged: for each facet the corners (indices of points),
 /// counter-clockwise seen from outside.
 struct HullFacets {
     std::vector<std::vector<std::uint32_t>> loops;
 };
 
-/// Nothing where the points are flat within qhull's own rounding.
+/// Returns the hull; empty if the points are flat within the rounding of qhull.
 std::optional<HullFacets> quickhull(std::span<const Vec3> points);
 
 }  // namespace ncsim::cda

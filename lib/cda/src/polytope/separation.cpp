@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Distance of hulls by GJK, common points, and penetration depth.
 #include "ncsim/cda/separation.h"
 
 #include "ncsim/cda/hull.h"
@@ -22,7 +24,7 @@ Vec3 in_doubles(LatticePoint p) {
     return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 
-// A corner of the Minkowski difference b - a, and whose corners it is of.
+// A corner of the Minkowski difference b - a, with the indices of both corners.
 struct Corner {
     Vec3 at;
     std::size_t of_a = 0, of_b = 0;
@@ -38,13 +40,13 @@ std::size_t farthest(Points points, Vec3 way) {
     return best;
 }
 
-// Of b - a, the farthest against `way`.
+// Returns the corner of b - a farthest against `way`.
 Corner support(Points a, Points b, Vec3 way) {
     const std::size_t i = farthest(a, way), k = farthest(b, -way);
     return {in_doubles(b[k] - a[i]), i, k};
 }
 
-// Whole numbers of kNormalBits along `way`; 0 for no direction.
+// Returns integers of kNormalBits along `way`; 0 if there is no direction.
 LatticePoint whole(Vec3 way) {
     const double largest = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
     if (!(largest > 0.0) || !std::isfinite(largest)) return {};
@@ -55,7 +57,7 @@ LatticePoint whole(Vec3 way) {
     return {number(way.x), number(way.y), number(way.z)};
 }
 
-// Does the slab across `way` lie between them? Exact.
+// True if a slab of `width` perpendicular to `way` lies between the hulls. Exact.
 bool is_slab(Points a, Points b, Vec3 way, std::int64_t width) {
     const LatticePoint n = whole(way);
     if (n == LatticePoint{}) return false;
@@ -69,14 +71,14 @@ bool is_slab(Points a, Points b, Vec3 way, std::int64_t width) {
     // (lowest - highest) / |n| >= width
     const Int128 gap = Int128{lowest} - highest;
     const Int128 square = Int128{n.x} * n.x + Int128{n.y} * n.y + Int128{n.z} * n.z;
-    // Far beyond what 128 bits hold of squares it is wide enough.
+    // Gaps whose squares exceed 128 bits are wide enough.
     constexpr std::int64_t kFar = std::int64_t{1} << 62;
     if (gap >= kFar) return width < (std::int64_t{1} << 36);
     return gap * gap >= square * width * width;
 }
 
-// The point of the hull of up to four corners that is nearest to the origin, and which of them it
-// lies between.
+// The point of the hull of up to four corners that is nearest to the origin, and the corners that
+// span the face with this point.
 struct Closest {
     Vec3 at;
     unsigned used = 0;  // bits
@@ -139,7 +141,7 @@ Closest closest(const std::vector<Corner>& s) {
     return best;
 }
 
-// The halfspaces of the hull, moved in by `margin`.
+// Returns the halfspaces of the hull, moved inwards by `margin`.
 std::vector<Plane> drawn_in(const Cell& hull, std::int64_t margin) {
     std::vector<Plane> planes;
     for (const Plane& p : hull.planes) {
@@ -189,7 +191,7 @@ Nearness nearness(Points a, Points b, std::int64_t width, Vec3 hint) {
         result.way = v;
         const Corner next = support(a, b, v);
         const double low = dot(v, next.at);
-        // All of b - a is at least so far out along v.
+        // All of b - a is at least this far along v.
         if (low > 0.0 && low >= static_cast<double>(width) * result.distance &&
             is_slab(a, b, v, width)) {
             result.is_apart = true;
@@ -222,7 +224,7 @@ std::optional<Vec3> common_point(Points a, Points b, std::int64_t margin) {
     for (const LatticePoint& p : b)
         box_b.add(in_doubles(p));
     if (!box_a.overlaps(box_b)) return std::nullopt;
-    // Near the origin, where the kernel has its range.
+    // Relative to a point near both, because the kernel has a limited range.
     const LatticePoint centre = a[0];
     const Lattice lattice;
     const auto hull = [&](Points points) {
@@ -254,7 +256,8 @@ Directions directions_of(const ConvexPolytope& body) {
         directions.normals.push_back(unit_normal(facet.plane));
         for (std::size_t i = 0; i < facet.vertices.size(); ++i) {
             const std::size_t k = (i + 1) % facet.vertices.size();
-            if (facet.vertices[i] > facet.vertices[k]) continue;  // the other facet has it, too
+            // the adjacent facet has the edge as well
+            if (facet.vertices[i] > facet.vertices[k]) continue;
             directions.edges.push_back(normalized(body.vertices()[facet.vertices[k]].approx -
                                                   body.vertices()[facet.vertices[i]].approx));
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a surface to convex bodies: space is halved by planes until no surface is left in a part;
-// parts outside of the surface are what is carved. Where triangles lie to a plane is decided in
-// doubles, within kThickness; parts themselves are cut exactly, so that they always fill space
-// without gap or overlap, and all that can go wrong is which side a sliver belongs to.
+// Decomposition of the inside of a surface. Space is halved by planes until a part contains no
+// surface; parts outside of the surface are carved. The position of triangles relative to planes is
+// decided in doubles, within kThickness. Parts are clipped exactly, so that the parts always fill
+// space without gap or overlap; only the side of a sliver can be wrong.
 #include "ncsim/cda/shape.h"
 
 #include "ncsim/cda/check.h"
@@ -24,13 +24,13 @@ namespace ncsim::cda {
 
 namespace {
 
-// Units that a surface may be off its plane and still count as lying in it.
+// Distance in units within which a surface counts as lying in a plane.
 constexpr double kThickness = 2.0;
-// Fewer polygons than these are not worth a cut that follows none of them.
+// With fewer polygons, every cut follows a polygon's plane.
 constexpr std::size_t kFewPolygons = 12;
-// Planes tried for a cut.
+// Number of planes tried for a cut.
 constexpr std::size_t kCandidates = 8;
-// A hull of more facets is a box instead: each of them is looked at everywhere.
+// A hull with more facets is replaced by a box, because each outer plane costs time everywhere.
 constexpr std::size_t kMostOuterPlanes = 200;
 
 double height(const Plane& plane, Vec3 p) {
@@ -63,7 +63,7 @@ Vec3 middle(const std::vector<Vec3>& corners) {
     return (1.0 / static_cast<double>(corners.size())) * sum;
 }
 
-// Neighbouring triangles that lie in a plane, nearly, and that plane.
+// Groups of adjacent triangles that lie nearly in a plane, with this plane.
 class Planes {
 public:
     Planes(const std::vector<LatticePoint>& points,
@@ -83,7 +83,7 @@ public:
                                       other->second.end());
             }
         }
-        // From the largest on: their planes are the best known.
+        // Large triangles first, because they determine planes best.
         std::vector<std::pair<double, std::uint32_t>> order;
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
             order.emplace_back(-norm(area_vector(corners(t))), t);
@@ -142,7 +142,7 @@ private:
     std::vector<Plane> planes_;
 };
 
-// Parts of a piece below and above a plane; both empty if it lies in it.
+// Returns the parts of a piece below and above a plane; both empty if the piece lies in the plane.
 std::pair<Piece, Piece> split(const Piece& piece, const Plane& plane) {
     std::vector<double> heights;
     double lowest = 0.0;
@@ -174,7 +174,7 @@ std::pair<Piece, Piece> split(const Piece& piece, const Plane& plane) {
 
 class Carver {
 public:
-    /// `kept`: where the parts inside of the surface go; null: nobody wants them.
+    /// `kept`: receives the parts inside of the surface; may be null.
     Carver(const std::vector<Plane>& planes, const Lattice& lattice, std::vector<Cell>& carved,
            std::vector<ConvexPolytope>* kept)
         : planes_(planes), lattice_(lattice), carved_(carved), kept_(kept) {}
@@ -205,7 +205,7 @@ public:
         }
     }
 
-    /// In lattice units cubed.
+    /// Returns the volume in cubic lattice units.
     double carved_volume() const { return volume_; }
 
 private:
@@ -218,9 +218,9 @@ private:
         carved_.push_back(std::move(cell));
     }
 
-    // Across the longest side; nothing if that would part nothing. Beside the middle, so that it is
-    // not within the thickness of a surface that is in the middle, and at a whole unit: halves are
-    // for boxes of the tree.
+    // Returns a plane perpendicular to the longest side; empty if the plane would separate little.
+    // The plane is 8 units away from the median, so that it is not within the thickness of a
+    // surface at the median, and at an integer: half-integers are for boxes of the tree.
     static std::optional<Plane> median_plane(const ConvexPolytope& part,
                                              const std::vector<Piece>& pieces) {
         const Vec3 size = part.bounds().size();
@@ -248,7 +248,8 @@ private:
         return Plane{axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, d};
     }
 
-    // The plane of a piece that splits few others; a large piece where that is the same.
+    // Returns the piece whose plane splits the fewest pieces, of the largest pieces; the largest
+    // among equals.
     std::size_t best_plane(const std::vector<Piece>& pieces) const {
         std::vector<std::pair<double, std::size_t>> largest;
         for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -278,9 +279,9 @@ private:
         return best;
     }
 
-    // Of a part of the space around the pieces that none of them is in: what is met first on the
-    // way to one of them has it on the outer side or on the inner one. The way to whichever is met
-    // best, away from borders.
+    // True if a part of the space around the pieces is outside. The part contains no piece. The
+    // first piece on the way from the part to some piece decides, by the side that faces the part.
+    // Of several ways, the way that meets a piece farthest from the piece's border decides.
     bool is_outside(const ConvexPolytope& part, const std::vector<Piece>& pieces) const {
         const Vec3 from = part.bounds().centre();
         std::vector<Vec3> corners;
@@ -300,7 +301,7 @@ private:
                 const double slope = dot(unit_normal(plane), way);
                 const double t = -height(plane, start) / slope;
                 if (!(t > 0.0 && t < nearest)) continue;
-                // How far inside of the piece, of its size.
+                // Distance from the piece's border, relative to the piece's size.
                 const double inside = depth(piece, start + t * way);
                 if (inside < 0.0) continue;
                 nearest = t;
@@ -314,8 +315,8 @@ private:
         return result;
     }
 
-    // Distance of a point of its plane to the border of a piece, as part of the size of the piece;
-    // negative outside.
+    // Returns the distance of a point in the piece's plane from the piece's border, relative to the
+    // piece's size; negative outside.
     static double depth(const Piece& piece, Vec3 p) {
         const Vec3 area = area_vector(piece.corners);
         const double size = std::sqrt(norm(area));
@@ -337,7 +338,7 @@ private:
     double volume_ = 0.0;
 };
 
-// Those that hang together by corners.
+// Returns the components that are connected by corners.
 std::vector<TriangleMesh> surfaces_of(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> lead(mesh.vertices.size());
     std::iota(lead.begin(), lead.end(), 0U);
@@ -397,7 +398,7 @@ Shape carve(const TriangleMesh& mesh, const Lattice& lattice, std::vector<Convex
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         if (planes.plane_of(t) == Planes::kNone) continue;
         Piece piece{planes.plane_of(t), planes.corners(t)};
-        // What lies in a facet of the hull has nothing beyond it.
+        // There is no space to carve beyond a piece in a facet of the hull.
         const bool is_in_hull = std::any_of(
             body->facets().begin(), body->facets().end(), [&](const ConvexPolytope::Facet& facet) {
                 return std::all_of(piece.corners.begin(), piece.corners.end(), [&](const Vec3& p) {
@@ -410,8 +411,8 @@ Shape carve(const TriangleMesh& mesh, const Lattice& lattice, std::vector<Convex
     if (pieces.empty() && kept) kept->push_back(*body);
     if (!pieces.empty()) carver.carve(*body, std::move(pieces));
 
-    // Where bodies overlap or a surface crosses itself, "in front of a facet" is not "outside", and
-    // the volumes tell.
+    // If bodies overlap or a surface crosses itself, the side of a facet does not imply outside,
+    // and the volumes differ.
     double volume = 0.0;
     double area = 0.0;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -439,7 +440,8 @@ std::vector<ConvexPolytope> convex_pieces(const TriangleMesh& mesh, const Lattic
         carve(mesh, lattice, &pieces);
         return pieces;
     } catch (const std::invalid_argument&) {
-        // Bodies that overlap are none together and may be each by itself. What is hollow is not.
+        // Overlapping bodies are not one shape, but each may be a shape. Surfaces with cavities are
+        // not.
         const std::vector<TriangleMesh> bodies = surfaces_of(mesh);
         const bool are_bodies = std::ranges::all_of(
             bodies, [](const TriangleMesh& body) { return volume(body) > 0.0; });

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reading and writing of stock files.
 #include "ncsim/cda/polytope.h"
 #include "ncsim/cda/shape.h"
 
@@ -26,12 +28,12 @@ constexpr std::string_view kMagic = "ncsim stock 2";
 constexpr std::string_view kMagicWithoutOrigin = "ncsim stock 1";
 constexpr const char* kUnknownOrigin =
     "its format, of ncsim 0.1, does not record the assumptions of the run that wrote it";
-// Limits for a damaged file; runs write far fewer and shorter lines.
+// Limits for damaged files; runs write far fewer and shorter lines.
 constexpr std::size_t kMostAssumed = 10000;
 constexpr std::size_t kLongestAssumed = 2000;
-// More planes than any hull has; a limit for what a damaged file may ask for.
+// More planes than any hull has; a limit for damaged files.
 constexpr std::size_t kMostPlanes = 65536;
-// |d| of planes that pass within kMaxPose of the origin stays below this.
+// |d| of planes that pass within kMaxPose of the origin is below this value.
 constexpr std::int64_t kMostDistance = std::int64_t{1} << 62;
 
 }  // namespace
@@ -142,7 +144,7 @@ private:
         rest_.remove_prefix(name.size());
         return true;
     }
-    // One of those that Lattice::for_stock() chooses, computed as there.
+    // True if the unit is one that Lattice::for_stock() chooses; computed in the same way.
     static bool is_unit(double unit) {
         double decade = 1e-5;
         for (int k = 0; k < 12; ++k, decade *= 10.0) {
@@ -172,7 +174,7 @@ private:
             }
         }
         if (!is_at_end() || n == Normal{}) refuse("a normal has three numbers, not all zero");
-        // Planes across the axes lie at whole units: the tree counts on it.
+        // Planes perpendicular to axes lie at integers: the tree depends on this property.
         if (std::gcd(std::gcd(n[0], n[1]), n[2]) != 1) refuse("a normal with a common divisor");
         normals_.push_back(n);
     }
@@ -194,7 +196,8 @@ private:
         return cell;
     }
 
-    // As far as planes across the axes tell, which cells of ours have; within the whole.
+    // Returns bounds from the axis-parallel planes, which all cells written by ncsim have, within
+    // the outer bounds.
     Box bounds_of(const Cell& cell) const {
         Box box = shape_.outer.bounds;
         for (const Plane& plane : cell.planes) {
@@ -211,7 +214,8 @@ private:
         return box;
     }
 
-    // Bounded, within the range of the lattice, with volume: cut out of all the lattice there is.
+    // Checks that the outer cell is bounded, within the range of the lattice, and has volume, by
+    // clipping the whole lattice.
     void check_outer() {
         constexpr std::int64_t kReach = std::int64_t{1} << kCoordinateBits;
         constexpr LatticePoint kMin{-kReach, -kReach, -kReach};
@@ -224,7 +228,7 @@ private:
             if (side == Side::On) body = body->clip(plane);
             if (side == Side::Above || !body) refuse("the outer cell has no volume");
         }
-        // Where a side of the lattice is left, no plane keeps the cell within.
+        // If a side of the lattice remains, no plane bounds the cell there.
         for (const Plane& side : world.planes) {
             const auto& its_own = shape_.outer.planes;
             if (body->facet_in(side) &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What an upright body takes away that goes around a level polygon and leaves no core: the
-// Minkowski sum of the two, which is convex. In integers throughout.
+// The volume that an upright body removes on a closed level polygon without a core: the Minkowski
+// sum of body and polygon, which is convex. In integers throughout.
 #include "ncsim/cda/hull.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace ncsim::cda {
 
 namespace {
 
-// Steps and distances from the middle below this: their products fit 64 bits, and the normals of
-// walls along steps have kNormalBits.
+// Bound of steps and of distances from the middle: products fit 64 bits, and the normals of walls
+// along steps have kNormalBits.
 constexpr std::int64_t kFarthest = std::int64_t{1} << kNormalBits;
 
-// Twice the area of the triangle, as seen from above; > 0 if it is counter-clockwise.
+// Returns twice the area of the triangle as seen from above; > 0 if counter-clockwise.
 std::int64_t turn_of(LatticePoint a, LatticePoint b, LatticePoint c) {
     return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
@@ -33,10 +33,10 @@ LatticePoint middle_of(std::span<const LatticePoint> points) {
     return points[0] + LatticePoint{sum.x / n, sum.y / n, 0};
 }
 
-// Does the way go round the middle once, counter-clockwise, and nowhere turn right?
+// True if the path winds once around the middle, counter-clockwise, and never turns right.
 bool is_convex_about(LatticePoint middle, std::span<const LatticePoint> way) {
     const std::size_t n = way.size();
-    int times_upwards = 0;  // past the middle, on its right
+    int times_upwards = 0;  // upward crossings on the right of the middle
     for (std::size_t i = 0; i < n; ++i) {
         const LatticePoint a = way[i], b = way[(i + 1) % n], c = way[(i + 2) % n];
         if (turn_of(middle, a, b) <= 0 || turn_of(a, b, c) < 0) return false;
@@ -73,7 +73,7 @@ std::optional<Cell> TranslationSweep::around(std::span<const LatticePoint> turn,
             cell.planes.push_back({0, 0, facet.nz, facet.d + facet.nz * common});
             continue;
         }
-        // The body has both its own origin and the middle within it, wherever it is.
+        // The body contains the origin of its frame and the middle, at every position.
         if (facet.d <= 0) return std::nullopt;
         std::int64_t farthest = along(facet, way[0]);
         for (const LatticePoint& p : way) {

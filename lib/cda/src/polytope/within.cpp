@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Containment of cells by comparison of planes.
 #include "polytope/within.h"
 
 #include "ncsim/cda/int128.h"
@@ -15,18 +17,19 @@ bool is_upright(const Plane& p) {
     return p.nz == 0;
 }
 
-// Of the normals of upright planes; > 0 if b is to the left of a.
+// Returns the cross product of the normals of upright planes; > 0 if b is to the left of a.
 std::int64_t turn(const Plane& a, const Plane& b) {
     return std::int64_t{a.nx} * b.ny - std::int64_t{a.ny} * b.nx;
 }
 
-// Whatever is below the upright planes a and b, p between them, is below p: p = (turn(p, b) a +
-// turn(a, p) b) / turn(a, b).
+// True if all points below the upright planes a and b, with p between, are below p: p = (turn(p, b)
+// a + turn(a, p) b) / turn(a, b).
 bool imply(const Plane& a, const Plane& b, const Plane& p) {
     return Int128{turn(p, b)} * a.d + Int128{turn(a, p)} * b.d <= Int128{turn(a, b)} * p.d;
 }
 
-// The planes of `inner` next to the upright p on either side, less than half a turn away.
+// True if the planes of `inner` next to the upright plane p on both sides, less than half a turn
+// apart, imply p.
 bool is_implied(const Cell& inner, const Plane& p) {
     const Plane *right = nullptr, *left = nullptr;
     for (const Plane& q : inner.planes) {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Does one cell lie within another? Asked of hulls of steps and what covers a whole turn of them:
-// who knows that before cells go down the tree need not send the others.
+// Containment of a cell in a second cell. Hulls of steps that lie within the cell of a whole turn
+// need not be inserted into the tree.
 #pragma once
 
 #include "ncsim/cda/cell.h"
 
 namespace ncsim::cda {
 
-/// Has `outer` all of `inner` that is in `place` (units)? Decided in integers; never claims what is
-/// not so. Finds it where the planes of `outer` that cut the place have the normal of one of
-/// `inner`, or are upright and lie between two upright ones that make a corner of `inner`. O(planes
-/// of the one · planes of the other).
+/// True if `outer` contains the part of `inner` in `place` (units). Decided in integers; a positive
+/// answer is exact, a negative answer may be wrong. The proof needs, for each plane of `outer` that
+/// cuts `place`, a plane of `inner` with the same normal, or two upright planes of `inner` that
+/// form a corner around an upright plane of `outer`.
+/// Cost: O(planes of `inner` · planes of `outer`).
 bool lies_within(const Cell& inner, const Cell& outer, const Box& place);
 
 }  // namespace ncsim::cda

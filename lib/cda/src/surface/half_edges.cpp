@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Steps 2 to 5 of stitching, see stitch.cpp.
 #include "surface/half_edges.h"
 
 #include "ncsim/cda/parallel.h"
@@ -13,7 +15,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// Lines that a thread works on before it asks for more.
+// Lines per task of a thread.
 constexpr std::size_t kRun = 2048;
 
 int dot_sign(const Direction& a, const Direction& b) {
@@ -27,7 +29,7 @@ bool follows(const Interval& first, const Interval& second) {
            first.forward == second.forward;
 }
 
-// The points on a line in order, and the position of each.
+// The points on a line in order, with the position of each point.
 class Stops {
 public:
     explicit Stops(const Naming& names) : names_(names) {}
@@ -62,14 +64,14 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> by_number_;
 };
 
-// 2. Where a forward and a backward piece of one owner lie on each other, they cancel; what is
-// left is covered. Where a cover ends, a piece does: there are no more of them.
+// Step 2: cancels forward and backward pieces of one owner where they coincide; the rest are
+// covers. Each end of a cover is an end of a piece, so there are at most as many covers as pieces.
 class Canceller {
 public:
     explicit Canceller(const Naming& names) : names_(names), stops_(names) {}
 
     void operator()(std::uint32_t line, std::span<Interval> here, std::vector<Interval>& covers) {
-        // What is outside of all of this is nobody's edge.
+        // A line with only outside pieces has no edge of a face.
         if (std::ranges::all_of(here,
                                 [&](const Interval& i) { return names_.is_outside(i.owner); }))
             return;
@@ -87,7 +89,7 @@ public:
             std::size_t end = begin + 1;
             while (end < here.size() && here[end].owner == here[begin].owner)
                 ++end;
-            // Others have cancelled theirs.
+            // A single piece has no partner, and outside pieces are already cancelled.
             if (end == begin + 1 || names_.is_outside(here[begin].owner)) {
                 covers.insert(covers.end(), here.begin() + static_cast<std::ptrdiff_t>(begin),
                               here.begin() + static_cast<std::ptrdiff_t>(end));
@@ -108,7 +110,8 @@ public:
                 });
                 while (next < end && stops_.position(here[next].tail) <= breaks_[b])
                     active_.push_back(&here[next++]);
-                // Pieces of one owner have no inner points in common: one a direction at most.
+                // Pieces of one owner with the same direction have no common inner points, so there
+                // is at most one piece per direction.
                 if (active_.size() != 1) continue;
                 covers.push_back({stops_[breaks_[b]], stops_[breaks_[b + 1]], here[begin].owner,
                                   active_[0]->forward});
@@ -124,8 +127,8 @@ private:
     std::vector<const Interval*> active_;
 };
 
-// 3. Two covers of an owner that follow each other are one edge, unless the owner has a corner
-// between them: another edge of it begins or ends there.
+// Step 3: finds corners. Two consecutive covers of an owner are one edge, unless the owner has a
+// corner between the covers, where an edge on another line begins or ends.
 class Corners {
 public:
     Corners(const Naming& names, Groups<Interval>& covers) : asked_(names.points(), kNone) {
@@ -149,18 +152,18 @@ public:
         ends_.reserve();
         for_each_end([&](std::uint32_t asked, std::uint32_t owner) { ends_.add(asked, owner); });
     }
-    // Whether nothing of the owner but two covers ends there; asked only of points that are asked_.
+    // True if exactly two covers of the owner end at the point. Requires: the point is in asked_.
     bool is_passed(std::uint32_t owner, std::uint32_t point) const {
         const std::span<const std::uint32_t> owners = ends_.of(asked_[point]);
         return std::count(owners.begin(), owners.end(), owner) == 2;
     }
 
 private:
-    std::vector<std::uint32_t> asked_;  // for each point its number among those asked about
-    Groups<std::uint32_t> ends_{0};     // at those, the owner of each cover that ends there
+    std::vector<std::uint32_t> asked_;  // per point: number among the queried points
+    Groups<std::uint32_t> ends_{0};     // per queried point: owners of the covers that end there
 };
 
-// Covers of a line, those that are one edge as one.
+// Joins the covers of a line that are one edge.
 void join_covers(const Naming& names, const Corners& corners, std::span<const Interval> covers,
                  std::vector<Interval>& joined) {
     joined.clear();
@@ -174,7 +177,7 @@ void join_covers(const Naming& names, const Corners& corners, std::span<const In
     }
 }
 
-// 4. All owners at a line are cut wherever one of them has a corner.
+// Step 4: divides the edges of all owners on a line at each corner of an owner.
 class Breaker {
 public:
     Breaker(const Naming& names, const Corners& corners)
@@ -222,11 +225,11 @@ private:
                               line & kMostLines, c.forward, false});
     }
 
-    // 5.
-    // Around the line, counter-clockwise about D: a half-edge against D has its material on the
-    // counter-clockwise side, one along D on the clockwise side; neighbours with nothing but
-    // material between them belong together. The angle of a face is that of its normal n for one
-    // along D, of −n for one against it, less a quarter turn for both.
+    // Step 5: pairs half-edges of opposite direction. Around the line, counter-clockwise about D, a
+    // half-edge against D has material on the counter-clockwise side, a half-edge along D on the
+    // clockwise side. Neighbours with only material between them are partners. The angle of a face
+    // is the angle of the normal n for a half-edge along D, of −n against D, minus a quarter turn
+    // for both.
     void pair(const Direction& direction, std::vector<std::uint32_t>& here) {
         const auto link = [&](std::uint32_t a, std::uint32_t b) {
             half_edges[a].partner = b;
@@ -241,7 +244,7 @@ private:
             return Direction{sign * std::int64_t{p.nx}, sign * std::int64_t{p.ny},
                              sign * std::int64_t{p.nz}};
         };
-        // Angles from the first one on: the half turn [0, π) before [π, 2π).
+        // Angles start at the first half-edge: the half turn [0, π) before [π, 2π).
         const Direction zero = normal(here[0]);
         const auto cross_sign = [&](const Direction& a, const Direction& b) {
             // (a × b) · D with a, b of 24 bits and D of 50.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Orientation and containment of loops, with a filter in doubles and rational arithmetic.
 #include "surface/loops.h"
 
 #include "exact/wide.h"
@@ -34,7 +36,8 @@ mpq_class quotient(Int128 p, Int128 q) {
     return result;
 }
 
-// The plane seen along the axis that its normal is nearest to, from above: nothing degenerates.
+// Orthogonal projection of the plane along the axis nearest to the normal, seen from above. The
+// projection never degenerates.
 class Projection {
 public:
     Projection(const Plane& plane, const LoopPoints& points) : points_(points) {
@@ -79,7 +82,7 @@ int orientation(std::span<const std::uint32_t> loop, const Plane& plane, const L
         const Flat a = projection.approx(loop[i]);
         const Flat b = projection.approx(loop[i + 1]);
         doubled += (a.s - o.s) * (b.t - o.t) - (a.t - o.t) * (b.s - o.s);
-        // Each difference is off by two errors; products round far less than that.
+        // Each difference has two coordinate errors; products round far less.
         error += 4.0 * kLoopPointError *
                  (std::abs(a.s - o.s) + std::abs(b.t - o.t) + std::abs(a.t - o.t) +
                   std::abs(b.s - o.s) + 1.0);
@@ -96,7 +99,7 @@ int orientation(std::span<const std::uint32_t> loop, const Plane& plane, const L
     return sign(sum);
 }
 
-// Crossings of the ray from the point in direction s.
+// Counts crossings of the ray from the point in direction s.
 bool surrounds(std::span<const std::uint32_t> loop, std::uint32_t tail, std::uint32_t head,
                const Plane& plane, const LoopPoints& points) {
     const Projection projection(plane, points);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Step 1 of stitching, see naming.h.
 #include "surface/naming.h"
 
 #include "ncsim/cda/parallel.h"
@@ -65,8 +67,8 @@ void Naming::take(const Outlines& part, bool is_outside) {
     point_numbers_.resize(point_keys_.size());
     points_.number_all(point_keys_, [&](std::size_t i, std::uint32_t n) { point_numbers_[i] = n; });
 
-    // Few planes meet in a line of this part and of others: a small table is enough. And pieces of
-    // one facet come in a row.
+    // A part has few pairs of planes compared with pieces, so a small table of pairs saves most
+    // computations of lines. Pieces of one facet are consecutive.
     Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
     line_keys_.clear();
     line_directions_.clear();
@@ -163,7 +165,7 @@ int Naming::compare(std::uint32_t a, std::uint32_t b) const {
     return 0;
 }
 
-// Along the axis in which the direction is longest: coordinates are then as far apart as they get.
+// Compares along the axis in which the direction is longest, because coordinates differ most there.
 bool Naming::comes_before(std::uint32_t line, std::uint32_t a, std::uint32_t b) const {
     const Direction& d = directions_[line];
     const std::array<std::int64_t, 3> c{d.x, d.y, d.z};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first step of stitching: equal planes, points, lines and owners get equal numbers, whichever
-// parts of the outlines they come from; pieces of outlines become intervals on lines. Parts are
-// taken one by one, so that no more of them are kept than are under way.
+// Step 1 of stitching: equal planes, points, lines and owners get equal numbers across all parts of
+// the outlines; pieces of outlines become intervals on lines. Parts are added one by one, so that
+// few parts are in memory at a time.
 #pragma once
 
 #include "ncsim/cda/origin.h"
@@ -24,77 +24,80 @@
 
 namespace ncsim::cda {
 
-/// Of a line: of 50 bits.
+/// Direction of a line, 50 bits.
 struct Direction {
     std::int64_t x = 0, y = 0, z = 0;
     Direction operator-() const { return {-x, -y, -z}; }
 };
 
-/// More than fit into memory beside what they name.
+/// Limits on numbers; the named objects would exceed the memory first.
 inline constexpr std::uint32_t kMostOwners = (std::uint32_t{1} << 31) - 1;
 inline constexpr std::uint32_t kMostLines = (std::uint32_t{1} << 30) - 1;
 
-/// Of pieces that others see: they only tell where edges are cut.
+/// Origin of outside pieces, which only determine where edges are divided.
 inline constexpr Origin kOutside{0xffffffffU};
 
-/// A piece of an outline on its line, tail before head along the line. Points and owners by number.
+/// A piece of an outline on a line, tail before head along the line. Points and owners are given by
+/// number.
 struct Interval {
     std::uint32_t tail, head;
     std::uint32_t owner : 31;
     std::uint32_t forward : 1;
 };
 
+/// Numbers for planes, points, lines and owners of outlines.
 class Naming {
 public:
     Naming() : points_({}, SamePoint{&planes_.keys()}), lines_({}, SameLine{&planes_.keys()}) {}
     Naming(const Naming&) = delete;
     Naming& operator=(const Naming&) = delete;
 
-    /// Numbers depend on the order of the parts. Expected O(pieces).
+    /// Adds a part. Numbers depend on the order of parts. Cost: expected O(pieces).
     void take(const Outlines& part);
-    /// The same of what others see: all its pieces are kOutside.
+    /// Adds a part of the outside: all pieces get the origin kOutside.
     void take_outside(const Outlines& part);
-    /// After the last part: all pieces by line. Owners are numbered in an order that depends on the
-    /// geometry only. Throws std::length_error if there are too many of them, or of lines.
+    /// Ends the input. Returns all pieces by line. The numbers of owners depend only on the
+    /// geometry.
+    /// Throws: std::length_error if there are too many owners or lines.
     Groups<Interval> finish(std::size_t threads);
 
-    // All that follows is for after finish().
+    // Valid after finish().
 
     std::size_t points() const { return points_.size(); }
-    /// In lattice units.
+    /// Returns the position in lattice units.
     Vec3 point(std::uint32_t p) const { return points_.keys()[p].fixed.approx(); }
     ExactPoint exact(std::uint32_t p) const { return exact(points_.keys()[p], planes_.keys()); }
     const FixedPoint& fixed(std::uint32_t p) const { return points_.keys()[p].fixed; }
-    /// Three that meet there.
+    /// Returns three planes that meet at the point.
     std::array<Plane, 3> planes_at(std::uint32_t p) const;
-    /// By coordinates, exactly: two points may be nearer to each other than what they are rounded
-    /// to, and whoever was first must not decide. Negative, 0 or positive.
+    /// Compares coordinates exactly: negative, 0 or positive. Two distinct points may have equal
+    /// rounded coordinates; the order must not depend on the order of input.
     int compare(std::uint32_t a, std::uint32_t b) const;
 
     std::size_t lines() const { return directions_.size(); }
     const Direction& direction(std::uint32_t line) const { return directions_[line]; }
-    /// Of points on a line.
+    /// True if `a` is before `b` on the line. Requires: both points are on the line.
     bool comes_before(std::uint32_t line, std::uint32_t a, std::uint32_t b) const;
 
-    /// Lines have no directions any more.
+    /// Frees the directions of lines; direction() and comes_before() are invalid afterwards.
     void forget_directions() { directions_ = {}; }
 
-    /// An oriented plane together with an origin.
+    /// An owner is an oriented plane with an origin.
     const std::vector<std::pair<Plane, Origin>>& owners() const { return owners_; }
     bool is_outside(std::size_t owner) const {
         return has_outside_ && owners_[owner].second == kOutside;
     }
 
 private:
-    // Planes are numbered without their orientation: the first component that is not zero is
-    // positive. A reference has the orientation in its lowest bit.
+    // Planes are numbered without orientation: the first non-zero component is positive. The lowest
+    // bit of a reference is the orientation.
     struct HashPlane {
         std::uint64_t operator()(const Plane& p) const { return PlaneHash{}(p); }
     };
     Plane plane_of(PlaneRef ref) const;
     void take(const Outlines& part, bool is_outside);
 
-    // Points are told apart by what they are rounded to, and where that is the same, exactly.
+    // Points are compared by rounded coordinates first, then exactly.
     struct PointKey {
         FixedPoint fixed;
         std::array<std::uint32_t, 3> planes{};
@@ -115,7 +118,7 @@ private:
         bool operator()(const PointKey& a, const PointKey& b) const;
     };
 
-    // Lines likewise: by quotients of their Plücker coordinates, rounded, then exactly.
+    // Lines are compared by rounded quotients of their Plücker coordinates first, then exactly.
     struct LineKey {
         std::array<std::uint32_t, 2> planes{};
         std::uint64_t hash = 0;
@@ -146,7 +149,7 @@ private:
             return mix(0, o.plane | std::uint64_t{static_cast<std::uint32_t>(o.origin)} << 32);
         }
     };
-    // A piece by numbers: those of its part at first.
+    // A piece with numbers: numbers of the part at first, global numbers later.
     struct Named {
         std::uint32_t line, tail, head;
         std::uint32_t owner : 31;
@@ -156,13 +159,13 @@ private:
     Interner<Plane, HashPlane> planes_;
     Interner<PointKey, HashPoint, SamePoint> points_;
     Interner<LineKey, HashLine, SameLine> lines_;
-    Chunks<Direction> directions_;  // of lines
+    Chunks<Direction> directions_;  // by line
     Interner<Owner, HashOwner> owner_numbers_;
-    std::vector<std::vector<Named>> named_;  // of each part
+    std::vector<std::vector<Named>> named_;  // by part
     std::vector<std::pair<Plane, Origin>> owners_;
     bool has_outside_ = false;
 
-    // Of one part, kept for their memory.
+    // Buffers for one part, reused for the next part.
     std::vector<Plane> plane_keys_;
     std::vector<PlaneRef> plane_refs_;
     std::vector<PointKey> point_keys_;

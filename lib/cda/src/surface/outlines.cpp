@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Storage of outlines, cancellation of pieces, and points in fixed point.
 #include "surface/outlines.h"
 
 #include "base/none.h"
@@ -13,7 +15,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// Within a few units in the last place.
+// Converts to double within a few units in the last place.
 double nearly(Int128 v) {
     const UInt128 m = magnitude(v);
     const double size = static_cast<double>(static_cast<std::uint64_t>(m >> 64)) * 0x1p64 +
@@ -24,12 +26,12 @@ double nearly(Int128 v) {
 }  // namespace
 
 FixedPoint FixedPoint::of(const ExactPoint& p) {
-    // w has 3N + 2.6 bits (predicates.cpp) and coordinates are w times 2^26 at most: 24 bits more
-    // than that.
+    // w has 3N + 2.6 bits (predicates.cpp), coordinates are at most w times 2^26, and the shift
+    // adds 24 bits.
     static_assert(3 * kNormalBits + 2.6 + kCoordinateBits + 1 + 24 < 127.0);
     const double reciprocal = kScale / nearly(p.w);
     const auto rounded_down = [&](Int128 v) {
-        // Quotients have 50 bits and a sign: doubles are off by one or two.
+        // Quotients have 50 bits and a sign, so doubles are off by at most one or two.
         auto quotient = static_cast<std::int64_t>(nearly(v) * reciprocal);
         Int128 rest = v * (Int128{1} << 24) - quotient * p.w;
         for (; rest < 0; rest += p.w)
@@ -91,7 +93,7 @@ void Outlines::cancel(std::span<const std::uint32_t> pieces) {
     };
     for (const std::uint32_t number : pieces) {
         const Piece& piece = pieces_[number];
-        // The same there and back.
+        // Symmetric in tail and head.
         const std::uint64_t ends = hash(planes_at(piece.tail)) + hash(planes_at(piece.head));
         std::size_t at = mix(mix(piece.plane | std::uint64_t{piece.edge} << 32, ends),
                              static_cast<std::uint32_t>(piece.origin)) &

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What evaluation hands to the stitching: the outlines of what is left of facets, piece by
-// piece, everything named by planes.
+// Outlines of the visible remainders of facets, the result of evaluation and the input of
+// stitching. All objects are identified by planes.
 #pragma once
 
 #include "ncsim/cda/origin.h"
@@ -19,35 +19,37 @@
 
 namespace ncsim::cda {
 
-/// A point rounded down to 2^-24 of a lattice unit: what equal points have in common, whichever
-/// planes made them. Coordinates within 2^26 units.
+/// A point rounded down to 2^-24 of a lattice unit. Equal points have equal values, for any
+/// defining planes. Coordinates are within 2^26 units.
 struct FixedPoint {
     std::array<std::int64_t, 3> at{};
-    // Not by a call for so few bytes.
+    // Written out, because a library call for so few bytes is slow.
     bool operator==(const FixedPoint& o) const {
         return at[0] == o.at[0] && at[1] == o.at[1] && at[2] == o.at[2];
     }
 
     static constexpr double kScale = 16777216.0;
     static FixedPoint of(const ExactPoint& p);
-    /// In which of the walls across that axis it lies, to 2^-24 of a unit.
+    /// Returns the wall perpendicular to `axis` in which the point lies, to 2^-24 of a unit; empty
+    /// if none.
     std::optional<std::int64_t> wall(const std::vector<std::int64_t>& walls,
                                      std::size_t axis) const;
-    /// In lattice units.
+    /// Returns the position in lattice units.
     Vec3 approx() const {
         return {static_cast<double>(at[0]) / kScale, static_cast<double>(at[1]) / kScale,
                 static_cast<double>(at[2]) / kScale};
     }
 };
 
-/// Planes at right angles to each axis, at odd numbers of half units, ascending.
+/// Coordinates of planes perpendicular to each axis: odd numbers of half units, ascending.
 using Walls = std::array<std::vector<std::int64_t>, 3>;
 
-/// An oriented plane of a table: twice the index, plus one for the opposite orientation.
+/// A reference to an oriented plane of a table: twice the index, plus one for the opposite
+/// orientation.
 using PlaneRef = std::uint32_t;
 
-/// Outlines of pieces of faces, with tables of their own. Faces are to the left of their outlines,
-/// seen from outside the material. Pieces of one face that lie on each other in opposite
+/// Outlines of pieces of faces, with separate tables of planes and points. Faces are to the left of
+/// their outlines, seen from outside the material. Pieces of one face that coincide in opposite
 /// directions cancel.
 class Outlines {
 public:
@@ -56,8 +58,8 @@ public:
         std::array<std::uint32_t, 3> planes{};  // indices, ascending
     };
     struct Piece {
-        PlaneRef plane = 0;      // of the face, material below
-        std::uint32_t edge = 0;  // index of the other plane in which the piece lies
+        PlaneRef plane = 0;      // plane of the face, material below
+        std::uint32_t edge = 0;  // index of the second plane through the piece
         Origin origin = kStockOrigin;
         std::uint32_t tail = 0, head = 0;  // points
     };
@@ -66,22 +68,23 @@ public:
         planes_.push_back(plane);
         return static_cast<std::uint32_t>(planes_.size() - 1);
     }
-    /// The meeting point of three planes of the table; they must meet in one. Of the points since
-    /// turn_page(), those of the same three planes are the same.
+    /// Returns the meeting point of three planes of the table. Points of the same three planes
+    /// since turn_page() are the same point. Requires: the planes meet in one point.
     std::uint32_t point(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-    /// A point that was made elsewhere, once: point() does not know it.
+    /// Adds a point computed elsewhere, without duplicates; point() does not find this point.
     void add_point(const Point& point) { points_.push_back(point); }
-    /// Points that follow have nothing to do with those before: what is looked up stays small. A
-    /// point that stands on two pages stands there twice.
+    /// Starts a new page, so that the lookup table stays small. Points before and after are not
+    /// compared; a point on two pages is stored twice.
     void turn_page();
     void add(const Piece& piece) { pieces_.push_back(piece); }
-    /// Drops those of `pieces` (numbers) of which one goes from point to point on a line of a face
-    /// and another one back, and the points that nobody names then. Points are the same if they
-    /// are made by the same planes, on whichever pages. O(pieces).
+    /// Drops pairs of `pieces` (numbers) that connect the same points on a line of one face in
+    /// opposite directions, and points that become unused. Points are the same if their planes are
+    /// the same, on any page.
+    /// Cost: O(pieces).
     void cancel(std::span<const std::uint32_t> pieces);
-    /// After the last point and piece: gives back memory that only adding needs.
+    /// Frees memory that only insertion needs. Call after the last point and piece.
     void close();
-    /// What there is of it at the walls: pieces with an end in one of them.
+    /// Returns the pieces with an end in a wall.
     Outlines at(const Walls& walls) const;
 
     Plane plane(PlaneRef ref) const {
@@ -92,7 +95,7 @@ public:
     const std::vector<Piece>& pieces() const { return pieces_; }
 
 private:
-    // A hash table of the points of this page: slots of other pages are free.
+    // A hash table of the points of this page; slots of previous pages count as free.
     struct Slot {
         std::uint32_t page = 0;
         std::uint32_t point = 0;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Notation: a *line* is where two planes meet; it has a direction D. A *half-edge* is an
-// edge of a face with its direction; the face lies on its left. An *owner* is an oriented plane
-// together with an origin.
+// Stitching of outlines. Notation: a *line* is the intersection of two planes and has a direction
+// D. A *half-edge* is an edge of a face with direction; the face lies on the left. An *owner* is an
+// oriented plane with an origin.
 //
 //  1. Naming         equal planes, points, owners and lines get equal numbers; pieces of outlines
 //                    become intervals on lines
-//  2. cancel         drop what two pieces of one owner both have, in opposite directions
-//  3. find_corners   where the outline of an owner turns or touches itself
-//  4. break_up       cut what is left where any face at the line has a corner
-//  5. pair           half-edges of opposite direction; four and more: radially, around material
-//  6. trace          half-edges of one owner → loops, turning clockwise at pinched corners
+//  2. Canceller      cancel coincident pieces of one owner with opposite directions
+//  3. Corners        find where the outline of an owner turns or touches itself
+//  4. break_up       divide the rest where any face at the line has a corner
+//  5. pair           pair opposite half-edges; four and more: radially, around material
+//  6. trace          link half-edges of one owner to loops, turning clockwise at pinched corners
 //  7. unite_corners  corners connected through paired edges share a vertex
-//  8. write_faces    in an order that depends on the geometry only
+//  8. write_faces    write faces in an order that depends only on the geometry
 #include "surface/stitch.h"
 
 #include "ncsim/cda/check.h"
@@ -41,7 +41,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// (a × b) · n for directions of 50 bits and normals of 24.
+// Returns the sign of (a × b) · n for directions of 50 bits and normals of 24.
 int turn_sign(const Direction& a, const Direction& b, const Plane& n) {
     const auto minor = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
         return static_cast<Int128>(p) * s - static_cast<Int128>(q) * r;
@@ -57,7 +57,7 @@ int dot_sign(const Direction& a, const Direction& b) {
     return v > 0 ? 1 : v < 0 ? -1 : 0;
 }
 
-// Owners that a thread works on before it asks for more.
+// Owners per task of a thread.
 constexpr std::size_t kRun = 512;
 
 }  // namespace
@@ -114,7 +114,7 @@ public:
         return border;
     }
 
-    // Is nothing beyond one of the edges?
+    // True if an edge has no continuation, neither inside nor outside.
     bool has_gap() const {
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
             if (!is_outside(h) && (half_edges_[h].partner == kNone || half_edges_[h].next == kNone))
@@ -132,7 +132,7 @@ public:
 
 private:
     bool is_outside(std::uint32_t h) const { return names_.is_outside(half_edges_[h].owner); }
-    // Does the surface go on at this edge, and not outside?
+    // True if the surface continues at this edge within the input, not outside.
     bool is_inner(std::uint32_t h) const {
         const std::uint32_t p = half_edges_[h].partner;
         return p != kNone && !is_outside(h) && !is_outside(p);
@@ -142,8 +142,9 @@ private:
         return h.forward ? d : -d;
     }
 
-    // 6. Half-edges by owner. Where an owner has several edges leaving a point, the next one is the
-    // first met clockwise from the way back: the wedge between is the face's own.
+    // Step 6: links half-edges of each owner. If several edges of an owner leave a point, the next
+    // edge is the first edge clockwise from the reversed incoming edge, because the wedge between
+    // the two edges belongs to the face.
     void trace() {
         by_owner_ = Groups<std::uint32_t>(names_.owners().size());
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
@@ -181,7 +182,7 @@ private:
             if (it == here.end() || tail(*it) != h.head) continue;
             h.next = *it;
             const Direction back = -direction_of(h);
-            // Clockwise angle from `back`, in [0, 2π): the smaller half turn first.
+            // Clockwise angle from `back`, in [0, 2π), as half turn and sign.
             const auto half = [&](const Direction& v) {
                 const int s = turn_sign(back, v, plane);
                 return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
@@ -211,10 +212,10 @@ private:
 
     struct Loop {
         std::vector<std::uint32_t> edges;   // the least corner first
-        std::vector<std::uint32_t> points;  // their tails
+        std::vector<std::uint32_t> points;  // tails of `edges`
         bool is_hole = false;
     };
-    // A face: its outline and the loops that are holes in it.
+    // A face: an outline and the holes in the outline.
     struct Face {
         const Loop* outline;
         std::vector<const Loop*> holes;
@@ -222,10 +223,10 @@ private:
 
     struct FacesOfOwner {
         std::vector<Loop> loops;
-        std::vector<Face> faces;  // of these
+        std::vector<Face> faces;  // refer to `loops`
     };
 
-    // Half-edges by their tails, then by their heads; no two of an owner have both.
+    // Compares half-edges by tails, then heads; no two half-edges of an owner have equal ends.
     bool comes_first(std::uint32_t h, std::uint32_t k) const {
         const int tails = names_.compare(half_edges_[h].tail, half_edges_[k].tail);
         return tails != 0 ? tails < 0
@@ -258,9 +259,10 @@ private:
         return loops;
     }
 
-    // Faces in the order of their least corners. A hole belongs to the innermost outline around
-    // it: the one of those around it that begins last. Asked of the middle of an edge of the hole,
-    // which is not on an outline: the two meet in corners at most.
+    // Returns faces in the order of their least corners. A hole belongs to the innermost outline
+    // around the hole, which is the last to begin among the outlines around the hole. The test
+    // point is the middle of an edge of the hole; it is not on an outline, because hole and outline
+    // meet at most in corners.
     FacesOfOwner faces_of(std::size_t number) {
         FacesOfOwner result{loops_of(number), {}};
         const std::vector<Loop>& loops = result.loops;
@@ -281,8 +283,8 @@ private:
         return result;
     }
 
-    // 7. Corners of faces (tails of half-edges) that are the same corner of the surface: one turns
-    // around a vertex from each to the next across a shared edge.
+    // Step 7: unites corners of faces (tails of half-edges) that are the same corner of the
+    // surface. A corner and the next corner around the vertex, across a shared edge, are united.
     DisjointSets unite_corners() const {
         DisjointSets corners(half_edges_.size());
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
@@ -292,8 +294,8 @@ private:
         return corners;
     }
 
-    // Half-edges that have the same two vertices as another one though they are not its partner:
-    // surfaces that touch along an edge and hang together at both ends of it.
+    // Finds half-edges with the same two vertices as a half-edge that is not the partner: surfaces
+    // that touch along an edge and are connected at both ends of the edge.
     std::vector<bool> find_twins(DisjointSets& corners) const {
         std::vector<std::array<std::uint32_t, 3>> ends;  // tail, head, half-edge
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
@@ -310,7 +312,7 @@ private:
         return is_twin;
     }
 
-    // 8.
+    // Step 8: writes faces, loops and vertices.
     Boundary write_faces() {
         DisjointSets corners = unite_corners();
         const std::vector<bool> is_twin = find_twins(corners);
@@ -335,7 +337,7 @@ private:
                 ring.push_back(name(vertex[corners.find(h)], position_of(h)));
                 face_of[h] = static_cast<std::uint32_t>(boundary.faces.size());
                 if (!is_twin[h]) continue;
-                // A vertex of its own in the middle tells the edge from its twins.
+                // A separate vertex in the middle distinguishes the edge from its twins.
                 const std::uint32_t pair = std::min(h, half_edges_[h].partner);
                 const Vec3 head = names_.point(half_edges_[h].head);
                 std::uint32_t& middle = middles.try_emplace(pair, kNone).first->second;
@@ -390,8 +392,8 @@ private:
     Naming names_;
     Chunks<HalfEdge> half_edges_;
     Groups<std::uint32_t> by_owner_{0};
-    std::size_t loops_ = 0;           // as many as faces, or a few more: holes
-    std::vector<std::uint8_t> done_;  // bytes, since threads write to neighbours
+    std::size_t loops_ = 0;           // number of faces, plus the number of holes
+    std::vector<std::uint8_t> done_;  // bytes, because threads write to adjacent elements
     const LoopPoints loop_points_{[this](std::uint32_t p) { return names_.point(p); },
                                   [this](std::uint32_t p) { return names_.exact(p); }};
 };
@@ -440,7 +442,7 @@ Boundary Stitcher::finish_open() {
 
 Boundary Stitcher::finish() {
     Boundary boundary = impl_->finish();
-    // Nothing that follows, from volumes to meshes, would be right.
+    // With a gap, all later results, from volumes to meshes, would be wrong.
     if (!is_closed(boundary)) throw std::logic_error("the surface of the part has a gap");
     return boundary;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From outlines of pieces of facets to a watertight boundary.
+// Stitching: from outlines of pieces of facets to a watertight boundary.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -14,47 +14,49 @@
 
 namespace ncsim::cda {
 
-/// A connected piece of the surface: in an oriented plane that has the material below it, with
-/// exact corners. Loops have the piece on their left, seen from outside the material. Pieces in the
-/// same plane have no inner points in common.
+/// A connected piece of the surface with exact corners, in an oriented plane with the material
+/// below. The piece is on the left of its loops, seen from outside the material. Pieces in the same
+/// plane have no common inner points.
 struct Fragment {
     struct Corner {
-        ExactPoint point;  ///< On the planes of both edges that meet here.
-        Plane edge;  ///< A plane, not parallel to the fragment's, with the edge to the next corner
-                     ///< in it.
+        ExactPoint point;  ///< On the planes of both edges that meet at the corner.
+        /// A plane through the edge to the next corner, not parallel to the fragment's plane.
+        Plane edge;
     };
     Plane plane;
     Origin origin = kStockOrigin;
     std::vector<std::vector<Corner>> loops;
 };
 
+/// Returns the outlines of fragments, for Stitcher::take().
 Outlines outlines_of(const std::vector<Fragment>& fragments);
 
 /// Joins outlines that together are the whole surface of a solid. Pieces of one plane and one
-/// origin grow together; every breakpoint of an edge is shared by all faces at it, so there are no
-/// T-junctions; where four or more faces meet in an edge they are paired around the material, and
-/// each surface gets vertices of its own.
+/// origin are merged. All faces at an edge share every breakpoint, so there are no T-junctions.
+/// Where four or more faces meet in an edge, faces are paired around the material, and each surface
+/// has separate vertices.
 class Stitcher {
 public:
-    /// 0 threads: as many as the machine has. The result does not depend on how many.
+    /// `threads`: 0 means one per hardware thread. The result does not depend on the number.
     Stitcher(const Lattice& lattice, std::size_t threads);
     ~Stitcher();
 
-    /// Expected O(pieces).
+    /// Adds a part. Cost: expected O(pieces).
     void take(const Outlines& part);
-    /// Edges of what lies beyond, of its border with what was taken: where they end, edges that lie
-    /// upon them are cut.
+    /// Adds edges of the outside along the border of the input. Ends of these edges divide
+    /// coincident edges of the input.
     void take_outside(const Outlines& border);
-    /// After all parts. The result does not depend on the order of the pieces nor on how faces were
-    /// cut into them. Expected O(n log n), most of it O(n); a hole is looked for in all outlines of
-    /// its plane and origin. Throws std::logic_error if they are not the whole surface: a fault of
-    /// the caller's.
+    /// Returns the boundary; call after the last part. The result depends neither on the order of
+    /// the pieces nor on the division of faces into pieces.
+    /// Throws: std::logic_error if the pieces are not the whole surface, an error of the caller.
+    /// Cost: expected O(n log n), mostly O(n); each hole is tested against all outlines of the same
+    /// plane and origin.
     Boundary finish();
-    /// The same of what is a part of the surface of a solid; open where it goes on outside, and
-    /// cut there as that is. Throws std::logic_error where nothing is beyond.
+    /// The same for a part of a surface, which stays open where the outside continues and is
+    /// divided there at the same points. Throws: std::logic_error at an edge without continuation.
     Boundary finish_open();
-    /// Of the same: its edges between points in one of `walls`, for who has to do with what is
-    /// beyond.
+    /// Returns the edges of the input between points in one of `walls`, for take_outside() of the
+    /// adjacent part.
     Outlines finish_border(const Walls& walls);
 
 private:

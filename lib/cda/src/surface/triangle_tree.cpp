@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Box tree of triangles: construction, nearest triangle, ray casting.
 #include "ncsim/cda/triangle_tree.h"
 
 #include <algorithm>
@@ -20,9 +22,9 @@ double distance_to_box(Vec3 p, const Box& box) {
     return norm(off);
 }
 
-// +1 or -1: the ray from `p` leaves or enters through the triangle; 0: it passes by. Nothing where
-// it passes so near to the border, or so flat, that rounding decides. Möller and Trumbore, "Fast,
-// Minimum Storage Ray/Triangle Intersection", 1997.
+// Returns +1 or -1 if the ray from `p` leaves or enters through the triangle, 0 if the ray misses;
+// empty if rounding decides because the ray is too close to the border or too flat.
+// Source: Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
 std::optional<int> crossing(Vec3 p, Vec3 direction, const Corners& t) {
     constexpr double kDoubt = 1e-9;
     const Vec3 e1 = t[1] - t[0];
@@ -31,7 +33,7 @@ std::optional<int> crossing(Vec3 p, Vec3 direction, const Corners& t) {
     const double a = dot(e1, h);
     const Vec3 s = p - t[0];
     if (std::abs(a) <= kDoubt * norm(e1) * norm(e2)) {
-        // Seen from the edge. It matters only to a ray in its plane.
+        // The ray is parallel to the triangle; only a ray in the triangle's plane is undecided.
         const Vec3 n = cross(e1, e2);
         if (std::abs(dot(s, n)) > kDoubt * norm(n) * (norm(s) + 1.0)) return 0;
         return norm(n) > 0.0 ? std::nullopt : std::optional(0);
@@ -79,7 +81,7 @@ double distance(Vec3 p, const Corners& t) {
 }
 
 bool meets_segment(const Box& box, Vec3 a, Vec3 b) {
-    constexpr double kSlack = 1e-9;  // of what is compared: far above rounding
+    constexpr double kSlack = 1e-9;  // relative to the compared values: far above rounding
     double first = 0.0, last = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
         const double way = b[axis] - a[axis];
@@ -132,7 +134,7 @@ std::size_t TriangleTree::build(std::vector<Placed>& placed, std::size_t begin, 
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t half = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return placed.begin() + static_cast<std::ptrdiff_t>(i); };
-    // By number where they are level: the same halves with every library.
+    // Ties are ordered by number, so that every standard library gives the same halves.
     std::nth_element(at(begin), at(half), at(end), [&](const Placed& s, const Placed& t) {
         const double a = s.middle[axis], b = t.middle[axis];
         return a < b || (a == b && s.triangle < t.triangle);
@@ -177,8 +179,8 @@ TriangleTree::Nearest TriangleTree::nearest(Vec3 p) const {
 bool TriangleTree::contains(Vec3 p) const {
     if (nodes_.empty() || !nodes_.front().box.contains(p)) return false;
     const double far = 2.0 * norm(nodes_.front().box.size()) + 1.0;
-    // In no plane that programs or designers make. Where a ray passes too near to an edge to tell,
-    // the next one does not.
+    // The direction lies in no plane that programs or designs usually contain. If a ray is too
+    // close to an edge, a ray in another direction is cast.
     Vec3 direction = normalized({0.5773241, 0.2113249, 0.7886751});
     int winding = 0;
     for (int attempt = 0; attempt < 16; ++attempt) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces to triangles, as round as the corners allow: convex faces of few corners corner by corner,
-// others by CGAL's constrained Delaunay triangulation. Where rounding to doubles has made edges of
-// a face cross or corners coincide, edges are first cut where they meet (Chains).
+// Triangulation of faces with triangles as round as the corners allow: convex faces with few
+// corners directly, all others by CGAL's constrained Delaunay triangulation. If rounding to doubles
+// has made edges of a face cross or corners coincide, edges are first divided at their crossings
+// (Chains).
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/parallel.h"
 
@@ -34,7 +35,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct Corner {
     std::uint32_t vertex = kNone;
-    std::uint32_t next = kNone;  // of a face whose corners stand once: the one after it
+    std::uint32_t next = kNone;  // for faces without repeated corners: the following corner
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Corner, Kernel>;
 using FaceInfoBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;
@@ -47,7 +48,8 @@ using Crossing = CGAL::Constrained_triangulation_plus_2<
 using Point2 = Kernel::Point_2;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Seen along the longest axis of the normal, so that counter-clockwise stays so.
+// Projection along the longest axis of the normal that keeps counter-clockwise loops
+// counter-clockwise.
 struct Projection {
     int first = 0, second = 1;
 
@@ -65,7 +67,7 @@ struct Projection {
     Point2 operator()(Vec3 p) const { return {p[first], p[second]}; }
 };
 
-// How often edges are passed on the way around a face, there minus back.
+// Net number of traversals of edges by the loops of a face: forward minus backward.
 class Passes {
 public:
     void add(std::uint32_t from, std::uint32_t to) {
@@ -84,8 +86,9 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> net_;
 };
 
-// Writes into the triangles how often the way winds around them. All edges of it are constrained;
-// `net(from, to)` tells how often it passes an edge, there minus back.
+// Stores in each triangle the winding number of the path. `net(from, to)` is the net number of
+// traversals of an edge.
+// Requires: all edges of the path are constrained.
 template <class Triangulation, class Net>
 void wind(Triangulation& cdt, Net net) {
     constexpr int kUnknown = std::numeric_limits<int>::min();
@@ -109,7 +112,7 @@ void wind(Triangulation& cdt, Net net) {
     }
 }
 
-// Each triangle as often as the way winds around it, turned over where it does so clockwise.
+// Appends each triangle as often as its winding number, reversed if the number is negative.
 template <class Triangulation>
 void append_wound(const Triangulation& cdt, std::vector<Triangle>& triangles) {
     for (const auto f : cdt.finite_face_handles()) {
@@ -120,8 +123,8 @@ void append_wound(const Triangulation& cdt, std::vector<Triangle>& triangles) {
     }
 }
 
-// Nothing where a corner stands twice, edges cross, a corner lies on an edge, or the face is not
-// on the left of its loops.
+// Returns the constrained Delaunay triangulation; empty if a corner is repeated, edges cross, a
+// corner lies on an edge, or the face is not on the left of its loops.
 std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const BoundaryFace& face) {
     const Projection view(face.normal);
     Delaunay cdt;
@@ -137,7 +140,7 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     const std::size_t corners = handles.size();
     if (cdt.number_of_vertices() != corners) return std::nullopt;
     if (cdt.dimension() < 2) return std::nullopt;
-    // Calls edge(from, to) until one is not as it should be.
+    // Calls edge(from, to) until a call returns false.
     const auto all_edges = [&](auto edge) {
         auto first = handles.begin();
         for (const auto& loop : face.loops) {
@@ -174,9 +177,10 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     return triangles;
 }
 
-// The Delaunay triangulation of a face without holes that is convex as it is rounded, corners on
-// its edges allowed: most are, and most have four corners. Nothing where it is not, or has many
-// corners. O(corners²).
+// The Delaunay triangulation of a face without holes that is convex after rounding; corners may lie
+// on edges. Most faces are convex, most of them with four corners. Fails if the face is not convex
+// or has many corners.
+// Cost: O(corners²).
 class ConvexFace {
 public:
     ConvexFace(const Boundary& boundary, const BoundaryFace& face) : loop_(face.loops[0]) {
@@ -194,7 +198,7 @@ public:
     }
 
 private:
-    // All corners turn left or go straight on, and the way goes around once.
+    // True if all corners turn left or are straight, and the loop winds once.
     bool is_convex() const {
         const std::size_t n = corners_.size();
         if (n < 3) return false;
@@ -213,9 +217,9 @@ private:
         return maxima == 1;
     }
 
-    // What lies between the edge from the last to the first corner and the way from the first to
-    // the last. The third corner of its triangle is the one whose circle with the edge has no
-    // other in it. Where several lie on one circle it is the first.
+    // Triangulates the region between the edge from the last to the first corner and the chain from
+    // the first to the last. The third corner of the edge's triangle is the corner whose
+    // circumcircle with the edge contains no other corner; the first among equals.
     void below(std::size_t first, std::size_t last, std::vector<Triangle>& triangles) {
         if (last - first < 2) return;
         std::size_t third = last;
@@ -236,12 +240,12 @@ private:
     std::vector<Point2> corners_;
 };
 
-// Drops pairs of triangles with the same corners that turn opposite ways: together they enclose
-// nothing, and pass each of their edges there and back.
+// Drops pairs of triangles with the same corners and opposite orientation: together the two enclose
+// no area and traverse each edge in both directions.
 void cancel_opposites(std::vector<Triangle>& triangles) {
     struct Seen {
         Triangle corners;  // sorted
-        bool is_even;      // do the corners stand in a rotation of that order?
+        bool is_even;      // true if the triangle is an even permutation of `corners`
         std::uint32_t number;
     };
     std::vector<Seen> seen;
@@ -268,11 +272,11 @@ void cancel_opposites(std::vector<Triangle>& triangles) {
     std::erase_if(triangles, [&](const Triangle&) { return cancelled[i++]; });
 }
 
-// As far as rounding lets it: where edges cross or a corner stands on an edge, the edge becomes a
-// chain of short ones. The face is what its chains wind around, as often as they do; between each
-// edge and its chain, which lie upon each other, are triangles without area. So the triangles
-// have the edges of the face as their outline whatever the coordinates are, and no triangle leaves
-// the face by more than rounding. Crossings become new vertices.
+// Triangulation of faces damaged by rounding. If edges cross or a corner lies on an edge, the edge
+// becomes a chain of short edges. The face is the region around which the chains wind, with
+// multiplicity. Triangles without area fill the space between each edge and the coincident chain.
+// So the outline of the triangles is the outline of the face for any coordinates, and no triangle
+// leaves the face by more than rounding. Crossings become new vertices.
 class Chains {
 public:
     Chains(TriangleMesh& mesh, const BoundaryFace& face)
@@ -328,7 +332,7 @@ private:
         return a->info().vertex < b->info().vertex;
     }
 
-    // Whether the triangles pass the edges of the face, and no others for good.
+    // True if the triangles traverse exactly the edges of the face, up to cancellation.
     bool outline_is_right() const {
         Passes rest;
         for (const Triangle& t : triangles_) {
@@ -342,7 +346,8 @@ private:
         return rest.cancel();
     }
 
-    // Closed whatever the coordinates are, but within the face only if its corners lie on one line.
+    // Returns fans, which have the right outline for any coordinates, but lie within the face only
+    // if the face's corners are collinear.
     std::vector<Triangle> fans() const {
         std::vector<Triangle> triangles;
         for (const auto& loop : face_.loops) {
@@ -352,7 +357,7 @@ private:
         return triangles;
     }
 
-    // The point of the face that is seen there.
+    // Returns the point of the face with the given projection.
     std::uint32_t lifted(Point2 seen) {
         Vec3 p;
         p[view_.first] = seen.x();
@@ -363,7 +368,8 @@ private:
         return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
     }
 
-    // Where a crossing lies on a third edge, only the triangulation knows that this is cut, too.
+    // Returns the vertices along an edge. If a crossing lies on a third edge, only the
+    // triangulation has the division of the third edge.
     std::vector<std::uint32_t> chain_of(Crossing::Constraint_id id) const {
         std::vector<std::uint32_t> chain;
         Crossing::Vertex_handle last;
@@ -383,7 +389,7 @@ private:
         return chain;
     }
 
-    // Between the edge and its chain.
+    // Fills the space between an edge and its chain.
     void fill(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& chain) {
         std::uint32_t last = to;
         for (auto v = chain.rbegin(); v != chain.rend(); ++v) {
@@ -396,20 +402,21 @@ private:
     const BoundaryFace& face_;
     Projection view_;
     Crossing cdt_;
-    Passes passes_;  // of the chains
+    Passes passes_;  // traversals by the chains
     std::vector<Triangle> triangles_;
 };
 
-// Two faces that share two corners may both have the diagonal between them, or one has as a
-// diagonal what is an edge of another: where corners lie on one line but for rounding. A face that
-// winds around a place twice, by rounding too, has its diagonals there twice. Each such diagonal
-// gets a corner of its own in the middle, so that no edge stands twice; edges of faces stay.
+// Division of repeated diagonals. Two faces that share two corners may both have the diagonal
+// between the corners, or a diagonal of a face may be an edge of a second face, if corners are
+// collinear up to rounding. A face that winds twice around a place, also by rounding, has diagonals
+// twice there. Each such diagonal gets a separate vertex in the middle, so that no edge is
+// repeated; edges of faces stay.
 class RepeatedDiagonals {
 public:
     RepeatedDiagonals(TriangleMesh& mesh, std::size_t threads) : mesh_(mesh), threads_(threads) {}
 
     void split() {
-        // By the first vertex of the edge, then by the second, …
+        // Sorted by the first vertex of the edge, then the second, …
         std::vector<std::uint32_t> first(mesh_.vertices.size() + 1, 0);
         const auto for_each_side = [&](auto take) {
             for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -449,7 +456,7 @@ private:
         bool is_forward;
     };
 
-    // Is each edge one of two triangles, as nearly all are?
+    // True if each edge has exactly two triangles, as nearly all edges have.
     static bool stand_twice(std::span<const Side> sides) {
         for (std::size_t i = 0; i < sides.size(); i += 2) {
             if (i + 1 == sides.size() || sides[i].edge != sides[i + 1].edge) return false;
@@ -466,8 +473,8 @@ private:
                 begin = end;
                 continue;
             }
-            // Within one face what goes there and what comes back is a diagonal; one that is left
-            // over belongs to the edge of the face.
+            // Within a face, a forward and a backward side are a diagonal; an unmatched side
+            // belongs to the edge of the face.
             while (begin != end) {
                 const auto other =
                     std::find_if(begin, end, [&](const Side& s) { return s.face != begin->face; });
@@ -494,8 +501,8 @@ private:
         return i;
     }
 
-    // (a, b, c) with the edge a → b: (a, m, c) and (m, b, c). Where the triangle was halved before,
-    // it is the part with the edge.
+    // Replaces (a, b, c) with the edge a → b by (a, m, c) and (m, b, c). If the triangle has been
+    // halved already, the part with the edge is halved.
     void halve(std::uint32_t t, Edge edge, std::uint32_t middle) {
         std::vector<std::uint32_t> open{t};
         while (side(mesh_.triangles[t = open.back()], edge) == 3) {
@@ -516,13 +523,14 @@ private:
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_;
 };
 
-// What becomes of a run of faces. Those that take new vertices are left to whoever numbers them.
+// Triangles of a run of faces. Faces that need new vertices are listed for append(), which numbers
+// the vertices.
 struct Part {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> face;
     struct Left {
         std::uint32_t face;
-        std::size_t before;  // as many triangles of the run come before its own
+        std::size_t before;  // number of triangles of the run before the face
     };
     std::vector<Left> left;
 };

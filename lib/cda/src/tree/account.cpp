@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Who took what? A cell takes what no earlier one had: the first that covers a box takes what the
-// ones before it left there, and what came later finds nothing. Where several have a surface, their
-// facets are followed through time: a facet is born with the area that nobody had before, and each
-// later cell takes some of it, until it is gone. The volume under a facet (a third of area times
-// distance) goes to whom it is born with, and away from whom it dies of: the divergence theorem for
-// each of them. Walls of boxes need not be counted, since neighbours have them in common.
+// Account of removed volume per origin. A cell removes the volume that no earlier cell removed: the
+// first cell that covers a box removes the rest left by the cells before, and later cells remove
+// nothing there. Where several cells have a surface in a box, each facet is followed through time:
+// the facet is born with the area that no earlier cell has, and each later cell removes part of the
+// area, until none is left. The volume under a facet, a third of area times distance, is added to
+// the cell with which the facet is born and subtracted from the cell that removes the facet: the
+// divergence theorem for each cell. Walls of boxes cancel between adjacent boxes and are not
+// counted.
 //
-// Where a cell stands for several steps that went straight on, what it takes is shared between them
-// (step_shares.h).
+// If a cell represents several steps along a straight line, step_shares.h divides the cell's volume
+// between the steps.
 //
-// Which cells are in a box is decided exactly, and so is who has the facet where planes coincide.
-// Areas are sums in doubles.
+// The cells in a box, and the owner of a facet where planes coincide, are decided exactly. Areas
+// are sums in doubles.
 #include "polytope/facet_region.h"
 #include "tree/descent.h"
 #include "tree/step_shares.h"
@@ -28,16 +30,16 @@ public:
              const AccountInput& input, std::vector<Taken>& taken);
 
 private:
-    // Cells of one origin in a row take a turn together: what one of them has is not asked apart.
-    // Those of before have taken theirs.
+    // Consecutive cells of one origin form a turn; the volume of a single cell of a turn is not
+    // computed. Turn kBefore holds the cells that are already in the tree.
     static constexpr std::uint32_t kBefore = 0;
     static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
-    // After whose turn nothing is left in a box, and the cell that covers it.
+    // The turn after which nothing is left in a box, and the cell that covers the box.
     struct Last {
         std::uint32_t turn = kNobody, number = 0;
         bool is_nobody() const { return turn == kNobody; }
     };
-    // Areas below this share of a facet are rounding: nobody took them.
+    // Areas below this share of a facet are rounding errors and are assigned to no cell.
     static constexpr double kRounding = 1e-9;
 
     // A cell with a surface in the box.
@@ -62,10 +64,10 @@ private:
     }
 
     const AccountInput* input_ = nullptr;
-    std::vector<Taken>* taken_ = nullptr;  // by turn; the first is nobody's
+    std::vector<Taken>* taken_ = nullptr;  // by turn; turn 0 (kBefore) is not returned
     std::vector<StepShares> shares_;
     std::vector<std::uint32_t> shares_of_turn_;  // index, or kNobody
-    // The box at hand.
+    // The current box.
     std::vector<Plane> stock_, planes_;
     std::vector<Local> locals_;
     std::vector<const Plane*> cuts_;
@@ -107,7 +109,7 @@ void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingC
     share_out();
 }
 
-// What cells took that stand for steps goes to these. Nobody's turn goes.
+// Divides the volume of cells that represent several steps between the steps. Drops turn kBefore.
 void BlockTree::Accounting::share_out() {
     std::vector<Taken> all;
     for (std::size_t turn = 1; turn < taken_->size(); ++turn) {
@@ -125,14 +127,14 @@ void BlockTree::Accounting::share_out() {
     taken_->swap(all);
 }
 
-// Items [begin, end) of the level above, in the order of time.
+// Visits a node with items [begin, end) of the level above, in chronological order.
 void BlockTree::Accounting::go_down(std::uint32_t node, std::size_t begin, std::size_t end,
                                     Last last) {
     const HalfBox box = tree_->nodes_[node].box();
     const Level above = level();
     last = take_in(box, begin, end, last);
     if (items_.size() == above.items && last.is_nobody()) {
-        // Nothing is taken here.
+        // No cell removes anything here.
     } else if (tree_->nodes_[node].kind == Kind::Material) {
         take_out(node);
         divide(box, above.items, items_.size(), 0, kNone, last);
@@ -146,8 +148,8 @@ void BlockTree::Accounting::go_down(std::uint32_t node, std::size_t begin, std::
     return_to(above);
 }
 
-// Adds what items [begin, end) have in the box, without those whose turn is not before that of the
-// first that covers it. Whose that is.
+// Pushes the parts of items [begin, end) in the box, except items whose turn is not before the turn
+// of the first item that covers the box. Returns this turn.
 BlockTree::Accounting::Last BlockTree::Accounting::take_in(const HalfBox& box, std::size_t begin,
                                                            std::size_t end, Last last) {
     turn_to_another_box();
@@ -176,7 +178,7 @@ BlockTree::Accounting::Last BlockTree::Accounting::take_in(const HalfBox& box, s
         items_[kept++] = item;
     }
     items_.resize(kept);
-    // Others of its turn came before it.
+    // The covering item of a turn makes the remaining items of the turn redundant.
     const auto begin_of_mine = items_.begin() + static_cast<std::ptrdiff_t>(mine);
     items_.erase(std::remove_if(begin_of_mine, items_.end(),
                                 [last](const Item& item) { return item.turn >= last.turn; }),
@@ -184,7 +186,7 @@ BlockTree::Accounting::Last BlockTree::Accounting::take_in(const HalfBox& box, s
     return last;
 }
 
-// A box in a leaf of the tree, of which items [begin, end) are all that is there.
+// Divides a box in a leaf of the tree; items [begin, end) are all items in the box.
 void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::size_t end,
                                    int fruitless, std::size_t parent_load, Last last) {
     const Level above = level();
@@ -193,12 +195,13 @@ void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::s
     const std::span<const Item> items = std::span(items_).subspan(mine);
     const auto changes = [](const Item& item) { return item.turn != kBefore; };
     if (last.is_nobody() && std::ranges::none_of(items, changes)) {
-        // Nothing is taken here.
+        // No cell removes anything here.
     } else if (std::ranges::any_of(items, [](const Item& item) { return !item.is_looked_at; })) {
         const Cut cut = cut_of_boxes(box, mine);
         split(box, cut.axis == 3 ? box.longest_axis() : cut.axis, mine, 0, kNone, last);
     } else {
-        // Mostly, what is about to come has gone before: then nothing else need be looked at.
+        // In most boxes the cells of the tree already cover the new cells; then no further test is
+        // needed.
         drop_redundant(BoxFrame(box), mine);
         const std::size_t planes = load(mine);
         const bool was_in_vain = 10 * planes > 9 * parent_load;
@@ -206,7 +209,7 @@ void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::s
         Cut cut;
         if (planes > input_->leaf && fruitless < kFruitlessSplits) cut = best_cut(box, mine);
         if (last.is_nobody() && std::ranges::none_of(std::span(items_).subspan(mine), changes)) {
-            // Nothing is taken here.
+            // No cell removes anything here.
         } else if (cut.axis == 3) {
             settle(box, mine, last);
         } else {
@@ -223,8 +226,9 @@ void BlockTree::Accounting::split(const HalfBox& box, std::size_t axis, std::siz
         divide(box.half(axis, upper), begin, end, fruitless, parent_load, last);
 }
 
-// Makes cuts_ what the other cell has of a facet in `plane`; false if nothing. `takes_same`: has it
-// the facet where both have one in the same plane?
+// Sets cuts_ to the planes of `other` that bound the part that `other` removes from a facet in
+// `plane`; false if the part is empty. `takes_same`: true if `other` owns the facet where both
+// cells have a facet in the same plane.
 bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, bool takes_same,
                                        bool takes_opposite) {
     bool has_same = false;
@@ -240,10 +244,10 @@ bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, b
         if (beyond < 0 || (beyond == 0 && !(same ? takes_same : takes_opposite))) return false;
         if (beyond == 0) (same ? has_same : has_opposite) = true;
     }
-    return !(has_same && has_opposite);  // else it is flat
+    return !(has_same && has_opposite);  // two opposite planes: the cell is flat
 }
 
-// Cuts facet_ to what lies below `planes`; one that is parallel to it has all of it or nothing.
+// Clips facet_ to the part below `planes`. A parallel plane keeps the whole facet or nothing.
 bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane> planes) {
     return std::ranges::all_of(planes, [&](const Plane& cut) {
         if (!cut.is_parallel_to(plane)) return facet_.clip(cut);
@@ -253,7 +257,7 @@ bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane> p
     });
 }
 
-// A leaf: follows all facets.
+// Follows all facets in a leaf.
 void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, Last last) {
     const BoxFrame frame(box);
     stock_.clear();
@@ -284,13 +288,14 @@ void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, Last l
     }
 }
 
-// facet_ through time: from what `self`, if it is a cell, has first. `sign`: 1 out of the part.
+// Follows facet_ through time, starting with the part that `self`, if a cell, has first. `sign`: 1
+// if the facet's normal points out of the part.
 void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local& self, Last last) {
     const bool is_wall = self.count > 0;
     const double rounding = kRounding * facet_.area();
     const auto begin_of_later = static_cast<std::size_t>(
         std::ranges::upper_bound(locals_, self.turn, {}, &Local::turn) - locals_.begin());
-    // What was there before is only looked at where somebody takes some of it.
+    // A facet that existed before is processed only if some cell removes part of the facet.
     if (self.turn == kBefore && last.is_nobody()) {
         std::size_t takers = 0;
         std::size_t taker = 0;
@@ -313,7 +318,7 @@ void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local&
     }
     if (!clip_to(plane, stock_)) return;
     const double height = sign * distance_about(plane, input_->centre) / 3.0;
-    // The latest of them first: mostly it has all of what lies in the way that the tool came.
+    // The latest cells first: a later cell usually contains the region that the tool has passed.
     for (std::size_t i = begin_of_later; i-- > 0;) {
         const Local& other = locals_[i];
         if (is_wall && other.number == self.number) continue;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Insertion of a block's waiting cells.
 #include "tree/block.h"
 
 #include <algorithm>

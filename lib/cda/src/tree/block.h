@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A block of the stock: its tree, its share of the volume, and the cells that wait to go down.
+// A block of the stock: the block's tree, share of the volume, and waiting cells.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -17,33 +17,36 @@
 
 namespace ncsim::cda {
 
-// A cell that some blocks have not taken in yet.
+// A cell that some blocks have not inserted yet.
 struct WaitingCell {
     Cell cell;
     IncomingCell incoming;
 };
 
-// A part of the tree and its share of the volume.
+// A part of the tree with a share of the volume.
 struct Block {
     std::shared_ptr<BlockTree> tree;
-    std::vector<std::shared_ptr<const WaitingCell>> waiting;     // in the order they came
-    std::vector<std::shared_ptr<const WaitingCell>> going_down;  // likewise, those before them
-    std::uint64_t last_step = 0;                                 // when somebody came
-    mutable std::optional<double> volume;  // cubic units; of what is there now, once asked for
-    mutable std::shared_ptr<const Outlines> outlines;  // likewise, of a tile
-    std::vector<std::pair<Origin, Taking>> taken;      // what is not in the books yet; cubic units
+    std::vector<std::shared_ptr<const WaitingCell>> waiting;  // in order of arrival
+    // cells in insertion, in order of arrival; all arrived before `waiting`
+    std::vector<std::shared_ptr<const WaitingCell>> going_down;
+    std::uint64_t last_step = 0;           // step of the last arrival
+    mutable std::optional<double> volume;  // volume of `tree`, cubic units; empty until requested
+    // surface in `tree`; null until requested; only for a tile
+    mutable std::shared_ptr<const Outlines> outlines;
+    std::vector<std::pair<Origin, Taking>> taken;  // amounts not yet in the account; cubic units
 
-    // To change it: not what others see.
+    // Returns the tree for modification; copies the tree if other parts share the tree.
     BlockTree& own() {
-        // Whoever let go of it has read it, perhaps in another thread: letting go of it, too, comes
-        // after that, which the count alone does not tell.
+        // Another thread may have read and released the tree. Releasing a reference orders those
+        // reads before this write; a look at the count alone does not.
         std::shared_ptr<BlockTree>(tree).reset();
         if (tree.use_count() > 1) tree = std::make_shared<BlockTree>(*tree);
         volume.reset();
         outlines.reset();
         return *tree;
     }
-    // Lets no cell wait any longer. Drops the cells whose numbers are set in `forgotten`.
+    // Moves all waiting cells to `going_down`. Drops the cells whose numbers are set in
+    // `forgotten`.
     void send_down(const std::vector<bool>& forgotten) {
         for (auto& cell : waiting) {
             const std::uint32_t number = cell->incoming.number;
@@ -52,7 +55,7 @@ struct Block {
         }
         waiting.clear();
     }
-    // Takes in those that go down; into the books, if there are any.
+    // Inserts the cells of `going_down`; adds the removed volumes to `taken` if `keeps_account`.
     void settle(const AccountInput& input, bool keeps_account);
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tree of a block: nodes, leaves, planes and queries.
 #include "tree/block_tree.h"
 
 #include "base/none.h"
@@ -51,7 +53,7 @@ void BlockTree::become_empty(std::uint32_t number) {
     nodes_[number].kind = Kind::Empty;
 }
 
-// Of an inner node, once its children have changed.
+// Updates an inner node after a change of the node's children.
 void BlockTree::enclose_children(std::uint32_t number) {
     const Node& a = nodes_[nodes_[number].first_child];
     const Node& b = nodes_[nodes_[number].first_child + 1];

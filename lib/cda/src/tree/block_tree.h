@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A block of the tree: a box that is halved where many cells meet. Leaves know the cells whose
-// surface passes through them, and of those the planes that do; what another cell of the leaf
-// covers is not kept. A node's box shrinks as material goes: what single cells cover from wall to
-// wall is cut off for good. A block knows nothing of its neighbours, so blocks are worked on by any
-// thread.
+// A block of the tree: a box that is halved where many cells meet. Leaves hold the cells whose
+// surface passes through the leaf, with the planes that cut the leaf; cells covered by another cell
+// of the leaf are not kept. A node's box shrinks as material is removed: a slab that a single cell
+// covers from wall to wall is cut off permanently. Blocks are independent, so any thread may
+// process a block.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -26,7 +26,8 @@
 
 namespace ncsim::cda {
 
-/// What is known of all cells by number: who made them, and which normals they share.
+/// Table of all cells by number: origin, rank and family. Cells with the same FacetNormals object
+/// form a family.
 class CellTable {
 public:
     static constexpr std::uint32_t kNoFamily = ~std::uint32_t{0};
@@ -34,16 +35,16 @@ public:
     void add(Origin origin, std::int32_t rank, const std::shared_ptr<const FacetNormals>& normals);
     std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
     Origin origin(std::uint32_t cell) const { return cells_[cell].origin; }
-    /// Index for normals(), or kNoFamily.
+    /// Returns an index for normals(), or kNoFamily.
     std::uint32_t family(std::uint32_t cell) const { return cells_[cell].family; }
     const FacetNormals& normals(std::uint32_t family) const { return *families_[family]; }
     std::size_t families() const { return families_.size(); }
-    /// The total order of cells: by rank, then by the motion that made them, then by number.
+    /// True if `a` is before `b` in the total order of cells: by rank, then origin, then number.
     bool comes_before(std::uint32_t a, std::uint32_t b) const {
         return std::tuple{cells_[a].rank, cells_[a].origin, a} <
                std::tuple{cells_[b].rank, cells_[b].origin, b};
     }
-    /// Bytes held.
+    /// Returns the memory in bytes.
     std::size_t memory() const;
 
 private:
@@ -57,18 +58,19 @@ private:
     std::unordered_map<const FacetNormals*, std::uint32_t> family_of_;
 };
 
-/// A cell on its way into the tree.
+/// A cell to be inserted into the tree.
 struct IncomingCell {
     std::uint32_t number = 0;
     std::span<const Plane> planes;
-    const StraightSteps* steps = nullptr;  ///< As the cell has them.
-    /// Twice the distance of the planes that are the family's, in their order; beyond everything
-    /// where such a plane does not cut the stock.
+    const StraightSteps* steps = nullptr;  ///< Same as Cell::steps.
+    /// Twice the distances of the planes with shared normals, in the order of the normals; infinity
+    /// if the plane does not cut the stock.
     std::vector<double> facets;
-    std::vector<std::uint16_t> loose;    ///< Indices of the other planes that cut the stock.
-    std::array<double, 3> min{}, max{};  ///< Encloses it, in half units.
+    std::vector<std::uint16_t> loose;    ///< Indices of the remaining planes that cut the stock.
+    std::array<double, 3> min{}, max{};  ///< Box around the cell, in half units.
 
-    /// From its bounds in mm: four half units more for the rounding to millimetres and back.
+    /// Sets the box from bounds in mm, extended by four half units for the rounding to millimetres
+    /// and back.
     void enclose(const Box& bounds, double unit_mm) {
         for (std::size_t i = 0; i < 3; ++i) {
             const int axis = static_cast<int>(i);
@@ -79,7 +81,7 @@ struct IncomingCell {
     double least_extent() const {
         return std::min({max[0] - min[0], max[1] - min[1], max[2] - min[2]});
     }
-    /// By its box: may it have anything in common with this one?
+    /// False if the cell's box and `box` have no common point.
     bool meets(const BoxFrame& box) const {
         for (std::size_t i = 0; i < 3; ++i) {
             if (min[i] > box.centre[i] + box.half[i]) return false;
@@ -89,57 +91,59 @@ struct IncomingCell {
     }
 };
 
-/// What all blocks have in common when volumes are asked for.
+/// Input of accounts, the same for all blocks.
 struct AccountInput {
     std::span<const Plane> stock;
     const CellTable& cells;
-    Vec3 centre;         ///< Volumes are summed about it, in lattice units: best near the middle.
+    /// Reference point of volumes in lattice units; rounding is smallest near the middle.
+    Vec3 centre;
     std::uint32_t leaf;  ///< Boxes with more planes are halved.
 };
 
-/// What cells of one origin, one after the other, took from a block.
+/// Volume that consecutive cells of one origin removed from a block.
 struct Taken {
     Origin origin = kStockOrigin;
-    double volume = 0.0;  ///< Cubic units; of a block by itself no volume, only summed up.
-    /// Numbers of those that took something, ascending; of cells that took the same, one may stand
-    /// for the others.
+    double volume = 0.0;  ///< Cubic units; a volume only as a sum over all blocks.
+    /// Numbers of the cells that removed volume, ascending; of cells that removed the same volume,
+    /// one may represent all.
     std::vector<std::uint32_t> cells;
-    /// Where it is one of the steps that the only cell stands for.
+    /// Index of the step, if this is one of the steps that the only cell represents.
     std::optional<std::size_t> step = std::nullopt;
 };
 
+/// The tree of a block.
 class BlockTree {
 public:
     explicit BlockTree(const HalfBox& box);
 
-    /// Where material may be.
+    /// Returns the box that encloses the material.
     HalfBox box() const { return nodes_[0].box(); }
     bool is_empty() const { return nodes_[0].kind == Kind::Empty; }
 
-    /// Takes cells away. Expected O(surface of the cells in the block that is left in the end):
-    /// what one of them covers is not looked at for the others. A leaf whose cells are cut by more
-    /// than `leaf` planes is split.
+    /// Removes cells. A leaf whose cells have more than `leaf` planes in the leaf is split.
+    /// Cost: expected O(surface of the cells that remains in the block): parts of cells that
+    /// another cell covers are skipped.
     void insert(std::span<const IncomingCell* const> cells, const CellTable& table,
                 std::uint32_t leaf);
-    /// False: the cell is nowhere near, by its box.
+    /// False if the cell's box is outside of the block's box.
     bool meets(const IncomingCell& cell) const {
         return !is_empty() && cell.meets(BoxFrame(box()));
     }
 
-    /// How much cells would take away, in the order given, if they were inserted now: `taken` for
-    /// each origin in turn.
+    /// Computes the volumes that `cells` would remove if inserted in the given order: `taken` per
+    /// origin in turn.
     void account(std::span<const IncomingCell* const> cells, const AccountInput& input,
                  std::vector<Taken>& taken) const;
 
-    /// One cell of a leaf: its number and the planes that cut the leaf (indices for plane()).
+    /// A cell of a leaf: the number and the planes that cut the leaf (indices for plane()).
     struct Entry {
         std::uint32_t cell;
         std::span<const std::uint32_t> planes;
     };
-    /// `index` as in an entry of the cell.
+    /// Returns a plane; `index` is from an entry of the cell.
     Plane plane(std::uint32_t cell, std::uint32_t index, const CellTable& table) const;
     std::size_t planes() const { return planes_.size(); }
-    /// The entries of a leaf, in one place.
+    /// The entries of a leaf in contiguous memory.
     class LeafCells {
     public:
         std::span<const Entry> entries() const { return entries_; }
@@ -151,27 +155,28 @@ public:
         std::vector<Entry> entries_;
     };
 
-    /// Goes down where `enter` allows it and calls `leaf` for each leaf with material there.
-    /// Always in the same order.
+    /// Visits the nodes that `enter` accepts and calls `leaf` for each leaf with material. The
+    /// order is always the same.
     void visit(const std::function<bool(const HalfBox&)>& enter,
                const std::function<void(const HalfBox&, std::span<const Entry>)>& leaf) const;
 
-    /// The cells of the leaf with the point, in units of 2^-15 half units; false if it is empty.
+    /// Finds the cells of the leaf with the point, in units of 2^-15 half units; false if the leaf
+    /// is empty.
     bool find(const std::array<std::int64_t, 3>& point, LeafCells& cells) const;
 
     std::size_t nodes() const { return nodes_.size() - 2 * free_children_.size(); }
-    /// Bytes held.
+    /// Returns the memory in bytes.
     std::size_t memory() const;
 
 private:
     enum class Kind : std::uint32_t { Material, Empty, Inner };
     static constexpr std::uint32_t kMostPlanes = (std::uint32_t{1} << 30) - 1;
     struct Node {
-        // Half units of the stock fit.
+        // Half units of the stock fit 32 bits.
         std::array<std::int32_t, 3> min{}, max{};
-        std::uint32_t first_child = 0;  // Inner: two in a row
+        std::uint32_t first_child = 0;  // Inner: two consecutive nodes
         Kind kind : 2 = Kind::Material;
-        std::uint32_t limit : 30 = 0;  // Material: planes that may be, where more than `leaf`
+        std::uint32_t limit : 30 = 0;  // Material: planes allowed, if more than `leaf`
         PackedCells cells;             // Material
 
         HalfBox box() const;

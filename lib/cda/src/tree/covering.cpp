@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Proof that cells cover a window, by halving boxes.
 #include "tree/covering.h"
 
 #include "tree/domination.h"
@@ -12,9 +14,9 @@ namespace ncsim::cda {
 
 namespace {
 
-// What is smaller has no halves; half units.
+// Smaller boxes are not halved; half units.
 constexpr std::int64_t kLeastExtent = 4;
-// Where more planes of the window cut a box, it is halved first.
+// A box that more planes of the window cut is halved first.
 constexpr std::size_t kFewPlanes = 4;
 
 class Covering {
@@ -40,11 +42,11 @@ public:
 private:
     struct Candidate {
         std::span<const Plane> planes;
-        std::size_t last = 0;  // the plane that told last that it does not take a box
-        const IncomingCell* bounds = nullptr;  // if they are known
+        std::size_t last = 0;                  // the plane that last failed to contain a box
+        const IncomingCell* bounds = nullptr;  // null if unknown
     };
 
-    // Finds the planes of the window that cut the box; false if it is outside of one.
+    // Finds the planes of the window that cut the box; false if the box is above one plane.
     bool enters(const BoxFrame& box) {
         window_.clear();
         for (const Plane& plane : input_.window) {
@@ -57,7 +59,7 @@ private:
         return true;
     }
 
-    // Those that the leaf knows.
+    // Adds the cells of a leaf.
     void add(std::span<const BlockTree::Entry> entries) {
         leaf_planes_.clear();
         for (const BlockTree::Entry& entry : entries) {
@@ -72,7 +74,7 @@ private:
     }
 
     bool is_taken(const HalfBox& leaf) {
-        // What came last, first: it is what cleared the way.
+        // The latest cell first: it usually cleared the path.
         std::vector<std::uint32_t>& all = candidates(0);
         all.clear();
         for (std::size_t i = cells_.size(); i > 0; --i)
@@ -81,7 +83,8 @@ private:
         return box.is_empty() || is_taken(box, 0);
     }
 
-    // Is what the window has of the box? By those that may be there by the box twice as large.
+    // True if the window's part of the box is covered. Candidates are the cells that may be in the
+    // box twice as large.
     bool is_taken(const HalfBox& box, std::size_t level) {
         const BoxFrame frame(box);
         if (!enters(frame)) return true;
@@ -102,8 +105,8 @@ private:
                is_taken(box.half(axis, true), level + 1);
     }
 
-    // What the window has of the box: below all planes of the cell, above one, or neither, as far
-    // as is seen.
+    // Returns how the window's part of the box lies to the cell: below all planes, above a plane,
+    // or undecided (On).
     Side where(Candidate& candidate, const BoxFrame& box) {
         if (candidate.bounds && !may_enclose(*candidate.bounds, box)) return Side::On;
         const std::size_t count = candidate.planes.size();
@@ -121,7 +124,8 @@ private:
         return Side::Below;
     }
 
-    // Only to save work. Bounds of cells and of the window are wider than these by what is rounded.
+    // Filter that only saves work. Bounds of cells and of the window are rounded outwards by less
+    // than kRounding.
     static bool may_enclose(const IncomingCell& cell, const BoxFrame& box) {
         constexpr double kRounding = 16.0;  // half units
         for (std::size_t i = 0; i < 3; ++i) {
@@ -131,7 +135,7 @@ private:
         return true;
     }
 
-    // Is what the window has of the box below the plane, though the box is not?
+    // True if the window's part of the box is below the plane, although the box is not.
     bool is_implied(const Plane& plane, const BoxFrame& box) {
         if (window_.size() > kFewPlanes) return false;
         left_ -= std::min(left_, window_.size());
@@ -150,10 +154,11 @@ private:
     const BlockTree& block_;
     const CoveringInput& input_;
     std::size_t left_;
-    std::vector<Candidate> cells_;  // those that wait, those of the leaf
+    std::vector<Candidate> cells_;  // waiting cells, then cells of the leaf
     std::vector<Plane> leaf_planes_;
-    std::vector<const Plane*> window_;               // that cut the box at hand
-    std::deque<std::vector<std::uint32_t>> levels_;  // of cells_; a deque: they stay where they are
+    std::vector<const Plane*> window_;  // planes that cut the current box
+    // indices into cells_; a deque, because references must stay valid
+    std::deque<std::vector<std::uint32_t>> levels_;
 };
 
 }  // namespace

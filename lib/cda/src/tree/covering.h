@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A quick proof that there is nothing: boxes are halved until each is taken by one cell. Where the
-// tool has just cleared its way, cells cover each other many times over, and boxes stay few: cells
-// that wait need not be taken in to find that out.
+// A quick proof that no material is left: boxes are halved until a single cell covers each box.
+// Where the tool has just cleared a path, cells overlap many times, and few boxes suffice. Waiting
+// cells need not be inserted for the proof.
 #pragma once
 
 #include "tree/block_tree.h"
@@ -12,16 +12,19 @@
 
 namespace ncsim::cda {
 
+/// Input of is_covered().
 struct CoveringInput {
-    std::span<const Plane> window;  ///< What is to be covered lies below all of these,
-    HalfBox bounds;                 ///< and in here.
+    std::span<const Plane> window;  ///< The region to be covered is below all these planes
+    HalfBox bounds;                 ///< Box around the region to be covered.
     std::span<const IncomingCell* const> waiting;
     const CellTable& cells;
-    std::size_t most_looks;  ///< At a cell or a plane from a box; after so many the answer is no.
+    /// Limit on box–cell and box–plane tests; beyond the limit the answer is false.
+    std::size_t most_looks;
 };
 
-/// Is all that the window has in the block taken by cells, those that wait included? Never claims
-/// what is not so; may miss what is. O(most_looks).
+/// True if the cells of the block, including waiting cells, cover the part of the window in the
+/// block. A positive answer is exact; a negative answer may be wrong.
+/// Cost: O(most_looks).
 bool is_covered(const BlockTree& block, const CoveringInput& input);
 
 }  // namespace ncsim::cda

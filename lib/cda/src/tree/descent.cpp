@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cells on the way down a block: tests against boxes and choice of cuts.
 #include "tree/descent.h"
 
 #include <algorithm>
@@ -10,11 +12,11 @@ namespace ncsim::cda {
 
 namespace {
 
-// Boxes are parted if halves have less than so many times as many cells as the whole, in sum.
+// Boxes are cut where the halves together have fewer than this many times the cells of the whole.
 constexpr double kPartsBoxes = 1.9;
-// What an axis loses by being shorter than another when it is chosen.
+// Penalty of a short axis in the choice of a cut.
 constexpr double kShortAxis = 0.25;
-// More cells than this are halved along the longest axis, whatever they are.
+// Boxes with more cells than this are halved along the longest axis.
 constexpr std::size_t kManyCells = 64;
 
 }  // namespace
@@ -82,8 +84,8 @@ std::size_t BlockTree::Descent::take_those_in(const BoxFrame& frame, std::size_t
     return hopeful;
 }
 
-// Along the axis whose halves have the fewest items from `begin` on, in sum, by the boxes of those
-// that were not looked at; none if that is not much fewer.
+// Chooses the axis whose halves together have the fewest items from `begin` on, by the boxes of
+// items that have not been looked at; no axis if the number is not much smaller.
 BlockTree::Descent::Cut BlockTree::Descent::cut_of_boxes(const HalfBox& box,
                                                          std::size_t begin) const {
     std::array<double, 3> middle{};
@@ -112,7 +114,7 @@ BlockTree::Descent::Cut BlockTree::Descent::cut_of_boxes(const HalfBox& box,
     return best;
 }
 
-// Adds the cells of a leaf to the items.
+// Pushes the cells of a leaf onto the items.
 void BlockTree::Descent::take_out(std::uint32_t number) {
     tree_->nodes_[number].cells.read(words_);
     const std::span<const std::uint32_t> words(words_);
@@ -152,7 +154,7 @@ std::uint32_t BlockTree::Descent::view_of(std::uint32_t family) {
     return view;
 }
 
-// Where the box begins and ends along the normals of a family.
+// Computes the range of the box along the normals of a family.
 const BlockTree::Descent::View& BlockTree::Descent::see(std::uint32_t family,
                                                         const BoxFrame& frame) {
     View& view = views_[view_of(family)];
@@ -173,8 +175,8 @@ const BlockTree::Descent::View& BlockTree::Descent::see(std::uint32_t family,
     return view;
 }
 
-// Of an item of the level above, what it has in the box, at the end of the stacks; first what is
-// most likely to be above a smaller box.
+// Finds the planes of an item of the level above that are active in the box, and pushes the planes
+// onto the stacks. The plane most likely to have a smaller box above is tested first.
 BlockTree::Descent::Place BlockTree::Descent::look(const BoxFrame& frame, Item& item) {
     const std::size_t facets = facets_.size();
     const std::size_t loose = loose_.size();
@@ -228,7 +230,7 @@ bool BlockTree::Descent::look_again(const BoxFrame& frame, const Item& item) {
     for (std::uint32_t i = first; i < first + item.facets.count; ++i) {
         const Facet facet = facets_[i];
         if (low_[facet.direction] >= facet.d2) {
-            // Most likely it is the one again, next door.
+            // The same plane probably excludes the adjacent box as well.
             std::swap(facets_[i], facets_[first]);
             return false;
         }
@@ -243,7 +245,7 @@ bool BlockTree::Descent::look_again(const BoxFrame& frame, const Item& item) {
     return true;
 }
 
-// Where a half of the box begins and ends along the normals of the table.
+// Computes the range of a half of the box along the normals of the table.
 void BlockTree::Descent::look_into_half(const BoxFrame& box, const BoxFrame& half) {
     for (const std::uint32_t direction : directions_) {
         const ScaledNormal& normal = scaled_[column_of_[direction]];
@@ -251,7 +253,7 @@ void BlockTree::Descent::look_into_half(const BoxFrame& box, const BoxFrame& hal
         double middle = 0.5 * (high_[direction] + low_[direction]);
         double rest = 0.0;
         for (std::size_t i = 0; i < 3; ++i) {
-            // Along the axis, in half extents of the whole box, times the length of the normal.
+            // Component of the normal along the axis, in half extents of the whole box.
             const double n = reach * static_cast<double>(normal.n[i]);
             middle += n * (half.centre[i] - box.centre[i]) / box.half[i];
             rest += std::abs(n) * half.half[i] / box.half[i];
@@ -261,7 +263,7 @@ void BlockTree::Descent::look_into_half(const BoxFrame& box, const BoxFrame& hal
     }
 }
 
-// Along the axis that parts the cells best; the longest of those that do as well.
+// Chooses the axis whose cut divides the cells best; the longest axis among equals.
 BlockTree::Descent::Cut BlockTree::Descent::best_cut(const HalfBox& box, std::size_t begin) {
     const std::span<const Item> items = std::span(items_).subspan(begin);
     const std::size_t longest = box.longest_axis();
@@ -309,7 +311,7 @@ BlockTree::Descent::Cut BlockTree::Descent::best_cut(const HalfBox& box, std::si
             static_cast<double>(total) / static_cast<double>(items.size()) - kShortAxis * shape;
         if (cost < best_cost) {
             best_cost = cost;
-            // Less than half of the cells in both halves: one was cut off rather.
+            // `parts`: at most half of the cells are in both halves, or a cell covers a half.
             best = {axis, 2 * total <= 3 * items.size()};
         }
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests whether planes or cells cover others within a box.
 #include "tree/domination.h"
 
 #include "ncsim/cda/predicates.h"
@@ -10,21 +12,21 @@ namespace ncsim::cda {
 
 namespace {
 
-// Of the evaluation of a bound, in units of n times half units: rounding of e (below 2^53), and of
-// the sum relative to its largest terms, with room to spare.
+// Rounding errors of a bound, in units of n times half units: absolute error of e (below 2^53), and
+// relative error of the sum, with a safety margin.
 constexpr double kRoundingOfE = 16.0;
 constexpr double kRelativeRounding = 1e-14;
 
 }  // namespace
 
 Domination implies(const BoxPlane& m, const BoxPlane& p) {
-    // The corner of the box that is farthest above p must be above m, for a start.
+    // Necessary condition: the corner of the box that is farthest above p is above m.
     double height = -m.e;
     for (std::size_t i = 0; i < 3; ++i)
         height += std::copysign(1.0, p.n[i]) * m.n[i];
     if (height < 0) return Domination::None;
-    // max p·x <= min over λ >= 0 of λ e_m + Σ |p_i − λ m_i|: convex, piecewise linear; the least
-    // value is at a kink.
+    // max p·x <= min over λ >= 0 of λ e_m + Σ |p_i − λ m_i|. The bound is convex and piecewise
+    // linear in λ, so the minimum is at a kink.
     for (std::size_t i = 0; i < 3; ++i) {
         const double lambda = p.n[i] * m.inverse[i];
         if (lambda <= 0) continue;
@@ -35,7 +37,7 @@ Domination implies(const BoxPlane& m, const BoxPlane& p) {
         const double margin = kRoundingOfE * (1.0 + lambda) + kRelativeRounding * size;
         if (bound + margin < p.e) return Domination::Strict;
     }
-    // Equal planes, or nearly so, are left to integers.
+    // Equal or nearly equal planes are decided in integers.
     if (!m.exact->is_parallel_to(*p.exact) || !same_direction(*m.exact, *p.exact)) {
         return Domination::None;
     }
@@ -88,7 +90,7 @@ Profile::Profile(std::span<const BoxPlane> cell) {
 
 bool Profile::may_be_covered_by(const Profile& other) const {
     if (direction != other.direction) return true;
-    // Equal ones differ by rounding.
+    // Equal profiles differ by rounding.
     constexpr float kTolerance = 1e-5F;
     bool covered = true;
     for (std::size_t k = 0; k < 16; ++k) {

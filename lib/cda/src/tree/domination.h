@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which cells need not be kept in a box: those that another one covers there. In a raster of close
-// passes nearly all of them; what is left in a box of the size of the passes is a handful, however
-// many pass by.
+// Cells that need not be kept in a box because another cell covers them there. In a raster of close
+// passes most cells are covered: a box of the size of the passes keeps a handful of cells,
+// independent of the number of passes.
 #pragma once
 
 #include "exact/half_box.h"
@@ -15,8 +15,7 @@
 
 namespace ncsim::cda {
 
-/// A plane seen from the centre of a box whose half extents are taken for one: n·x <= e, and the
-/// box is -1 <= x_i <= 1.
+/// A plane in coordinates in which the box is -1 <= x_i <= 1: n·x <= e.
 struct BoxPlane {
     BoxPlane() = default;
     BoxPlane(const HalfPlane& p, const Plane& same, const BoxFrame& box)
@@ -28,33 +27,35 @@ struct BoxPlane {
         }
     }
     std::array<double, 3> n{}, inverse{};
-    double size = 0;  ///< How far the box reaches along n.
+    double size = 0;  ///< Reach of the box along n.
     double e = 0;
     const Plane* exact = nullptr;
 };
 
+/// Result of containment tests within a box, in ascending order of strength.
 enum class Domination : std::uint8_t {
-    None,      ///< Or not found.
+    None,      ///< Not covered, or not decided.
     Coplanar,  ///< Covered, and both have a facet in one plane there.
     Strict,
 };
 
-/// Do all points of a box below `m` lie below `p`? Strict: none of them in p; Coplanar: m and p are
-/// one plane. Never claims what is not so. The linear program of a box and a halfspace, a convex
-/// function of one multiplier.
+/// Decides if all points of a box below `m` are below `p`. Strict: no such point lies in the plane
+/// `p`. Coplanar: m and p are the same plane. A positive answer is exact; None may be wrong. Solves
+/// the linear program of a box and a halfspace, a convex function of one multiplier.
 Domination implies(const BoxPlane& m, const BoxPlane& p);
 
-/// Is the part of a cell in a box within another cell? Both are given by the planes that cut the
-/// box. Never claims what is not so; may miss what needs two planes at once to be seen. Each plane
-/// of the other cell is tried against each of this one: O(planes · planes).
+/// Decides if the part of a cell in a box is within a second cell. Both cells are given by the
+/// planes that cut the box. A positive answer is exact; None may be wrong if the proof needs two
+/// planes at once. Cost: O(planes · planes), because each plane of the second cell is tested
+/// against each plane of the first.
 Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by);
 
-/// How far a cell reaches through a box along the axis most of its planes look along, in 16 columns
-/// beside each other: what dominates another reaches as far in each. Only to save work.
+/// Reach of a cell through a box along the axis that most of the planes face, in 16 columns. A cell
+/// that covers another reaches at least as far in each column. A filter that only saves work.
 struct Profile {
     Profile() = default;
     explicit Profile(std::span<const BoxPlane> cell);
-    /// Roughly: may a cell with this profile be covered by one with `other`?
+    /// False if a cell with this profile is probably not covered by a cell with profile `other`.
     bool may_be_covered_by(const Profile& other) const;
 
     std::uint8_t direction = 0;  ///< Twice the axis, plus one for the negative direction.

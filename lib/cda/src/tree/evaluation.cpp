@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A facet is cut to the box of the leaf and to its own cell. What other cells take from it are
-// convex sections; what is left is never computed as an area, only its outline: edges of the
-// facet outside of all sections, and edges of sections outside of all others. Where edges lie on
-// each other, the rule of the facets holds once more, a dimension lower.
+// Evaluation of the facet rule. A facet is clipped to the box of the leaf and to the facet's cell.
+// The sections that other cells remove from the facet are convex. The remaining area is not
+// computed, only the outline: edges of the facet outside of all sections, and edges of sections
+// outside of all other sections. Where edges coincide, the same rule applies one dimension lower.
 #include "tree/evaluation.h"
 
 #include "base/none.h"
@@ -18,7 +18,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// Of the line directions n_s × n_a and n_s × n_b, known to be parallel: do they agree?
+// True if the parallel line directions n_s × n_a and n_s × n_b agree in orientation.
 bool same_side(const Plane& s, const Plane& a, const Plane& b) {
     const auto cross = [&s](const Plane& p) {
         return std::array<std::int64_t, 3>{std::int64_t{s.ny} * p.nz - std::int64_t{s.nz} * p.ny,
@@ -54,27 +54,27 @@ public:
                      [this](const HalfBox& box, std::span<const BlockTree::Entry> entries) {
                          take_leaf(box, entries);
                      });
-        // What is asked with a window is whether there is any piece, and where.
+        // A query with a window asks only whether a piece exists, and where.
         if (!input_.window) result_.outlines.cancel(seams_);
     }
 
 private:
     using Planes = std::vector<const FilterPlane*>;
 
-    // Planes of rows_.
+    // Range of planes in rows_.
     struct Range {
         std::size_t begin = 0, end = 0;
         bool is_empty() const { return begin == end; }
     };
-    // A cell with the planes that cut the box at hand.
+    // A cell with the planes that cut the current box.
     struct Local {
         std::uint32_t cell = 0;
         Range planes;
     };
-    // Planes of rows_, and how much of a polygon is below each.
+    // Planes of rows_, each with the share of a polygon below the plane.
     using Cuts = std::vector<std::pair<double, std::size_t>>;
-    // What a cell takes from the facet at hand: what lies below all of these planes, each of which
-    // has an edge of it.
+    // The part of the current facet that a cell removes: the part below all `planes`, each of which
+    // bounds an edge of the part.
     struct Section {
         const Local* cell = nullptr;
         Cuts cuts;
@@ -82,7 +82,7 @@ private:
         Planes planes;
     };
 
-    // The planes that cut the box; false if the box is outside of one of them.
+    // Finds the planes that cut the box; false if the box is above one of the planes.
     static bool active(const std::vector<FilterPlane>& planes, const HalfBox& box,
                        Planes& cutting) {
         const BoxFrame frame(box);
@@ -110,7 +110,7 @@ private:
     void take_leaf(const HalfBox& box, std::span<const BlockTree::Entry> entries) {
         if (!active(stock_planes_, box, stock_) || !active(window_planes_, box, window_)) return;
         if (entries.empty() && stock_.empty() && window_.empty()) return;
-        // The planes that cut the box, in one place that does not move.
+        // Collects the planes that cut the box in one vector that is not reallocated.
         std::size_t count = 0;
         for (const BlockTree::Entry& entry : entries)
             count += entry.planes.size();
@@ -131,7 +131,7 @@ private:
             cells_[i].planes.end = rows_.size();
         }
         for (std::size_t i = 0; i < 3; ++i) {
-            // 2x <= max: odd distances, hence canonical.
+            // 2x <= max has an odd distance, hence is canonical.
             std::array<std::int32_t, 3> n{};
             n[i] = 2;
             const auto wall = first_wall_ + static_cast<std::uint32_t>(2 * i);
@@ -155,8 +155,8 @@ private:
         return range;
     }
 
-    // Does a single cell take all of the window in the box? Mostly so where passes lie on each
-    // other; then no facet is worth looking at.
+    // True if a single cell covers the window's part of the box. This case is frequent where passes
+    // overlap; no facet needs evaluation then.
     bool covers_window(const HalfBox& box) {
         const BoxFrame frame(box);
         const auto see = [&](const Range& planes, std::vector<BoxPlane>& seen) {
@@ -184,7 +184,8 @@ private:
                     !clip_strictly_to(stock_range_) || !clip_strictly_to(window_range_)) {
                     continue;
                 }
-                // Opposite walls both go; of equal ones the first stays.
+                // If two walls are opposite, both disappear; if two walls are equal, the first
+                // stays.
                 finish(input_.cells.origin(local.cell), true, &local,
                        [&](const Local& other, bool same) {
                            return !same || input_.cells.comes_before(other.cell, local.cell);
@@ -203,8 +204,8 @@ private:
     }
     const Plane& facet_plane() const { return facet_.plane().exact; }
 
-    // Keeps of facet_ what lies below the planes; a plane in which it lies itself does not count,
-    // but between it and an opposite one there is nothing.
+    // Keeps the part of facet_ below the planes. A plane that contains the facet with the same
+    // orientation has no effect; with the opposite orientation, nothing is left.
     bool clip_to(const Range& planes) {
         if (planes.is_empty()) return true;
         facet_.look(rows_, planes.begin, planes.end, glances_);
@@ -226,15 +227,15 @@ private:
         return clip_in_order(facet_, cuts_, planes);
     }
 
-    // How much of a polygon is below a plane that it has been looked at from: a rough measure.
+    // Returns the approximate share of a polygon below a plane, from the polygon's glances.
     static double share_below(const Glances& glances, std::size_t i) {
         const double low = glances.low[i];
         const double high = glances.high[i];
         return low < high ? low / (low - high) : 1.0;
     }
 
-    // By some of the planes. Those first that leave least, since most others do not meet what those
-    // leave: after two of them, all are looked at once more.
+    // Clips by the given planes, starting with the planes that leave least, because most of the
+    // remaining planes do not meet a small rest: after two clips all planes are classified again.
     bool clip_in_order(FilteredPolygon& polygon, Cuts& cuts, const Range& planes) {
         constexpr std::size_t kFirst = 2;
         constexpr std::size_t kWorthALook = 4;
@@ -260,7 +261,7 @@ private:
                            [&](const auto& cut) { return polygon.clip(rows_[cut.second]); });
     }
 
-    // The same, but nothing if it lies in one of the planes.
+    // The same, but false if the facet lies in one of the planes.
     bool clip_strictly_to(const Range& planes) {
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
             if (rows_[i].exact == facet_plane()) return false;
@@ -268,14 +269,15 @@ private:
         return clip_to(planes);
     }
 
-    // The facet rule: takes from facet_ what other cells have of it. `takes_coplanar(cell, same)`
-    // tells whether a cell with a facet in the same plane, in the same or the opposite orientation,
-    // does.
+    // Applies the facet rule: removes from facet_ the parts that other cells take.
+    // `takes_coplanar(cell, same)` is true if a cell with a facet in the same plane, in the same or
+    // the opposite orientation, takes the common part.
     template <class TakesCoplanar>
     void finish(Origin origin, bool is_wall, const Local* self, TakesCoplanar takes_coplanar) {
         ++result_.facets_tested;
         sections_in_use_ = 0;
-        // Most facets are covered by one cell, and often by the one that covered the facet before.
+        // Most facets are covered by a single cell, often by the cell that covered the previous
+        // facet.
         if (killer_ < cells_.size() && &cells_[killer_] != self) {
             const Range& planes = cells_[killer_].planes;
             facet_.look(rows_, planes.begin, planes.end, glances_);
@@ -306,8 +308,8 @@ private:
         return sections_[sections_in_use_];
     }
 
-    // What single planes tell of what `other` takes from facet_, which has been looked at; the
-    // section receives those that do not.
+    // Classifies, by single planes, the part of facet_ that `other` takes; facet_ has been looked
+    // at. The section receives the undecided planes.
     template <class TakesCoplanar>
     Overlap taken_by(const Local& other, TakesCoplanar takes_coplanar, Section& section) {
         bool coplanar_same = false;
@@ -339,8 +341,7 @@ private:
         return section.cuts.empty() ? Overlap::Covered : Overlap::Undecided;
     }
 
-    // From the planes that cross the facet: the part of it that is below them all. False if that
-    // has no area.
+    // Computes the part of the facet below all crossing planes; false if the part has no area.
     bool find_area(Section& section) {
         section.area.assign(facet_);
         if (!clip_in_order(section.area, section.cuts, section.cell->planes)) return false;
@@ -352,7 +353,8 @@ private:
         return true;
     }
 
-    // Planes of cells stand in leaf_planes_ as in rows_.
+    // True if the plane belongs to the range. Planes of cells are in rows_ in the same order as in
+    // leaf_planes_.
     bool is_of(const FilterPlane& plane, const Range& planes) const {
         const std::less_equal<const FilterPlane*> comes_first;
         return comes_first(&rows_[planes.begin], &plane) &&
@@ -375,7 +377,8 @@ private:
                 if (std::find(planes.begin(), planes.end(), &area.edge_plane(i)) == planes.end())
                     continue;
                 remaining_.assign(1, area.edge(i));
-                // Where two sections have an edge on the same side, the first keeps it.
+                // If two sections have an edge on the same side, the first section keeps the
+                // edge.
                 for (std::size_t j = 0; j < sections.size() && !remaining_.empty(); ++j) {
                     if (j != k) subtract(sections[j], j < k);
                 }
@@ -387,9 +390,9 @@ private:
         add_volume(before);
     }
 
-    // Takes a section from remaining_. Of pieces in an edge of the section, those that have it on
-    // the other side than their own area are taken, the others if `takes_same`; a section that is
-    // nothing but a line takes nothing.
+    // Removes a section from remaining_. A piece in an edge of the section is removed if the
+    // section is on the opposite side of the piece's own area; if on the same side, only if
+    // `takes_same`. A section that degenerates to a line removes nothing.
     void subtract(const Section& section, bool takes_same) {
         rest_.clear();
         for (const FilteredSegment& piece : remaining_) {
@@ -432,7 +435,7 @@ private:
         remaining_.swap(rest_);
     }
 
-    // `reversed`: the face lies above the line plane.
+    // `reversed`: the face lies above the line's plane.
     void write_remaining(Origin origin, bool is_wall_of_part, bool reversed) {
         for (const FilteredSegment& piece : remaining_) {
             const std::uint32_t plane = index_of(*piece.plane);
@@ -456,7 +459,7 @@ private:
         return index;
     }
     bool is_wall(const FilterPlane& plane) const { return plane.source >= first_wall_; }
-    // The same for all leaves that have a wall there, on either side.
+    // Returns the same index for all leaves with a wall at this position, on either side.
     std::uint32_t index_of_wall(std::size_t wall) {
         const std::size_t axis = wall / 2;
         const std::int64_t at = wall % 2 == 0 ? box_->min[axis] : box_->max[axis];
@@ -466,7 +469,7 @@ private:
         return wall_indices_[number];
     }
 
-    // A third of distance times area, from the pieces of the facet written last.
+    // Adds a third of distance times area, from the pieces of the facet written last.
     void add_volume(std::size_t first_piece) {
         const Plane& plane = facet_plane();
         const Vec3 normal = unit_normal(plane);
@@ -478,8 +481,8 @@ private:
             doubled_area += dot(normal, cross(points[pieces[i].tail].fixed.approx() - foot,
                                               points[pieces[i].head].fixed.approx() - foot));
         }
-        // Outlines of walls run the other way round as seen along the normal of the cell: the
-        // area is negative, as the volume is to be.
+        // Outlines of walls run in the opposite direction as seen along the normal of the cell, so
+        // the area is negative, as the volume must be.
         result_.volume += distance_about(plane, input_.centre) * doubled_area / 6.0;
     }
 
@@ -489,7 +492,7 @@ private:
     std::vector<FilterPlane> stock_planes_, window_planes_;
     std::uint32_t first_wall_ = 0;
     std::vector<std::uint32_t> table_;  // source of a plane → index in the outlines
-    // Walls of leaves by axis and place → index in the outlines.
+    // Walls of leaves by axis and position → index in the outlines.
     struct HashWall {
         std::uint64_t operator()(const std::array<std::int64_t, 2>& wall) const {
             return mix(static_cast<std::uint64_t>(wall[0]), static_cast<std::uint64_t>(wall[1]));
@@ -498,21 +501,21 @@ private:
     Interner<std::array<std::int64_t, 2>, HashWall> wall_numbers_;
     std::vector<std::uint32_t> wall_indices_;
     std::vector<std::uint32_t> seams_;  // pieces on walls
-    // The leaf at hand.
+    // Data of the current leaf.
     const HalfBox* box_ = nullptr;
     std::array<FilterPlane, 6> walls_;
     Planes stock_, window_;
     std::vector<FilterPlane> leaf_planes_;
-    PlaneRows rows_;  // of the stock, of the window, of the cells
+    PlaneRows rows_;  // planes of the stock, the window and the cells
     Range stock_range_, window_range_;
     std::vector<Local> cells_;
     std::size_t killer_ = 0;
     std::vector<BoxPlane> seen_window_, seen_cell_;
-    // The facet at hand.
+    // Data of the current facet.
     FilteredPolygon facet_;
-    Glances glances_;  // at rows_
+    Glances glances_;  // relation of facet_ to rows_
     Cuts cuts_;
-    Glances glances_again_;  // after some cuts
+    Glances glances_again_;  // the same after some clips
     std::vector<Section> sections_;
     std::size_t sections_in_use_ = 0;
     std::vector<FilteredSegment> remaining_, rest_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The facet rule, leaf by leaf: what is left of the facets of a block. docs/cda.md, "The facet
-// rule".
+// The facet rule, leaf by leaf: the visible remainders of the facets of a block. See docs/cda.md,
+// "The facet rule".
 #pragma once
 
 #include "polytope/filtered_polygon.h"
@@ -15,25 +15,26 @@
 
 namespace ncsim::cda {
 
-/// What all blocks have in common.
+/// Input of evaluations, the same for all blocks.
 struct EvaluationInput {
     std::span<const Plane> stock;
-    /// If not null: the surface of what these have in common with the part, instead of that of the
-    /// part.
+    /// If not null: evaluates the surface of the intersection of the part and these halfspaces,
+    /// instead of the surface of the part.
     const std::vector<Plane>* window = nullptr;
     const CellTable& cells;
-    Vec3 centre;  ///< Volumes are summed about it, in lattice units: best near the middle.
+    /// Reference point of volumes in lattice units; rounding is smallest near the middle.
+    Vec3 centre;
     bool only_first = false;  ///< Stop at the first piece of surface.
 };
 
-/// What came out of a block.
+/// Result for a block.
 struct Evaluation {
     Outlines outlines;
-    double volume = 0.0;  ///< Cubic lattice units; of a block by itself no volume, only summed up.
+    double volume = 0.0;  ///< Cubic lattice units; a volume only as a sum over all blocks.
     std::uint64_t leaves = 0, facets_tested = 0, facets_alive = 0;
 };
 
-/// O(leaves · (planes of a leaf)²).
+/// Evaluates a block. Cost: O(leaves · (planes of a leaf)²).
 Evaluation evaluate(const BlockTree& block, const EvaluationInput& input);
 
 }  // namespace ncsim::cda

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cells are taken away from a block: what one of them covers is empty for good, and of the others
-// the leaves keep what may be surface.
+// Removal of cells from a block: the part of the block that a cell covers becomes empty
+// permanently; otherwise the leaves keep the cells that may have surface.
 #include "tree/descent.h"
 
 #include <algorithm>
@@ -11,9 +11,10 @@ namespace ncsim::cda {
 
 namespace {
 
-// Walls of boxes move inwards where that makes the box an eighth shorter.
+// A wall of a box moves inwards only if the box becomes at least an eighth shorter.
 constexpr double kWorthShrinking = 0.75;
-// Planes are looked through for unused ones when there are this many times those last used.
+// Unused planes are dropped when the number of planes exceeds this multiple of the number after the
+// last drop.
 constexpr std::size_t kPlaneGrowth = 3;
 constexpr std::size_t kPlanesWorthDropping = 4096;
 
@@ -44,7 +45,7 @@ private:
 
     BlockTree* grown_ = nullptr;
     std::uint32_t leaf_ = 0;
-    std::vector<std::uint32_t> stored_;  // for each plane of incoming cells: where in the tree
+    std::vector<std::uint32_t> stored_;  // per plane of incoming cells: index in the tree
 };
 
 void BlockTree::insert(std::span<const IncomingCell* const> cells, const CellTable& table,
@@ -66,7 +67,7 @@ void BlockTree::Insertion::run(BlockTree& tree, std::span<const IncomingCell* co
     insert_at(0, tree.box(), 0, items_.size(), 0, kNone);
 }
 
-// Items [begin, end) of the level above; what is not within the box has been taken away.
+// Inserts items [begin, end) of the level above. Material outside of `within` has been removed.
 void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within, std::size_t begin,
                                      std::size_t end, int fruitless, std::size_t parent_load) {
     const HalfBox before = grown_->nodes_[number].box();
@@ -80,7 +81,8 @@ void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within
     const std::size_t my_items = above.items;
     BoxFrame frame(box);
     const std::size_t hopeful = take_those_in(frame, begin, end);
-    // First the cell that has the box nearest to its middle: it may cover all of it.
+    // The cell whose middle is nearest to the box is first, because this cell may cover the whole
+    // box.
     if (hopeful != kNone) std::swap(items_[my_items], items_[hopeful]);
     const std::size_t met = items_.size() - my_items;
     const bool is_coarse = met > kFewCells && cut_of_boxes(box, my_items).axis != 3;
@@ -107,7 +109,7 @@ void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within
     if (is_covered) {
         grown_->become_empty(number);
     } else if (kept == my_items && box == before) {
-        // Nothing of them is here.
+        // No item is in the box.
     } else if (grown_->nodes_[number].kind == Kind::Material) {
         take_out(number);
         build(number, box, my_items, fruitless, parent_load);
@@ -123,17 +125,17 @@ void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within
     return_to(above);
 }
 
-// Moves a wall of the box to where the item begins to cover all that is beyond; but not for a
-// little.
+// Moves a wall of the box inwards to the place beyond which the item covers the box, unless the
+// distance is small.
 bool BlockTree::Insertion::shrink(HalfBox& box, const Item& item) {
     const BoxFrame frame(box);
     for (std::size_t i = 0; i < 3; ++i) {
         const double not_worth_it = kWorthShrinking * frame.half[i];
         bool is_upper = false;
         bool is_first = true;
-        // How far out from the middle the cell's surface reaches.
+        // Largest distance of the cell's surface from the middle.
         double outermost = -frame.half[i];
-        // `end`: where the box ends along the normal.
+        // `end`: upper end of the box along the normal.
         const auto takes = [&](double n, double end, double d2) {
             if (is_first) is_upper = n < 0;
             is_first = false;
@@ -156,7 +158,7 @@ bool BlockTree::Insertion::shrink(HalfBox& box, const Item& item) {
             is_worth_it = takes(h.normal(i), sight.above + sight.reach + h.d2, h.d2);
         }
         if (!is_worth_it) continue;
-        // Two half units more, for rounding and so that the wall is well within the cell.
+        // Leaves two half units more, for rounding and so that the wall is well within the cell.
         std::int64_t& wall = (is_upper ? box.max : box.min)[i];
         const std::int64_t moved = is_upper ? odd_above(frame.centre[i] + outermost) + 2
                                             : odd_below(frame.centre[i] - outermost) - 2;
@@ -167,8 +169,8 @@ bool BlockTree::Insertion::shrink(HalfBox& box, const Item& item) {
     return false;
 }
 
-// Cuts off from the box what one of the items from `begin` on covers, and from the items what is
-// not in it. False: nothing is left of it.
+// Cuts off the parts of the box that an item from `begin` on covers, and drops items outside of the
+// box. False if no part of the box is left.
 bool BlockTree::Insertion::settle(HalfBox& box, std::size_t begin) {
     for (bool has_shrunk = true; has_shrunk;) {
         turn_to_another_box();
@@ -198,7 +200,7 @@ bool BlockTree::Insertion::settle(HalfBox& box, std::size_t begin) {
     return true;
 }
 
-// Makes a leaf of the items from `begin` on, or a tree if they are too many.
+// Makes a leaf of the items from `begin` on, or a subtree if the items are too many.
 void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t begin,
                                  int fruitless, std::size_t parent_load) {
     if (!settle(box, begin)) {
@@ -219,7 +221,7 @@ void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t 
         planes = load(begin);
     }
     const std::size_t limit = std::max<std::size_t>(leaf_, grown_->nodes_[number].limit);
-    // A split that left nearly all of it in both halves.
+    // True if the split left nearly all planes in both halves.
     const bool was_in_vain = 10 * planes > 9 * parent_load;
     fruitless = was_in_vain ? fruitless + 1 : 0;
     Cut cut;

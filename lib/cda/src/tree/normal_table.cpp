@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bounds between normals, in SIMD lanes.
 #include "tree/normal_table.h"
 
 #include <algorithm>
@@ -9,13 +11,13 @@ namespace ncsim::cda {
 
 namespace {
 
-// As many as every machine of the kind takes at once.
+// Lanes of a vector that every machine of the target architecture supports.
 constexpr std::size_t kFloats = 4;
 using Floats = float __attribute__((vector_size(kFloats * sizeof(float))));
 
-// Rows are this many entries, or twice as many, …: no loop over them has a remainder.
+// Row sizes are multiples of this number, so no loop over a row has a remainder.
 constexpr std::size_t kLanes = 2 * kFloats;
-// Multipliers above this need more margin than there is; they tell little.
+// Multipliers above this value would exceed the rounding margin; the bounds would be weak.
 constexpr float kSteepest = 4.0F;
 
 Floats load(const float* from) {
@@ -64,8 +66,8 @@ Bound bound_along(const ScaledNormal& p, const ScaledNormal& m) {
     return {bounds.slope[0], bounds.offset[0]};
 }
 
-// Calls take(i, bounds) for the columns from i on, so many at a time: what a plane along `m` tells
-// of them.
+// Calls take(i, bounds) for groups of kFloats columns from i on, with the bounds that follow from a
+// plane along `m`.
 template <class Take>
 void NormalTable::for_bounds(const ScaledNormal& m, Take take) const {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -83,7 +85,7 @@ void NormalTable::assign(std::span<const ScaledNormal> normals) {
     std::array<std::size_t, 3> sizes{};
     for (const ScaledNormal& normal : normals)
         ++sizes[normal.longest_axis()];
-    // Columns without a normal, of which nothing tells anything, fill the groups up.
+    // Columns without a normal fill the groups up; no plane bounds them.
     std::size_t begin = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         groups_[k] = {begin, begin};
@@ -122,7 +124,7 @@ void NormalTable::assign(std::span<const ScaledNormal> normals) {
             slopes[k] = 0.0F;
             offsets[k] = row::kUnknown;
         }
-        // Of itself a plane tells nothing but itself.
+        // A plane gives no bound on itself.
         slopes_[first + columns_[i]] = 0.0F;
         offsets_[first + columns_[i]] = row::kUnknown;
     }
@@ -156,7 +158,7 @@ void SeenPlanes::add(const ScaledNormal& normal, float e) {
 }
 
 std::size_t SeenPlanes::end_group() {
-    // Planes without a normal tell nothing.
+    // Planes without a normal imply nothing.
     while (e_.size() % kFloats != 0)
         add({}, 0.0F);
     return e_.size();
@@ -166,7 +168,7 @@ bool SeenPlanes::imply(std::size_t begin, std::size_t end, const ScaledNormal& p
     const std::size_t k = p.longest_axis();
     const std::size_t u = k == 2 ? 0 : k + 1;
     const std::size_t v = k == 0 ? 2 : k - 1;
-    // As bound_from().
+    // Same formula as bounds_from().
     const Floats length = all(p.n[k]);
     const Floats across_1 = all(p.n[u]);
     const Floats across_2 = all(p.n[v]);

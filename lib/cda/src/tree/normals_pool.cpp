@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Search for equal normals by content.
 #include "tree/normals_pool.h"
 
 #include "ncsim/cda/mix.h"

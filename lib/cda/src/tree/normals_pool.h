@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Facet directions that bodies have in common: tools of one shape, and a tool that returns to an
-// orientation.
+// Facet normals that bodies share: tools of one shape, and a tool that returns to an orientation.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -13,18 +12,18 @@
 
 namespace ncsim::cda {
 
-/// Keeps one FacetNormals for all that have the same directions in the same order, so that cells
-/// of different bodies are compared as cells of one body.
+/// Keeps one FacetNormals object for all cells with the same normals in the same order, so that
+/// cells of different bodies are compared like cells of one body.
 class NormalsPool {
 public:
-    /// Returns the first normals of this content; null for null. Cost: O(size) for an object that
-    /// the pool has not seen, O(1) otherwise.
+    /// Returns the first object with equal content; null for null.
+    /// Cost: O(size) for an object that the pool has not seen, O(1) otherwise.
     std::shared_ptr<const FacetNormals> first_of(
         const std::shared_ptr<const FacetNormals>& normals);
 
 private:
     struct Known {
-        std::shared_ptr<const FacetNormals> seen;  // kept, because its address is the key
+        std::shared_ptr<const FacetNormals> seen;  // kept alive, because the address is the key
         std::shared_ptr<const FacetNormals> first;
     };
     std::unordered_map<const FacetNormals*, Known> known_;

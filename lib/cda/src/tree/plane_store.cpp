@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compact storage of planes and of lists of cells.
 #include "tree/plane_store.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// Seven bits a byte, the lowest first; the highest bit says that more follow.
+// Writes seven bits per byte, the lowest first; the highest bit marks that more bytes follow.
 void put(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
     for (; value >= 0x80; value >>= 7)
         bytes.push_back(static_cast<std::uint8_t>(value | 0x80));
@@ -24,7 +26,7 @@ std::uint32_t get(const std::uint8_t*& at) {
     }
 }
 
-// 0, -1, 1, -2 … as 0, 1, 2, 3 …, modulo 2^32.
+// Maps 0, -1, 1, -2 … to 0, 1, 2, 3 …, modulo 2^32.
 std::uint32_t folded(std::uint32_t difference) {
     return (difference << 1) ^ (0U - (difference >> 31));
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Removal of cells that another cell covers in a box.
 #include "tree/descent.h"
 
 #include <algorithm>
@@ -7,14 +9,14 @@ namespace ncsim::cda {
 
 namespace {
 
-// Each cell is compared with so many others at most: smaller boxes tell the rest.
+// Largest number of comparisons per cell; smaller boxes find the remaining redundant cells.
 constexpr std::size_t kComparisons = 16;
 // A table for more normals than this costs more than smaller boxes.
 constexpr std::size_t kManyNormals = 160;
 
 }  // namespace
 
-// The normals of all facets, as columns; false if there are too many.
+// Makes a table of the normals of all facets; false if there are too many.
 bool BlockTree::Descent::make_table(const BoxFrame& frame, std::span<const Item> items) {
     for (const std::uint32_t direction : directions_)
         column_of_[direction] = kNone;
@@ -46,8 +48,8 @@ bool BlockTree::Descent::make_table(const BoxFrame& frame, std::span<const Item>
     return true;
 }
 
-// How far the item reaches along all normals, and which of its planes are needed beside others of
-// its own.
+// Computes the reach of the item along all normals and drops planes that other planes of the item
+// imply.
 void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate& candidate) {
     const std::size_t stride = normals_.stride();
     float* const own = own_.data() + candidate.item * stride;
@@ -56,7 +58,8 @@ void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate&
     for (const Facet& facet : facets_of(item)) {
         const double low = low_[facet.direction];
         const double high = high_[facet.direction];
-        // Of planes with one normal the farther one never comes out as the nearer one.
+        // The conversion is monotone: of two planes with one normal, the farther plane never gets
+        // the smaller value.
         own[column_of_[facet.direction]] =
             static_cast<float>((facet.d2 - 0.5 * (low + high)) / (0.5 * (high - low)));
     }
@@ -76,7 +79,7 @@ void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate&
     }
     candidate.loose.count = item.loose.count;
 
-    // What is implied by a plane that is itself implied is implied by what implies that.
+    // Implication is transitive, so implied planes may be dropped in any order.
     candidate.depth = 1.0F;
     const auto is_needless = [&](const Facet& facet) {
         const std::uint32_t column = column_of_[facet.direction];
@@ -117,7 +120,7 @@ void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate&
     candidate.planes_end = see_planes(item, candidate);
 }
 
-// All planes of an item as a group; where it ends.
+// Adds all planes of an item as a group; returns the end of the group.
 std::size_t BlockTree::Descent::see_planes(const Item& item, const Candidate& candidate) {
     const float* const own = own_.data() + candidate.item * normals_.stride();
     for (const Facet& facet : facets_of(item)) {
@@ -131,7 +134,7 @@ std::size_t BlockTree::Descent::see_planes(const Item& item, const Candidate& ca
     return seen_planes_.end_group();
 }
 
-// Is the part of `a` in the box within `b`?
+// Decides if the part of `a` in the box is within `b`.
 Domination BlockTree::Descent::covered(const Candidate& a, const Candidate& b,
                                        std::span<const Item> items) const {
     const std::size_t stride = normals_.stride();
@@ -155,11 +158,11 @@ Domination BlockTree::Descent::covered(const Candidate& a, const Candidate& b,
     return result;
 }
 
-// Is what the item has in the box below a loose plane of another?
+// Decides if the part of the item in the box is below a loose plane of a second item.
 Domination BlockTree::Descent::covered(const Candidate& a, const Item& item, const SeenLoose& p,
                                        const Item& its_item) const {
     if (seen_planes_.imply(a.planes, a.planes_end, p.normal, p.e)) return Domination::Strict;
-    // Equal planes, or nearly so, are left to integers.
+    // Equal or nearly equal planes are decided in integers.
     const Plane plane = exact(its_item, pool_[p.plane.pool].plane);
     for (const Loose mine : loose_of(item)) {
         const Plane m = exact(item, pool_[mine.pool].plane);
@@ -170,7 +173,7 @@ Domination BlockTree::Descent::covered(const Candidate& a, const Item& item, con
     return Domination::None;
 }
 
-// Of items from `begin` on, keeps what no other one covers in the box.
+// Drops items from `begin` on that another item covers in the box.
 void BlockTree::Descent::drop_redundant(const BoxFrame& frame, std::size_t begin) {
     const std::span<Item> items = std::span(items_).subspan(begin);
     if (!make_table(frame, items)) return;
@@ -186,8 +189,8 @@ void BlockTree::Descent::drop_redundant(const BoxFrame& frame, std::size_t begin
         candidates_[i].item = i;
         fill_rows(frame, items[i], candidates_[i]);
     }
-    // What lies within another reaches no farther, and is no deeper: asked later, it is covered by
-    // what came before, not the other way round.
+    // A cell within a second cell has at most the second cell's reach and depth. So with this order
+    // a covered cell is compared with the covering cell after the covering cell is kept.
     const auto extent = [](const Candidate& c) { return std::pair{c.reach, c.depth}; };
     std::ranges::sort(candidates_, [&](const Candidate& a, const Candidate& b) {
         return extent(a) != extent(b) ? extent(a) > extent(b)
@@ -198,7 +201,7 @@ void BlockTree::Descent::drop_redundant(const BoxFrame& frame, std::size_t begin
         const Item& other = items[b.item];
         if (other.turn > item.turn) return false;
         const Domination found = covered(a, b, items);
-        // Of facets in one plane the first one is the wall.
+        // If facets lie in one plane, the first cell owns the wall.
         return found == Domination::Strict ||
                (found == Domination::Coplanar && comes_before(other, item));
     };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Integration of the time at which a body reaches a facet.
 #include "tree/step_shares.h"
 
 #include <algorithm>
@@ -27,7 +29,7 @@ Span span_of(const Line& line, std::span<const Point> polygon) {
     return span;
 }
 
-// Over a triangle fan.
+// Integral of a linear function over a convex polygon, by a triangle fan.
 struct Integral {
     double area = 0.0, value = 0.0;
 };
@@ -43,7 +45,7 @@ Integral integral(std::span<const Point> p, const Line& line) {
     return sum;
 }
 
-// The part of a polygon above the line, or below it.
+// Computes the part of a polygon above or below the line.
 void cut_polygon(std::span<const Point> polygon, const Line& line, bool above,
                  std::vector<Point>& part) {
     const double sign = above ? 1.0 : -1.0;
@@ -73,7 +75,7 @@ StepShares::StepShares(const IncomingCell& cell)
     }
 }
 
-// Exact: normals have 24 bits, and ways 26.
+// Returns n·way. Exact: normals have 24 bits, ways 26.
 double StepShares::along_way(const Plane& plane) const {
     const LatticePoint& w = steps_->way;
     return static_cast<double>(plane.nx * w.x + plane.ny * w.y + plane.nz * w.z);
@@ -102,7 +104,7 @@ void StepShares::takes(const Plane& plane, double sign, const FacetRegion& facet
         take_in(facet.corners(polygon));
 }
 
-// Parts it by which front is the last one; of two that are equal, the first.
+// Divides the polygon by the front that arrives last; the first front among equals.
 void StepShares::take_in(std::span<const Point> polygon) {
     if (polygon.size() < 3) return;
     double latest_low = -std::numeric_limits<double>::infinity();
@@ -131,7 +133,7 @@ void StepShares::take_in(std::span<const Point> polygon) {
     }
 }
 
-// Of part_, what lies above the line or on it, or what lies below; false if nothing does.
+// Clips part_ to the side above (or on) the line, or below; false if the result is empty.
 bool StepShares::keep(const Line& line, bool above) {
     const Span span = span_of(line, part_);
     if (above ? span.low >= 0.0 : span.high < 0.0) return true;
@@ -141,7 +143,7 @@ bool StepShares::keep(const Line& line, bool above) {
     return part_.size() >= 3;
 }
 
-// Where the body is at `time`.
+// Adds a polygon at whose points the body arrives at `time`.
 void StepShares::take_in(std::span<const Point> polygon, const Line& time) {
     const auto& steps = steps_->steps;
     const Span span = span_of(time, polygon);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One cell stands for many steps of a body that went straight on: whose share is what of the volume
-// that the cell took?
+// Shares of steps in the volume that a cell removed, where one cell represents many steps of a body
+// on a straight line.
 //
-// The body is at a place x when the last of its planes that face forward has passed it: at t(x) =
-// max over these planes of 1 + (n·x − d) / (n·way), as a share of the way; d is the distance of the
-// plane at the end of the way, as the cell has it. On a line along the way t(x) grows as the place
-// does. So what was taken until t is a sum over the faces of all that was taken: min(t(x), t) times
-// the area as seen along the way, positive where the way leaves through the face, negative where it
-// enters. Faces that the cell itself leaves at the end of the way have t(x) = 1, those beside the
-// way show no area, and those at its start concern the first step alone, which has the rest.
+// The body reaches a point x when the last of the body's forward-facing planes passes x: t(x) = max
+// over these planes of 1 + (n·x − d) / (n·way), as a share of the way, where d is the distance of
+// the plane at the end of the way, as in the cell. On a line along the way, t(x) grows with x. So
+// the volume removed until t is a sum over the faces of the whole removed volume: min(t(x), t)
+// times the area projected along the way, positive if the way leaves through the face, negative if
+// it enters. Faces that the cell leaves at the end of the way have t(x) = 1. Faces parallel to the
+// way have no projected area. Faces at the start affect only the first step, which gets the
+// remainder.
 #pragma once
 
 #include "polytope/facet_region.h"
@@ -21,23 +22,25 @@
 
 namespace ncsim::cda {
 
+/// Accumulator of the steps' shares for one cell.
 class StepShares {
 public:
-    /// Of a cell that has steps.
+    /// Requires: a cell with steps.
     explicit StepShares(const IncomingCell& cell);
 
-    /// A facet of the cell begins to be a wall of the part, with some area (square units).
+    /// Adds a facet of the cell that becomes a wall of the part, with area in square units.
     void is_born(const Plane& plane, double area);
-    /// The cell takes polygons of a facet in `plane`; `sign`: 1 where it faces out of the part.
+    /// Adds polygons of a facet in `plane` that the cell removes; `sign`: 1 if the facet's normal
+    /// points out of the part.
     void takes(const Plane& plane, double sign, const FacetRegion& facet,
                std::span<const FacetRegion::Polygon> polygons);
 
     Origin origin(std::size_t step) const { return steps_->steps[step].origin; }
-    /// Of each step, where all of them took `whole`; cubic units.
+    /// Returns the volume of each step, where all steps together removed `whole`; cubic units.
     std::vector<double> of(double whole) const;
 
 private:
-    // A plane that faces forward, and its normal times the way.
+    // A forward-facing plane, and the dot product of normal and way.
     struct Front {
         const Plane* plane;
         double along;
@@ -52,13 +55,14 @@ private:
 
     const StraightSteps* steps_;
     std::vector<Front> fronts_;
-    std::vector<double> shares_;  // but for the first
-    // For the whole way, what those before step i have each for its length.
+    std::vector<double> shares_;  // shares except the first
+    // Projected areas, signed, that the body reaches in step i; the last entry is the end of the
+    // way. Each step before i gets the area times the step's length.
     std::vector<double> before_;
-    // The facet at hand: what its areas count, and when fronts are there.
+    // The current facet: weight of the areas, and arrival times of the fronts.
     double weight_ = 0.0;
     std::vector<Line> times_;
-    // A polygon of it: fronts that may be the last, and parts.
+    // Current polygon: fronts that may be last, and parts.
     std::vector<Line> last_;
     std::vector<Point> part_, cut_;
 };

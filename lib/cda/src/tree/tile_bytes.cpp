@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Serialisation of outlines.
 #include "tree/tile_bytes.h"
 
 #include "exact/wide.h"
@@ -17,14 +19,14 @@ namespace ncsim::cda {
 namespace {
 
 constexpr std::size_t kPlaneBytes = 20;  // three components of 4 bytes, a distance of 8
-constexpr std::size_t kPointBytes = 36;  // three of 8 bytes, three of 4
+constexpr std::size_t kPointBytes = 36;  // three coordinates of 8 bytes, three indices of 4
 constexpr std::size_t kPieceBytes = 20;
 
 [[noreturn]] void fail(const char* why) {
     throw std::invalid_argument(why);
 }
 
-// Planes that come near stock: components and distance have the bits of the kernel.
+// True if components and distance have the bits of planes that come near the stock.
 bool is_known_to_the_kernel(const Plane& plane) {
     constexpr std::int64_t kMost = std::int64_t{1} << kNormalBits;
     constexpr std::int64_t kMaxPlaneOffset = 3 * (kMost << kCoordinateBits);
@@ -35,7 +37,7 @@ bool is_known_to_the_kernel(const Plane& plane) {
     return fits && (plane.nx != 0 || plane.ny != 0 || plane.nz != 0);
 }
 
-// |coordinates| <= 2^26, before they are rounded in 64 bits.
+// True if |coordinates| <= 2^26, so that rounding fits 64 bits.
 bool is_near(const ExactPoint& p) {
     constexpr int kBits = kCoordinateBits + 1;
     const UInt128 most = magnitude(p.w) << kBits;

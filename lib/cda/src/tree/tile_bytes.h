@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers and outlines as bytes, the least significant first, and back.
+// Serialisation of numbers and outlines, the least significant byte first.
 #pragma once
 
 #include "surface/outlines.h"
@@ -16,7 +16,8 @@ void put_u64(std::ostream& out, std::uint64_t value);
 void put_double(std::ostream& out, double value);
 void put_outlines(std::ostream& out, const Outlines& outlines);
 
-/// Reads what these write. All throw std::invalid_argument if it is not there or cannot be.
+/// Reader of the bytes that the functions above write. Throws: std::invalid_argument if data is
+/// missing or invalid.
 class TileBytes {
 public:
     explicit TileBytes(std::string_view bytes) : bytes_(bytes) {}
@@ -24,10 +25,11 @@ public:
     std::uint32_t u32();
     std::uint64_t u64();
     double number();
-    /// Planes within the bits of the kernel, points where their planes meet, references to what
-    /// there is: whatever is done with them is defined. O(size).
+    /// Returns outlines whose planes have the bits of the kernel, whose points are where their
+    /// planes meet, and whose references are valid. So any use of the outlines is well-defined.
+    /// Cost: O(size).
     Outlines outlines();
-    /// The bytes of outlines; nobody has looked at them.
+    /// Returns the bytes of outlines without validation.
     std::string_view outlines_as_bytes();
     bool is_at_end() const { return bytes_.empty(); }
 

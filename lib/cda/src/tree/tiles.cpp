@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Combination of tiles: headers, volumes, and surfaces stitched from the tiles' outlines.
 #include "ncsim/cda/tiles.h"
 
 #include "ncsim/cda/parallel.h"
@@ -17,21 +19,21 @@ namespace ncsim::cda {
 
 namespace {
 
-// Volumes are asked for after each tool.
+// Volumes are requested after each tool.
 constexpr std::uint32_t kMostAsked = 10'000'000;
 
 constexpr std::size_t kNoTile = ~std::size_t{0};
 
 }  // namespace
 
-// What stands before the outlines.
+// Header of a tile's data; outlines follow.
 struct TileHeader {
     std::uint32_t tile = 0, of = 0, blocks = 0, asked = 0;
     std::vector<std::uint32_t> own;  // blocks, ascending
-    std::vector<double> volumes;     // each time somebody asked, of each of them; cubic units
+    std::vector<double> volumes;     // per request and own block; cubic units
 };
 
-// 2^-24 of a unit.
+// A box in units of 2^-24 lattice units.
 struct FixedBox {
     std::array<std::int64_t, 3> min{}, max{};
 
@@ -76,7 +78,8 @@ std::string why_not(std::size_t tile, const std::invalid_argument& why) {
     return "tile " + std::to_string(tile) + ": " + why.what();
 }
 
-// Without tiles a gap is a fault of ours.
+// Converts a gap in the surface into a runtime error. Without tiles a gap is a bug of this program;
+// with tiles the data may be inconsistent.
 template <class Make>
 Boundary fitting(const Make& make) {
     try {
@@ -108,7 +111,7 @@ public:
         throw CannotAnswer("of tiles", "how much a cell takes away");
     }
     void subtract_unmeasured(std::span<const Cell>) override {}
-    // They were made already.
+    // No cell is needed, because the tiles contain all cuts.
     std::optional<Box> wanted() const override { return Box{}; }
     Account account() const override { throw CannotAnswer("of tiles", "what cells took away"); }
     void render(FacetCanvas&) const override { throw CannotAnswer("of tiles", "its cells"); }
@@ -116,7 +119,7 @@ public:
         return std::make_unique<Model>(*this);
     }
 
-    // Block by block, in their order: the same sum as without tiles.
+    // Sums block by block in the order of the blocks: the same sum as without tiles.
     double volume() const override {
         if (asked_ == tiles_->volumes_)
             throw std::logic_error("tiles were not asked that often for their volume");

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tree as a workpiece: construction, copies, blocks, tiles.
 #include "ncsim/cda/tree.h"
 
 #include "ncsim/cda/mesh.h"
@@ -21,11 +23,12 @@ namespace ncsim::cda {
 
 namespace {
 
-// So often along whichever axis is longest; then along the two longer ones of the stock, which make
-// columns: most parts are cut from above, and what is deep in the stock is nobody's work.
+// Number of first halvings, along the longest axis. Further halvings are along the two longer axes
+// of the stock, which makes columns: most parts are cut from above, and blocks deep in the stock
+// have no work.
 constexpr int kAnyHalvings = 6;
 
-// The last of several.
+// Returns the shortest axis; the last among equals.
 std::size_t shortest_axis(const HalfBox& box) {
     std::size_t axis = 2;
     for (const std::size_t i : {1U, 0U}) {
@@ -39,8 +42,8 @@ std::size_t longer_axis(const HalfBox& box, std::size_t across) {
     return box.extent(other) > box.extent(one) ? other : one;
 }
 
-// Blocks in the order in which tiles take them, where block b is the half b >> (n - 1 - i) & 1 of
-// halving i: those above each other follow each other, so that runs of them are columns.
+// Returns the blocks in the order in which tiles take blocks. Block b is the half b >> (n - 1 - i)
+// & 1 of halving i. Blocks along axis `across` are consecutive, so runs of blocks are columns.
 std::vector<std::uint32_t> tile_order(const std::vector<std::size_t>& axes, std::size_t across) {
     const std::size_t n = axes.size();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
@@ -126,7 +129,7 @@ void TreeCda::split_into_blocks() {
         root.max[i] = 2 * static_cast<std::int64_t>(std::ceil(stock_box_.max[axis])) + 1;
     }
     std::vector<HalfBox> boxes{root};
-    std::vector<std::size_t> axes;  // each halved in turn
+    std::vector<std::size_t> axes;  // axis of each halving
     const std::size_t across = shortest_axis(root);
     for (int i = 0; i < parameters_.halvings; ++i) {
         const std::size_t axis =
@@ -168,7 +171,7 @@ std::unique_ptr<WorkpieceModel> TreeCda::create(const Cell& stock, const Lattice
 }
 
 std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
-    settle();  // once for both
+    settle();  // settles once for both copies
     return std::make_unique<TreeCda>(*this);
 }
 
@@ -196,9 +199,8 @@ void TreeCda::tell_place(std::size_t number) const {
     }
 }
 
-// Tile, of how many; blocks of the part, how many of them are its own, how often volumes were asked
-// for; which blocks, and what their volumes were each time; outlines block by block; edges at the
-// walls.
+// Format: tile, number of tiles, blocks of the part, blocks of the tile, volume requests; the
+// tile's blocks, and the blocks' volumes per request; outlines block by block; edges at the walls.
 void TreeCda::write_tile(std::ostream& out) const {
     if (!parameters_.tile) throw CannotAnswer(name(), "a tile where there are none");
     const Asked asked(*this);
@@ -242,7 +244,7 @@ TreeCounts TreeCda::counts() const {
 }
 
 void TreeCda::render(FacetCanvas& canvas) const {
-    // Nothing is left to mask: faces of the boundary are what is seen.
+    // No mask is needed: faces of the boundary are exactly the visible surface.
     const Boundary surface = boundary();
     const TriangleMesh mesh = triangulate(surface);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

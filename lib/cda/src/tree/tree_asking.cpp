@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Questions about the part: its volume and surface, a point of it, what a cell has in common with
-// it. Cells that wait are only let in where they matter.
+// Queries of the part: volume, surface, containment of a point, intersection with a cell. Waiting
+// cells are inserted only where the query needs them.
 #include "ncsim/cda/parallel.h"
 #include "ncsim/cda/tree.h"
 
@@ -20,21 +20,21 @@ namespace ncsim::cda {
 
 namespace {
 
-// Looks that a proof may take that there is nothing left. Nearly all that succeed need less, and it
-// is less than taking in what waits.
+// Limit on tests of a proof that no material is left. Nearly all successful proofs need fewer, and
+// the limit costs less than the insertion of the waiting cells.
 constexpr std::size_t kMostLooks = 100000;
 
 }  // namespace
 
-// Which cells may have something in common with what has these bounds? These are rounded to
-// millimetres.
+// Returns a box such that any cell with a point in common with a body of the given bounds overlaps
+// the box. The bounds are rounded to millimetres.
 Box TreeCda::near(const Box& bounds) const {
     const double margin = 2.0 * lattice_.unit_mm;
     const Vec3 more{margin, margin, margin};
     return {bounds.min - more, bounds.max + more};
 }
 
-// Might a cell that waits take away a point (mm), which is rounded, and what is right beside it?
+// True if a waiting cell might remove the neighbourhood of a rounded point (mm).
 bool TreeCda::is_waited_for_near(Vec3 point) const {
     constexpr double kNear = 4.0;  // units
     const Vec3 at = (1.0 / lattice_.unit_mm) * point;
@@ -94,7 +94,7 @@ double TreeCda::common_volume(const Cell& cell) const {
 
 std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
     const Asked asked(*this);
-    // What waits can only take away: where there is nothing without it, there is nothing.
+    // Pending cells can only remove material, so "no contact" without them is final.
     const std::optional<Vec3> found = contact_as_it_is(cell);
     if (!found || !is_waited_for_near(*found)) return found;
     if (takes_all_of(cell)) {
@@ -105,7 +105,8 @@ std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
     return contact_as_it_is(cell);
 }
 
-// Do cells, those that wait included, take all that the stock has of this one? May miss it.
+// True if the cells, including waiting cells, cover the stock's part of this cell. A negative
+// answer may be wrong.
 bool TreeCda::takes_all_of(const Cell& cell) const {
     IncomingCell asked;
     asked.enclose(cell.bounds, lattice_.unit_mm);
@@ -138,8 +139,9 @@ std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {
     return lattice_.to_mm(0.5 * (at(piece.tail) + at(piece.head)));
 }
 
-// Of a tile: where a block is within both, of which no surface can tell there. All of its inside
-// is, or nothing: a few points tell, which no wall without thickness has all.
+// Finds a block of a tile that is within both the part and the cell, where no surface exists. The
+// inside of a block is then wholly in both or not at all. A few points decide; the points are
+// chosen so that a wall of zero thickness cannot contain all.
 std::optional<Vec3> TreeCda::in_block_within(const Cell& cell) const {
     constexpr std::array<Vec3, 4> kCorners{
         {{0.31, 0.43, 0.37}, {0.67, 0.59, 0.41}, {0.47, 0.71, 0.53}, {0.61, 0.33, 0.69}}};

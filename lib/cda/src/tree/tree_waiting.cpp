@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cells on their way into the tree: they wait, block by block, until somebody asks about the part
-// where they are, or until the tool has left.
+// Cells before insertion: cells wait, block by block, until a query concerns their place or the
+// tool has left the block.
 #include "ncsim/cda/mix.h"
 #include "ncsim/cda/parallel.h"
 #include "ncsim/cda/tree.h"
@@ -22,13 +22,13 @@ namespace ncsim::cda {
 
 namespace {
 
-// Fewer cells than this are not worth waking a thread for.
+// With fewer cells than this, no thread is started.
 constexpr std::size_t kCellsWorthThreads = 16;
 
-// A block where no cell came for that many steps takes in what waits.
+// A block in which no cell arrived for this many steps inserts the waiting cells.
 constexpr std::uint64_t kWhile = 4096;
 
-// Volumes of single cells below this share of the stock are rounding.
+// Volumes of single cells below this share of the stock are rounding errors.
 constexpr double kAccountRounding = 1e-15;
 
 #ifndef NDEBUG
@@ -38,7 +38,7 @@ bool stands_once(std::vector<Plane> planes) {
 }
 #endif
 
-// Are the first planes of the cell those of the normals it claims to have?
+// True if the first planes of the cell have the normals of `cell.normals`.
 bool has_its_normals(const Cell& cell) {
     if (!cell.normals || cell.normals->size() > cell.planes.size()) return false;
     const FacetNormals& n = *cell.normals;
@@ -50,9 +50,10 @@ bool has_its_normals(const Cell& cell) {
     return is_so;
 }
 
-// Hashes the body of the cell, the direction of the motion without its sign, and the place of both
-// seen from above. Equal for a body on the same way at another height, forwards or backwards. Two
-// of the sides along the motion stand for its direction; lies_within() is asked in any case.
+// Hashes the body of the cell, the direction of the motion without sign, and the position of both
+// seen from above. The hash is equal for a body on the same path at another height, in either
+// direction. Two sides along the motion represent the direction; collisions are harmless, because
+// callers check lies_within().
 std::uint64_t hash_of_way(const Cell& cell, std::size_t facets) {
     std::uint64_t hash =
         mix(reinterpret_cast<std::uintptr_t>(cell.normals.get()), cell.planes.size());
@@ -93,10 +94,11 @@ void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> c
     settle_some();
 }
 
-// Hands a cell to the blocks that it may meet. False: it does not meet the stock.
+// Passes a cell to the blocks whose boxes the cell may meet. False if the cell does not meet the
+// stock.
 bool TreeCda::take_in(const Cell& cell, bool covers) {
     assert(stands_once(cell.planes));
-    // What is not below here does not cut the stock.
+    // Distance of planes that do not cut the stock.
     constexpr double kBeyond = std::numeric_limits<double>::infinity();
     const std::size_t facets = has_its_normals(cell) ? cell.normals->size() : 0;
     auto taken = std::make_shared<WaitingCell>();
@@ -142,8 +144,8 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
     return true;
 }
 
-// A contour in many depths makes the same hulls in each of them, only deeper. The last such hull
-// need not go down the tree where it still waits, if all of it lies within `deeper`.
+// Drops the previous cell on the same path if the cell still waits and lies within `deeper`. A
+// contour in many depths makes the same hulls at each depth, only deeper.
 void TreeCda::forget_same_way(const std::shared_ptr<const WaitingCell>& deeper) {
     const Cell& cell = deeper->cell;
     const std::uint64_t way = hash_of_way(cell, deeper->incoming.facets.size());
@@ -166,7 +168,7 @@ void TreeCda::forget_same_way(const std::shared_ptr<const WaitingCell>& deeper) 
     if (++forgotten_waiting_ >= kMany) drop_forgotten();
 }
 
-// Returns the memory of cells that are forgotten and wait.
+// Frees the memory of forgotten cells that wait.
 void TreeCda::drop_forgotten() {
     for (Block& block : blocks_) {
         std::erase_if(block.waiting, [&](const auto& cell) {
@@ -177,9 +179,8 @@ void TreeCda::drop_forgotten() {
     forgotten_waiting_ = 0;
 }
 
-// Of the latest cells that wait for a block, those that show nowhere beside this one, which is
-// before them in rank, need not go down the tree. Where it is told what each origin took, only
-// those whose share it can tell.
+// Drops those of the latest waiting cells of a block that lie within `covering` and are after it in
+// rank. With an account, only cells whose origin `covering` represents.
 void TreeCda::forget_within(Block& block, const Cell& covering) const {
     constexpr std::size_t kLatest = 256;
     auto& waiting = block.waiting;
@@ -193,8 +194,9 @@ void TreeCda::forget_within(Block& block, const Cell& covering) const {
                   waiting.end());
 }
 
-// Every so often, those go down that wait where nobody has come for a while: a block that the tool
-// has left takes in all at once, while other threads would wait; all do if they are many.
+// At intervals, inserts the waiting cells of blocks in which no cell arrived for a while: a block
+// that the tool has left gets all cells at once, in background threads. If too many cells wait, all
+// blocks insert.
 void TreeCda::settle_some() {
     constexpr std::uint64_t kTurn = 512;
     const bool are_many = ++waiting_ >= parameters_.batch;
@@ -205,7 +207,8 @@ void TreeCda::settle_some() {
     if (are_many) waiting_ = 0;
 }
 
-// What waits goes down where `goes`, by other threads if there are any.
+// Starts the insertion of waiting cells into blocks for which `goes` is true, in background threads
+// if there are any.
 void TreeCda::begin_settling(const std::function<bool(const Block&)>& goes) const {
     std::vector<Block*> changing;
     std::size_t cells = 0;
@@ -219,11 +222,11 @@ void TreeCda::begin_settling(const std::function<bool(const Block&)>& goes) cons
     for (Block* block : changing)
         block->send_down(forgotten_);
     changing_ = std::move(changing);
-    // The one with most to do first, so that nobody waits for it in the end.
+    // Starts with the block that has most cells, which balances the load at the end.
     std::ranges::stable_sort(changing_, std::ranges::greater{},
                              [](const Block* block) { return block->going_down.size(); });
     const std::size_t threads = cells < kCellsWorthThreads ? 1 : thread_count(parameters_.threads);
-    // By value: the part may be moved meanwhile; what these point to is not.
+    // Captured by value, because the part may be moved meanwhile; the referenced data stays.
     const AccountInput input{stock_planes_, *cells_, centre_, parameters_.leaf};
     settling_ = std::make_unique<Background>(
         threads - 1, changing_.size(),
@@ -232,7 +235,7 @@ void TreeCda::begin_settling(const std::function<bool(const Block&)>& goes) cons
         });
 }
 
-// From then on nobody else reads the blocks and the table of cells.
+// Ends the insertion. After that, no other thread reads the blocks and the table of cells.
 void TreeCda::finish_settling() const {
     if (const auto settling = std::move(settling_)) {
         const auto changed = std::exchange(changing_, {});
@@ -257,7 +260,7 @@ void TreeCda::settle() const {
     settle_all();
 }
 
-// Lets no cell wait that might change what is asked here.
+// Inserts the waiting cells that might change the answer of a query within `bounds`.
 void TreeCda::settle_near(const Box& bounds) const {
     finish_settling();
     const Box near = this->near(bounds);
@@ -273,7 +276,7 @@ void TreeCda::settle_near(const Box& bounds) const {
     close_books();
 }
 
-// In the order of the blocks, whichever thread was first.
+// Adds the amounts in the order of the blocks, independent of the order of threads.
 void TreeCda::close_books() const {
     for (Block& block : blocks_) {
         for (const auto& [origin, taken] : block.taken) {
@@ -292,8 +295,8 @@ double TreeCda::subtract(const Cell& cell) {
         WorkpieceModel::subtract_unmeasured(cell);
         return result.volume * lattice_.cubic_unit_mm3();
     }
-    // Whether they have anything in common is decided by pieces of surface, exactly; the sum is
-    // rounded, and may come out as less than nothing.
+    // Pieces of surface decide exactly whether the cell removes volume; the sum is rounded and may
+    // be negative.
     if (result.outlines.pieces().empty()) return 0.0;
     WorkpieceModel::subtract_unmeasured(cell);
     return std::max(0.0, result.volume * lattice_.cubic_unit_mm3());

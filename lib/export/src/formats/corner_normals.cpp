@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Normals of face corners for shaded meshes.
 #include "formats/corner_normals.h"
 
 #include "render/crease.h"
@@ -35,23 +37,23 @@ cda::Vec3 CornerNormals::at(std::uint32_t face, std::uint32_t vertex, cda::Vec3 
     using Known = brep::Shading::Known;
     const Known known = shading_.known(face);
     if (known == Known::Round) return shading_.normal(face, own, vertex, point);
-    // Vertices inside a face, which triangulate() made, have no others.
+    // Vertices inside a face, made by triangulate(), belong to no other face.
     if (maker_[face] == 0 || vertex + 1 >= first_.size()) return own;
     cda::Vec3 sum;
     for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
         const std::uint32_t other = faces_[i];
-        // A wall is flat as far as what is round.
+        // The normal of a flat face ignores adjacent round faces.
         if (known == Known::Flat && shading_.known(other) == Known::Round) continue;
         const bool is_smooth = maker_[other] == maker_[face] &&
                                cda::dot(own, boundary_.faces[other].normal) > kCreaseCosine;
         if (is_smooth) sum = sum + weighted_[other];
     }
     const double length = cda::norm(sum);
-    // Slivers without an area have no say, not even about themselves.
+    // The sum is 0 if all faces are slivers without area.
     return length > 0.0 ? (1.0 / length) * sum : own;
 }
 
-// The normal, as long as the face is large.
+// Returns the normal of `face` times twice its area.
 cda::Vec3 CornerNormals::area_vector(const cda::BoundaryFace& face) const {
     double twofold = 0.0;
     for (const auto& loop : face.loops) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// With which normals a mesh is shaded whose facets are flat and whose surface is not.
+// Normals for shading a mesh with flat facets whose true surface is curved.
 #pragma once
 
 #include "ncsim/brep/shading.h"
@@ -15,18 +15,19 @@
 
 namespace ncsim::exporter {
 
-/// Normals of face corners: those of the surface, where it is known to be round. Elsewhere the
-/// average of those of the faces around the vertex, weighted by area, that were cut by the same
-/// tool and meet the face at less than the crease angle: curves are often many short lines. What is
-/// known to be flat heeds nothing that is round; uncut stock is flat.
+/// Normals of face corners. If the surface of a face is known to be round, the normal is that of
+/// the surface. Otherwise the normal is the average over the faces around the vertex, weighted by
+/// area, that were cut by the same tool and meet the face at less than the crease angle, because
+/// curves are often many short lines. A face known to be flat ignores adjacent round faces; uncut
+/// stock is flat.
 class CornerNormals {
 public:
-    /// All of them must outlive it.
+    /// Requires: all arguments outlive the object.
     CornerNormals(const cda::Boundary& boundary, const Provenance& provenance,
                   const Palette& palette, const brep::Shading& shading);
 
-    /// Unit. `vertex` is that of the boundary, or, for points inside a face, any other number;
-    /// `point` is where it is.
+    /// Returns the unit normal of `face` at `point`. `vertex` is the vertex of the boundary at
+    /// `point`, or any larger number for a point inside the face.
     cda::Vec3 at(std::uint32_t face, std::uint32_t vertex, cda::Vec3 point) const;
 
 private:
@@ -34,9 +35,9 @@ private:
 
     const cda::Boundary& boundary_;
     const brep::Shading& shading_;
-    std::vector<std::size_t> maker_;    // of each face, by rank; 0: the stock
-    std::vector<cda::Vec3> weighted_;   // of each face
-    std::vector<std::uint32_t> first_;  // for each vertex, where in `faces_` its faces begin
+    std::vector<std::size_t> maker_;    // rank of each face's tool; 0: the stock
+    std::vector<cda::Vec3> weighted_;   // area vector of each face
+    std::vector<std::uint32_t> first_;  // for each vertex, start of the faces in `faces_`
     std::vector<std::uint32_t> faces_;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Extents, placement, chords and titles of sections on a drawing.
 #include "formats/drawing.h"
 
 #include "ncsim/trig/angles.h"
@@ -49,7 +51,7 @@ DrawnBox box_of(const brep::Section& section) {
     for (const brep::Outline& outline : section.outlines) {
         for (const brep::SectionPiece& piece : outline) {
             box.add(piece.from);
-            // What goes round is at its widest beyond its ends.
+            // A closed curve extends beyond its end point.
             if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
                 if (piece.from == piece.to) around(arc->centre, arc->radius);
             } else if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
@@ -70,9 +72,9 @@ std::vector<double> places_of(const std::vector<DrawnSection>& sections) {
     constexpr double kApart = 20.0;  // mm
     for (const DrawnSection& drawn : sections) {
         DrawnBox box = box_of(*drawn.section);
-        // What is empty has a title.
+        // An empty section has a title, which needs a place.
         if (box.is_empty()) box.add(FlatPoint{});
-        // Whole millimetres, so that people can read coordinates.
+        // Whole millimetres keep the coordinates readable.
         const double place = places.empty() ? 0.0 : std::ceil(right + kApart - box.left);
         places.push_back(place);
         right = box.right + place;
@@ -95,13 +97,13 @@ double angle_about(FlatPoint centre, FlatPoint p) {
 
 std::vector<FlatPoint> chords_of(const brep::SectionPiece& piece) {
     std::vector<FlatPoint> points;
-    // From angle to angle on centre + cos x + sin y.
+    // Appends points on centre + cos(a) x + sin(a) y for `a` between `start` and `end`, in degrees.
     const auto go = [&](FlatPoint c, FlatPoint x, FlatPoint y, double start, double end,
                         bool is_ccw, double radius) {
         double turn = is_ccw ? end - start : start - end;
         while (turn <= 0.0)
             turn += 360.0;
-        // r (1 - cos(a / 2)) is about r a a / 8.
+        // The error of a chord over the angle a is r (1 - cos(a / 2)), about r a² / 8.
         const double most = std::sqrt(8.0 * brep::kChordsMm / std::max(radius, brep::kChordsMm)) /
                             trig::kRadiansPerDegree;
         const int steps = std::max(1, static_cast<int>(std::ceil(turn / most)));

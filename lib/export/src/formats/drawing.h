@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What drawings in all formats have in common.
+// Functions that the drawings of all formats share.
 #pragma once
 
 #include "ncsim/export/drawing.h"
@@ -13,9 +13,10 @@
 
 namespace ncsim::exporter {
 
-/// A number of a drawing: nanometres are enough, and no exponents.
+/// Returns `number` as text with at most six decimals (nanometres) and without an exponent.
 std::string drawn(double number);
 
+/// Rectangle around a drawing, in mm.
 struct DrawnBox {
     double left = std::numeric_limits<double>::infinity(), bottom = left;
     double right = -left, top = -left;
@@ -24,18 +25,20 @@ struct DrawnBox {
     void add(const DrawnBox& box, double moved);
 };
 
-/// Around it; of arcs what the circles take, of ellipses what their long axes do.
+/// Returns a rectangle around `section`. A whole circle is inside exactly, a whole ellipse with the
+/// circle of its major radius, an arc with its chords.
 DrawnBox box_of(const brep::Section& section);
 DrawnBox box_of(const std::vector<DrawnSection>& sections);
 
-/// Points of the piece behind its start, in order, the last one its end: as many as keep the chords
-/// within brep::kChordsMm.
+/// Returns points of `piece` after its start, in order, ending with its end. The points are close
+/// enough to keep the chords within brep::kChordsMm of the curve.
 std::vector<brep::FlatPoint> chords_of(const brep::SectionPiece& piece);
 
-/// The angle of a point about another one, degrees in [0, 360).
+/// Returns the angle of `p` about `centre`, in degrees in [0, 360).
 double angle_about(brep::FlatPoint centre, brep::FlatPoint p);
 
-/// "Z-4 of part.nc", and what is to be known of it.
+/// Returns the title of `section`, such as "Z-4 of part.nc, moved by 60, of facets". `moved` is in
+/// mm.
 std::string title_of(const DrawnSection& section, double moved, const std::string& program);
 
 }  // namespace ncsim::exporter

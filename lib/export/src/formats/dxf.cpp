@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Groups of two lines: a code that says what it is, and a value. AutoCAD R12, the last one that
-// needs neither handles nor classes.
+// A DXF file is a list of groups of two lines: a code for the kind of value, and the value. The
+// version is AutoCAD R12, the last that needs neither handles nor classes.
 #include "formats/drawing.h"
 
 #include <cstdint>
@@ -16,11 +16,12 @@ namespace {
 
 using brep::FlatPoint;
 
-// Colours of AutoCAD: black or white for stock and notes, then those that can be told apart.
+// AutoCAD colour numbers: black or white for stock and notes, and grey for facets.
 constexpr int kPlain = 7, kGrey = 8;
 
-// Text of DXF is in the code page of whoever reads it: beyond ASCII characters are told by number,
-// and those that have more than four digits not at all. `utf8` is well-formed.
+// Returns `utf8` in ASCII: another character becomes \U+ with four hexadecimal digits, or ? if it
+// needs more digits. Readers interpret DXF text in their own code page.
+// Requires: `utf8` is well-formed.
 std::string ascii(const std::string& utf8) {
     std::string text;
     for (std::size_t i = 0; i < utf8.size();) {
@@ -181,7 +182,7 @@ private:
             point(10, moved(arc->centre));
             group(40, drawn(arc->radius));
             if (is_whole) return;
-            // Always counter-clockwise.
+            // Arcs of DXF run counter-clockwise.
             group(50, drawn(angle_about(arc->centre, arc->is_ccw ? piece.from : piece.to)));
             group(51, drawn(angle_about(arc->centre, arc->is_ccw ? piece.to : piece.from)));
             return;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Triangles are sorted by the rank of their tool: a primitive each.
-//  2. Within a primitive, corners of faces with one point, one normal (corner_normals.h) and one
-//     line share a vertex.
-//  3. The buffer is filled stream by stream (indices, positions, normals, lines, tools), an
+// Writes glTF in three steps:
+//  1. Sort triangles by the rank of their tool, with a primitive for each tool.
+//  2. Within a primitive, share vertices between corners with equal point, normal
+//     (corner_normals.h) and line.
+//  3. Fill the buffer stream by stream (indices, positions, normals, lines, tools), with an
 //     accessor for each stream of each primitive.
 #include "ncsim/export/gltf.h"
 
@@ -42,14 +43,14 @@ struct Primitive {
     std::vector<float> tools;
 
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> last_at;  // for each point, the last of its vertices
-    std::vector<std::uint32_t> before;   // for each vertex, the vertex before it at its point
+    std::vector<std::uint32_t> last_at;  // for each point, the latest vertex
+    std::vector<std::uint32_t> before;   // for each vertex, the preceding vertex at the same point
 
     std::uint32_t vertex(std::uint32_t point, const FloatPoint& position, const FloatPoint& normal,
                          Provenance::Entry entry);
 };
 
-// Returns the vertex at the point with this normal and this line; makes one if there is none.
+// Returns the vertex at `point` with this normal and line; adds the vertex if there is none.
 std::uint32_t Primitive::vertex(std::uint32_t point, const FloatPoint& position,
                                 const FloatPoint& normal, Provenance::Entry entry) {
     const auto line = static_cast<float>(entry.nc_line);
@@ -65,7 +66,7 @@ std::uint32_t Primitive::vertex(std::uint32_t point, const FloatPoint& position,
     return made;
 }
 
-// Steps 1 and 2. Primitives without triangles are left out.
+// Returns the primitives with at least one triangle (steps 1 and 2).
 std::vector<Primitive> primitives(const PartMesh& part, const Provenance& provenance,
                                   const Palette& palette) {
     const auto& [boundary, mesh, centre, shading] = part;
@@ -77,7 +78,7 @@ std::vector<Primitive> primitives(const PartMesh& part, const Provenance& proven
     const CornerNormals normals(boundary, provenance, palette, shading);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
-    std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → its vertex for this face
+    std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → vertex in the current face
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (mesh.face[t] != current_face) local.clear();
         current_face = mesh.face[t];
@@ -126,7 +127,8 @@ tinygltf::Mesh mesh_of(const std::vector<Primitive>& primitives, const Palette& 
     return mesh;
 }
 
-// Millimetres about `centre`, z up → metres, y up: x stays, z becomes y, y becomes -z.
+// Returns a node that converts mm relative to `centre`, z up, to metres, y up: x stays, z becomes
+// y, y becomes -z.
 tinygltf::Node node_of(cda::Vec3 centre) {
     constexpr double kMetres = 0.001;
     const double half_root = std::sqrt(0.5);
@@ -139,7 +141,7 @@ tinygltf::Node node_of(cda::Vec3 centre) {
     return node;
 }
 
-// What the lines say that left a face.
+// Returns the text of each line that cut a remaining face, by line number.
 tinygltf::Value text_of_lines(const cda::Boundary& boundary, const Provenance& provenance) {
     tinygltf::Value::Object lines;
     for (const cda::BoundaryFace& face : boundary.faces) {
@@ -160,8 +162,8 @@ void check_size(const std::vector<Primitive>& primitives) {
     }
 }
 
-// Each corner as it is rounded, wherever the others are: others do the same. What is nothing then
-// is left out.
+// Rounds each vertex independently of all others, so two files round a shared vertex to the same
+// floats. Omits triangles with two equal corners.
 FloatMesh rounded_alone(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
     FloatMesh result;
     result.points.reserve(mesh.vertices.size());
@@ -213,7 +215,7 @@ tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& proven
             "lines", text_of_lines(boundary, provenance));
     }
     model.scenes.emplace_back();
-    model.scenes.front().name = "part";  // a scene without nodes and name would be written as null
+    model.scenes.front().name = "part";  // tinygltf writes a scene without nodes and name as null
     model.defaultScene = 0;
     return model;
 }

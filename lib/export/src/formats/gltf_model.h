@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What files of a part and of a machine have in common.
+// Functions that glTF files of a part and of a machine share.
 #pragma once
 
 #include "ncsim/brep/shading.h"
@@ -25,14 +25,15 @@
 
 namespace ncsim::exporter {
 
-/// The one buffer of a model, and what refers to it.
+/// Appends arrays to the single buffer of a model, with buffer views and accessors.
 class Packer {
 public:
     explicit Packer(tinygltf::Model& model) : model_(model) {
         if (model_.buffers.empty()) model_.buffers.emplace_back();
     }
 
-    /// A new accessor over `values`; its number. No target: of animations.
+    /// Adds an accessor over `values`. `target` is kNoTarget for data of an animation.
+    /// Returns: the number of the accessor.
     template <typename T>
     int pack(const std::vector<T>& values, int component_type, int type, int target) {
         std::vector<unsigned char>& bytes = model_.buffers.front().data;
@@ -55,7 +56,8 @@ public:
         return static_cast<int>(model_.accessors.size()) - 1;
     }
 
-    /// Two bytes an index if all are below 65,535, which is reserved; four bytes otherwise.
+    /// Adds `indices` with two bytes each if all are below 65,535, which is reserved; otherwise
+    /// with four bytes.
     int pack_indices(const std::vector<std::uint32_t>& indices) {
         constexpr std::uint32_t kMostInTwoBytes = 65534;
         const auto fits = [](std::uint32_t index) { return index <= kMostInTwoBytes; };
@@ -78,7 +80,7 @@ public:
         return pack(points, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3,
                     TINYGLTF_TARGET_ARRAY_BUFFER);
     }
-    /// Positions must come with their bounds.
+    /// Adds positions with their bounds, as glTF requires.
     int pack_positions(const std::vector<FloatPoint>& points) {
         const int number = pack_points(points);
         tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(number)];
@@ -92,7 +94,8 @@ public:
         return number;
     }
 
-    /// Seconds, which rise.
+    /// Adds times in seconds with their bounds.
+    /// Requires: `seconds` is ascending and not empty.
     int pack_times(const std::vector<float>& seconds) {
         const int number =
             pack(seconds, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, kNoTarget);
@@ -101,11 +104,11 @@ public:
         accessor.maxValues = {static_cast<double>(seconds.back())};
         return number;
     }
-    /// Translations and scales of nodes,
+    /// Adds translations or scales of nodes.
     int pack_places(const std::vector<FloatPoint>& places) {
         return pack(places, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, kNoTarget);
     }
-    /// and rotations.
+    /// Adds rotations of nodes as quaternions.
     int pack_turns(const std::vector<std::array<float, 4>>& quaternions) {
         return pack(quaternions, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4, kNoTarget);
     }
@@ -134,25 +137,28 @@ private:
     tinygltf::Model& model_;
 };
 
-/// The surface of a part and what is left of it in floats.
+/// The surface of a part and its triangles in floats.
 struct PartMesh {
     const cda::Boundary& boundary;
-    const FloatMesh& mesh;  ///< Of the triangles of `boundary`, as seen from
-    cda::Vec3 centre;       ///< mm.
+    const FloatMesh& mesh;  ///< Triangles of `boundary`, relative to `centre`.
+    cda::Vec3 centre;       ///< In mm, W.
     const brep::Shading& shading;
 };
 
-/// A model that says who made it, of which program, and what the lines say that left a face.
+/// Returns a model whose asset names ncsim, the program and the unit, with the text of each line
+/// that cut a remaining face.
 tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance);
-/// The part, a primitive for each tool: the number of its mesh; none if nothing is left of it.
-/// Throws std::runtime_error if it is too large.
+/// Adds the part, with a primitive for each tool.
+/// Returns: the number of the mesh; nullopt if the part is empty.
+/// Throws: std::runtime_error if the part is too large for the format.
 std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
                             const Provenance& provenance);
-/// Whole millimetres near the middle of the part: positions given with few decimals keep them.
+/// Returns the centre of the part rounded to whole mm, so positions with few decimals keep few
+/// decimals.
 cda::Vec3 whole_centre(const cda::Boundary& boundary);
-/// A colour without gloss. sRGB.
+/// Returns a material with `colour` (sRGB) and without gloss.
 tinygltf::Material plain_material(const std::string& name, Rgba8 colour);
-/// Throws std::runtime_error if the stream fails.
+/// Throws: std::runtime_error if the stream fails.
 void write_model(std::ostream& out, tinygltf::Model& model);
 
 }  // namespace ncsim::exporter

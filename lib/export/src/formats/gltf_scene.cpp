@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A machine as glTF: node 0 turns millimetres into metres, node i + 1 is node i of the scene, and
-// the part comes last.
+// A machine as glTF: node 0 converts mm to metres, node i + 1 is node i of the scene, and the part
+// is last.
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/trig/angles.h"
@@ -24,10 +24,12 @@ using Extra = tinygltf::Value;
 
 using Quaternion = std::array<float, 4>;
 
-// Farther turns between two keys would be made the other way round.
+// Largest rotation between two keys. Readers rotate the shorter way between two keys, so larger
+// rotations could reverse.
 constexpr double kMostDegrees = 90.0;
 
-// One by one: there are readers (assimp 5.2) that give up where extras of nodes hold lists.
+// Adds the components of `v` as separate numbers. Some readers (assimp 5.2) fail if the extras of a
+// node hold lists.
 void tell(Extra::Object& told, const std::string& name, Vec3 v) {
     for (int i = 0; i < 3; ++i)
         told.emplace(name + "_" + "xyz"[i], Extra(v[i] + 0.0));
@@ -58,7 +60,7 @@ public:
         model_.scenes.front().nodes = {0};
     }
 
-    // `mesh`: of the part about `centre`, W.
+    // Adds the node of the part. `mesh` is the number of its mesh, relative to `centre` in W.
     void add_part_node(int mesh, Vec3 centre) {
         tinygltf::Node node;
         node.name = "part";
@@ -102,7 +104,7 @@ private:
         return node.parent ? scene_.nodes[*node.parent].origin : Vec3{};
     }
 
-    // Where the joint brings the frame of the node, as its parent has it.
+    // Returns the origin of the node's frame in its parent's frame with the joint at `value`.
     Vec3 place_of(const SceneNode& node, double value) const {
         const Vec3 home = node.origin - origin_of_parent(node);
         if (!node.joint || node.joint->turns) return home;
@@ -163,7 +165,8 @@ private:
             throw std::runtime_error("the machine is too large for a glTF file (1 GiB)");
     }
 
-    // Keys as floats, of which times have to rise: value by value, by `add` and `change`.
+    // Converts keys to times and values for a sampler. Times must ascend as floats, so a key whose
+    // float time is not later replaces the value of the preceding key.
     template <class Output, class Make>
     static void make_samples(const std::vector<JointKey>& keys, std::vector<float>& times,
                              std::vector<Output>& values, const Make& make) {

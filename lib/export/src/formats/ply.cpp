@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part as binary PLY.
 #include "ncsim/export/ply.h"
 
 #include "formats/text.h"
@@ -24,7 +26,7 @@ void append(std::string& bytes, Unsigned number) {
 }
 
 void append(std::string& bytes, double number) {
-    append(bytes, std::bit_cast<std::uint64_t>(number + 0.0));  // -0 becomes 0
+    append(bytes, std::bit_cast<std::uint64_t>(number + 0.0));  // turns -0 into 0
 }
 
 std::string header(const Provenance& provenance, std::size_t vertices, std::size_t faces) {

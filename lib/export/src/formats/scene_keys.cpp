@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Keys of joints and of visibility for files with animation.
 #include "formats/scene_keys.h"
 
 #include <algorithm>

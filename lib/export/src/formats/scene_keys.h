@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Keys of joints as files have them.
+// Keys of joints and of visibility for files with animation.
 #pragma once
 
 #include "ncsim/export/moving_scene.h"
@@ -9,14 +9,15 @@
 
 namespace ncsim::exporter {
 
-/// Does it ever stand elsewhere than at its first key?
+/// True if any key of `joint` differs from its first key.
 bool is_moving(const SceneJoint& joint);
-/// Where it stands at first; 0 without keys.
+/// Returns the value of the first key; 0 without keys.
 double first_value(const SceneJoint& joint);
-/// Its keys, with more of them where it turns by over `most_degrees` from one to the next.
+/// Returns the keys of `joint`. If it is a rotary joint, keys are inserted so that successive keys
+/// differ by at most `most_degrees`.
 std::vector<JointKey> divided_keys(const SceneJoint& joint, double most_degrees);
 
-/// When a node comes and goes: from then on it is there (1) or not (0). The first at 0 s.
+/// Returns the times at which `node` becomes visible (1) or hidden (0). The first key is at 0 s.
 std::vector<JointKey> visibility_keys(const SceneNode& node);
 
 }  // namespace ncsim::exporter

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A STEP file is a list of numbered entities. They are written in an order in which each
-// refers to earlier ones only: units and product, then for each shell its faces, before each face
-// the edges it is the first to use, before each edge its curve and vertices.
+// A STEP file is a list of numbered entities, written in an order in which each entity refers only
+// to earlier entities: units and product, then the faces of each shell, before each face the edges
+// that no earlier face uses, and before each edge its curve and vertices.
 #include "ncsim/export/step.h"
 
 #include "ncsim/brep/frames.h"
@@ -31,16 +31,16 @@ namespace ncsim::exporter {
 namespace {
 
 using cda::Vec3;
-using Entity = std::uint64_t;  // the number after #
+using Entity = std::uint64_t;  // number after #
 
-// Points nearer than this are one point to the reader, in mm. Above the rounding of coordinates,
-// below the lattice on which parts are cut.
+// Smallest uncertainty in a file, in mm: readers identify points that are nearer. The value is
+// above the rounding of coordinates and below the lattice on which parts are cut.
 constexpr const char* kUncertainty = "1.E-06";
 constexpr double kUncertaintyMm = 1e-6;
-// Lines named in the name of a face at most.
+// Largest number of lines in the name of a face.
 constexpr std::size_t kNamedLines = 8;
 
-// A real number of STEP always has a point.
+// Returns a real number in STEP form, always with a decimal point.
 std::string real(double number) {
     std::string text;
     append_number(text, number);
@@ -58,7 +58,7 @@ void append_hex(std::string& text, std::uint32_t number, int digits) {
     }
 }
 
-// A string of STEP: ASCII in quotes, other characters by number (ISO 10303-21, 6.4.3).
+// Returns a STEP string: ASCII in quotes, other characters by number (ISO 10303-21, 6.4.3).
 std::string quoted(std::string_view words) {
     const std::string utf8 = printable_utf8(words);
     std::string text = "'";
@@ -99,7 +99,8 @@ std::string list(std::span<const Entity> entities) {
     return text;
 }
 
-// As far as edges are off their surfaces; the accuracy of those who read numbers else.
+// Returns the uncertainty of the file: the largest distance of an edge from its surfaces, at least
+// kUncertaintyMm.
 std::string uncertainty_of(const brep::Part& part) {
     return part.miss_mm > kUncertaintyMm ? real(part.miss_mm) : kUncertainty;
 }
@@ -168,7 +169,7 @@ private:
 
     bool is_242() const { return options_.schema == StepSchema::Ap242; }
 
-    // Millimetres and radians; the context all geometry is in.
+    // Writes the units (mm, radians) and the context of all geometry. Returns the context.
     Entity units() {
         const Entity length = add("(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.))");
         length_ = length;
@@ -182,7 +183,7 @@ private:
                    list(std::array{length, angle, solid}) + ") REPRESENTATION_CONTEXT('',''))");
     }
 
-    // The product that has a shape; the shape's definition.
+    // Writes the product. Returns the definition of its shape.
     Entity product() {
         const std::string name =
             quoted(provenance_.program.empty() ? std::string("part") : provenance_.program);
@@ -211,7 +212,7 @@ private:
 
     Entity point(Vec3 p) { return add("CARTESIAN_POINT(''," + triple(p) + ")"); }
 
-    // Equal directions are one entity: parts have many parallel edges.
+    // Returns a shared entity for equal directions, because parts have many parallel edges.
     Entity direction(Vec3 v) {
         std::string key = triple(v);
         const auto found = directions_.find(key);
@@ -259,7 +260,7 @@ private:
         return add("LINE(''," + ref(from.point) + "," + ref(vector) + ")");
     }
 
-    // Counted from where the edge starts.
+    // The parameter of the circle is 0 at the start of the edge.
     Entity curve_of(const brep::Circle& c, const brep::Edge& e, const Vertex&) {
         const Vec3 out = part_.vertices[e.from] - c.centre;
         const Vec3 x = cda::normalized(out - cda::dot(out, c.axis) * c.axis);
@@ -330,7 +331,7 @@ private:
         return add("DERIVED_UNIT((" + ref(element) + "))");
     }
 
-    // Of the whole part, and of its solids where there are several.
+    // Writes validation properties of the part, and of each solid if there are several.
     void validate(Entity shape, Entity representation, Entity context,
                   const std::vector<Entity>& items) {
         if (part_.solids.empty()) return;
@@ -361,7 +362,8 @@ private:
         property("centroid", add("CARTESIAN_POINT('centre point'," + triple(mass.centroid) + ")"));
     }
 
-    // What properties of a face or a solid can be hung on.
+    // Writes a shape aspect of `item` that can carry properties of a face or solid. Returns the
+    // aspect.
     Entity aspect_of(const std::string& name, Entity item, Entity shape, Entity representation,
                      Entity context) {
         const Entity aspect = add("SHAPE_ASPECT('" + name + "',''," + ref(shape) + ",.T.)");
@@ -382,7 +384,7 @@ private:
         struct Attribute {
             std::string name;
             Entity general = 0;
-            std::unordered_map<std::string, Entity> values{};  // equal ones are one
+            std::unordered_map<std::string, Entity> values{};  // equal values share an entity
         };
         std::array<Attribute, 3> attributes{{{"nc_lines"}, {"tools"}, {"kind"}}};
         for (Attribute& a : attributes)
@@ -419,7 +421,7 @@ private:
         return std::string(brep::kForms[face.surface.form.index()]);
     }
 
-    // Ascending; empty where nobody cut it.
+    // Returns the lines or tools of the face, ascending; empty for uncut stock.
     std::string numbers_of(const brep::Face& face, std::uint32_t Provenance::Entry::*number) const {
         std::vector<std::uint32_t> numbers;
         for (const cda::Origin origin : face.origins) {
@@ -444,7 +446,8 @@ private:
             bounds.push_back(
                 add((is_outline ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',") + ref(of) + ",.T.)"));
         }
-        // Without it, readers lose the tip of a cone with other edges than a circle.
+        // A vertex loop marks a cone's apex that is inside the face. Without the loop, readers lose
+        // the apex unless the only edge of the face is a circle.
         if (brep::has_tip(part_, from)) {
             const Entity tip = point(std::get<brep::Cone>(from.surface.form).apex);
             const Entity corner = add("VERTEX_POINT(''," + ref(tip) + ")");
@@ -465,7 +468,7 @@ private:
         return ref(placement(frame.origin, frame.axis, frame.x));
     }
 
-    // Placed in the corner in which its outline starts.
+    // The origin of the plane is the first corner of the outline.
     Entity surface_of(const brep::Plane&, const brep::Face& face) {
         const brep::EdgeUse& use = face.loops.front().front();
         const brep::Edge& e = part_.edges[use.edge];
@@ -494,7 +497,7 @@ private:
         const Entity vector = add("VECTOR(''," + ref(direction(form.along)) + ",1.)");
         return add("SURFACE_OF_LINEAR_EXTRUSION(''," + ref(circle) + "," + ref(vector) + ")");
     }
-    // Exactly that, as a rational cubic.
+    // Writes an exact half circle as a rational cubic.
     Entity half_circle(const brep::Extrusion& form, Vec3 middle) {
         const Vec3 end = form.radius * cda::cross(form.axis, middle);
         const Vec3 out = (2.0 * form.radius) * middle;
@@ -507,7 +510,7 @@ private:
                    "CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.," +
                    third + "," + third + ",1.))REPRESENTATION_ITEM(''))");
     }
-    // In files splines.
+    // Domes, coils, spirals and envelopes are written as B-spline surfaces.
     Entity surface_of(const brep::Dome&, const brep::Face& face) { return patch(face); }
     Entity surface_of(const brep::Coil&, const brep::Face& face) { return patch(face); }
     Entity surface_of(const brep::Spiral&, const brep::Face& face) { return patch(face); }
@@ -539,7 +542,8 @@ private:
                    real(form.minor) + ")");
     }
 
-    // What readers know no torus for: half of its circle, from tip to tip, turns about the axis.
+    // Writes a spindle torus, for which readers do not accept TOROIDAL_SURFACE, as a surface of
+    // revolution: the arc of its circle from tip to tip, rotated about the axis.
     Entity spindle(const brep::Torus& form, const brep::Frame& frame) {
         const Vec3 y = cda::cross(frame.axis, frame.x);
         const brep::Frame place{frame.origin + form.major * frame.x, -y, frame.x};
@@ -555,7 +559,7 @@ private:
         return add("SURFACE_OF_REVOLUTION(''," + ref(half) + "," + ref(axis) + ")");
     }
 
-    // The colour of a tool.
+    // Returns the style with the colour of the tool.
     Entity style(Provenance::Entry entry) {
         Entity& made = styles_[palette_.rank(entry)];
         if (made != 0) return made;
@@ -609,11 +613,11 @@ private:
     Entity length_ = 0, square_ = 0, cube_ = 0;  // units
     std::string text_;
     std::vector<Vertex> vertices_;
-    std::vector<Entity> edges_;                           // by number; 0: not yet
+    std::vector<Entity> edges_;                           // by edge; 0: not written
     std::unordered_map<std::string, Entity> directions_;  // by their text
-    std::vector<Entity> styles_;                          // by rank of the tool; 0: not yet
+    std::vector<Entity> styles_;                          // by rank of the tool; 0: not written
     std::vector<Entity> styled_;
-    std::vector<Entity> faces_;  // by number; 0: not written
+    std::vector<Entity> faces_;  // by face; 0: not written
 };
 
 }  // namespace

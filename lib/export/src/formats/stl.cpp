@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// 80 bytes of header, a count, and for each triangle its normal, its corners and two bytes without
-// meaning; little-endian.
+// Binary STL: 80 bytes of header, a count, and for each triangle a normal, three corners and two
+// unused bytes; little-endian.
 #include "ncsim/export/stl.h"
 
 #include "ncsim/cda/parallel.h"
@@ -25,14 +25,14 @@ namespace ncsim::exporter {
 
 namespace {
 
-// Must not begin with "solid": by that word readers tell the text form of STL.
+// Must not begin with "solid", by which readers recognise the text form of STL.
 constexpr std::string_view kHeader = "binary STL by ncsim, unit: millimetre";
 const std::string kHeaderWithAssumptions =
     "binary STL by ncsim, unit: mm; " + std::string(cda::kAssumedMark);
 constexpr std::size_t kHeaderSize = 80;
-constexpr std::size_t kRecordSize = 50;  // of a triangle; the last two bytes stay 0
+constexpr std::size_t kRecordSize = 50;  // bytes of a triangle; the last two stay 0
 
-// Each returns where the next one goes.
+// Writes the bytes of a number. Returns the position after the last byte.
 char* put(char* at, std::uint32_t number) {
     for (int shift = 0; shift < 32; shift += 8)
         *at++ = static_cast<char>((number >> shift) & 0xFF);
@@ -47,8 +47,8 @@ char* put(char* at, const FloatPoint& point) {
 
 using Corners = std::array<FloatPoint, 3>;
 
-// Of the corners as they are written, so that readers who check it find it right. Zero if they
-// lie on a line.
+// Returns the normal of the corners as written, so readers that check normals accept the file; zero
+// if the corners are collinear.
 FloatPoint normal_of(const Corners& corners) {
     const auto widened = [](const FloatPoint& p) {
         return cda::Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]),

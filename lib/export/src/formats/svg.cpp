@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Up on the drawing is down in SVG: what is counter-clockwise there is drawn with sweep 0.
+// Sections as SVG. The y axis of SVG points down, so counter-clockwise arcs of the drawing have the
+// sweep flag 0.
 #include "ncsim/trig/angles.h"
 
 #include "formats/drawing.h"
@@ -58,7 +59,7 @@ private:
             "<g transform=\"translate(" + drawn(place) + " 0)\">\n<title>" + title + "</title>\n";
         const Palette palette(*section.provenance);
         std::string filled;
-        // By who cut it, and whether it is a facet.
+        // Outlines by tool, and whether they belong to facets.
         std::map<std::pair<Maker, bool>, std::string> lines;
         for (const brep::Outline& outline : section.section->outlines) {
             filled += "M" + at(outline.front().from);
@@ -93,7 +94,7 @@ private:
                  "\" y=\"" + drawn(-corner.v) + "\">" + title + "</text>\n</g>\n";
     }
 
-    // From where the last one ended.
+    // Returns the path commands of a piece, from the current point to its end.
     static std::string along(const brep::SectionPiece& piece) {
         if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
             const FlatPoint opposite{2.0 * arc->centre.u - piece.from.u,
@@ -104,7 +105,8 @@ private:
         if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
             const FlatPoint opposite{2.0 * e->centre.u - piece.from.u,
                                      2.0 * e->centre.v - piece.from.v};
-            // More than half of it is more than half a turn about the centre, too.
+            // An arc of more than half the ellipse also spans more than 180° about the centre, so
+            // the angles about the centre decide the large-arc flag.
             return arcs(piece, trig::length_of(e->major.u, e->major.v), e->minor_radius,
                         -trig::angle_of(e->major.u, e->major.v), e->is_ccw, opposite,
                         angle_about(e->centre, piece.from), angle_about(e->centre, piece.to));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// UTF-8, XML text and numbers for all formats.
 #include "formats/text.h"
 
 #include <array>
@@ -10,8 +12,9 @@ namespace ncsim::exporter {
 
 namespace {
 
-// Length of the well-formed UTF-8 sequence at the head of `text`; 0 if there is none. Overlong
-// forms, surrogates and numbers beyond U+10FFFF are not well-formed (Unicode, table 3-7).
+// Returns the length of the well-formed UTF-8 sequence at the start of `text`; 0 if there is none.
+// Overlong forms, surrogates and numbers beyond U+10FFFF are not well-formed.
+// Source: Unicode, table 3-7.
 std::size_t sequence_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(0);
@@ -30,8 +33,8 @@ std::size_t sequence_length(std::string_view text) {
     return out_of_range ? 0 : length;
 }
 
-// Control characters of ASCII and Latin-1, separators of lines, and characters that turn the
-// direction of writing.
+// True for control characters of ASCII and Latin-1, line separators, and characters that change the
+// writing direction.
 bool is_control(std::string_view character) {
     std::uint32_t code = static_cast<std::uint8_t>(character[0]);
     if (code >= 0x80) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A ZIP archive of three XML files: what types there are, which of them is the model, the model.
+// A 3MF file is a ZIP archive of three XML files: the content types, the name of the model file,
+// and the model.
 #include "ncsim/export/threemf.h"
 
 #include "ncsim/cda/mesh.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Faces are put in the order of their lines, then tools (a stable sort: ties stay as they
-//  were).
-//  2. Each run of one line is a Group, each run of one tool within it a Shape.
-//  3. A Shape lists the points its faces use, then the faces.
+// Writes VRML in three steps:
+//  1. Sort faces by line, then by tool (stable).
+//  2. Write each run of one line as a Group, and each run of one tool within the group as a Shape.
+//  3. In each Shape, list the points that its faces use, then the faces.
 #include "ncsim/export/vrml.h"
 
 #include "ncsim/cda/shape.h"
@@ -45,7 +45,7 @@ public:
         finish();
     }
 
-    // The part among what moves.
+    // Writes the part inside the tree of moving nodes.
     void write(const MovingScene& scene) {
         header();
         const VrmlScene moving(scene);
@@ -70,7 +70,7 @@ private:
         if (text_.size() >= kFlushSize) flush();
     }
 
-    // In the node that carries it, whose frame has its origin there.
+    // Writes the part below its parent node, whose frame has its origin at `origin`.
     void placed_part(const MovingScene& scene, cda::Vec3 origin) {
         text_ += "DEF PART Transform { translation ";
         append_point(text_, scene.zero - origin);
@@ -134,7 +134,7 @@ private:
         text_ += '"';
     }
 
-    // All faces of one line.
+    // Writes all faces of a line.
     void group(std::span<const FaceIndex> faces) {
         const std::uint32_t line = entry(faces.front()).nc_line;
         text_ += "DEF ";
@@ -152,7 +152,7 @@ private:
         text_ += "] }\n";
     }
 
-    // All faces of one tool in one line.
+    // Writes all faces of a tool and a line.
     void shape(std::span<const FaceIndex> faces) {
         text_ += "Shape {\nappearance ";
         appearance(entry(faces.front()));
@@ -168,7 +168,8 @@ private:
         if (text_.size() >= kFlushSize) flush();
     }
 
-    // Appends one polygon to `polygons`, and to the text the points that it is the first to use.
+    // Appends a polygon to `polygons`, and the points that no earlier polygon of the shape uses to
+    // the text.
     void polygon(std::span<const std::uint32_t> corners, std::string& polygons) {
         for (const std::uint32_t vertex : corners) {
             const auto [found, is_new] = local_.try_emplace(vertex, local_.size());
@@ -184,7 +185,7 @@ private:
         text_ += '\n';
     }
 
-    // Written in full for the first shape of a tool, referred to by name after that.
+    // Writes the appearance in full for the first shape of a tool, and by name for later shapes.
     void appearance(Provenance::Entry by) {
         const std::size_t rank = palette_.rank(by);
         const Maker& maker = palette_.makers()[rank];

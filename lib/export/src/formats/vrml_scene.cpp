@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moving nodes and their interpolators as VRML97.
 #include "formats/vrml_scene.h"
 
 #include "ncsim/cda/mesh.h"
@@ -18,13 +20,14 @@ namespace {
 
 using cda::Vec3;
 
-// Farther turns between two keys would be made the other way round.
+// Largest rotation between two keys. Readers rotate the shorter way between two keys, so larger
+// rotations could reverse.
 constexpr double kMaxKeyTurn = 90.0;
 
-// Scales have to be above 0.
+// Scale of hidden nodes. VRML requires scales above 0.
 constexpr double kAway = 1e-6;
 
-// Around the joint's direction, in radians, of which whole turns are left out.
+// Appends a rotation about the joint's direction, in radians without whole turns.
 void append_turn(std::string& text, const SceneJoint& joint, double degrees) {
     append_point(text, joint.direction);
     text += ' ';
@@ -147,7 +150,7 @@ void VrmlScene::append_interpolators(std::string& text) const {
             connect(name, name_of(i), joint.turns ? "rotation" : "translation");
         }
         if (node.shown.empty()) continue;
-        // It goes at once: two keys at one time.
+        // The scale changes at once, so there are two keys at the same time.
         std::vector<JointKey> keys;
         for (const JointKey& key : visibility_keys(node)) {
             if (!keys.empty()) keys.push_back({key.seconds, keys.back().value});

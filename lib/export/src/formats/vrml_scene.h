@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What moves, as VRML97: ISO/IEC 14772-1:1997, 6.29 and 6.39 (interpolators).
+// Moving nodes as VRML97.
+// Source: ISO/IEC 14772-1:1997, 6.29 and 6.39 (interpolators).
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -11,18 +12,20 @@
 
 namespace ncsim::exporter {
 
-/// "1 2 3"
+/// Appends "1 2 3".
 void append_point(std::string& text, cda::Vec3 p);
-/// An Appearance with little gloss.
+/// Appends an Appearance with little gloss.
 void append_appearance(std::string& text, Rgba8 colour);
 
+/// Writer of the nodes and interpolators of a scene.
 class VrmlScene {
 public:
     explicit VrmlScene(const MovingScene& scene) : scene_(scene) {}
 
-    /// A Transform up to where those begin that the node carries: "children [" and its own bodies.
+    /// Appends the start of a Transform, up to "children [" and the bodies of the node; the child
+    /// nodes follow.
     void begin_node(std::string& text, std::size_t number) const;
-    /// The clock, and what it drives.
+    /// Appends the clock, the interpolators and their routes.
     void append_interpolators(std::string& text) const;
 
 private:

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ZIP archives with deflate.
 #include "formats/zip.h"
 
 #include <zlib.h>
@@ -38,14 +40,14 @@ void check_size(std::uint64_t size) {
 
 std::string deflated(std::string_view content) {
     z_stream stream{};
-    // Raw deflate, without the header of zlib: 15 bits of window, negative.
+    // A negative window size (15 bits) selects raw deflate, without the header of zlib.
     if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY) !=
         Z_OK) {
         throw std::runtime_error("cannot compress: zlib does not start");
     }
     std::string result(deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
     check_size(result.size());
-    // zlib does not write to what it reads; its interface is from before const.
+    // zlib does not write to the input, but the interface has no const.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
     stream.avail_in = static_cast<uInt>(content.size());
     stream.next_out = reinterpret_cast<Bytef*>(result.data());
@@ -75,7 +77,7 @@ void ZipWriter::add(std::string_view name, std::string_view content) {
     const std::string packed = deflated(content);
     check_size(written_ + packed.size());
 
-    // Both headers have this in common.
+    // Fields that the local header and the directory entry share.
     std::string facts;
     append16(facts, kVersion);
     append16(facts, 0);  // flags

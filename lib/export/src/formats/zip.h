@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ZIP archives without time: 3MF files are such. PKWARE, .ZIP File Format Specification (APPNOTE).
+// ZIP archives without time stamps, such as 3MF files.
+// Source: PKWARE, .ZIP File Format Specification (APPNOTE).
 #pragma once
 
 #include <cstdint>
@@ -10,12 +11,13 @@
 
 namespace ncsim::exporter {
 
-/// Writes files into an archive, compressed. `finish` ends it.
+/// Writes compressed files into an archive. `finish` ends the archive.
 class ZipWriter {
 public:
     explicit ZipWriter(std::ostream& out) : out_(out) {}
 
-    /// Throws std::runtime_error if the archive would exceed 4 GiB.
+    /// Adds a file.
+    /// Throws: std::runtime_error if the archive would exceed 4 GiB.
     void add(std::string_view name, std::string_view content);
     void finish();
 

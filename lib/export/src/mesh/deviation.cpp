@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Most triangles of two meshes of which one was made of the other are in both. So corners that both
-// have are not looked at, and for the others first those triangles are asked that the other mesh
-// has by itself: where one of the rest is nearer to the farthest of them, all are asked.
+// If one mesh was made from the other, most triangles occur in both. Corners that both meshes have
+// are skipped. For all other points, the search uses only the triangles that the other mesh does
+// not share. If another triangle is nearer to the farthest point than the distance found, the
+// search is repeated with all triangles.
 #include "mesh/deviation.h"
 
 #include "ncsim/cda/mix.h"
@@ -26,8 +27,8 @@ using cda::TriangleTree;
 using cda::Vec3;
 using Triple = std::array<std::uint32_t, 3>;
 
-// Is there a triangle within `limit` of a point? Sometimes no where there is one, by rounding. One
-// that was near the last point often is near the next, too: `last` is asked first, and told.
+// True if a triangle is within `limit` of `p`; rounding can give false at the limit. `last` is the
+// triangle that was near the previous point, which is tried first; it is set to the triangle found.
 bool is_within(const TriangleTree& tree, Vec3 p, double limit, std::uint32_t& last) {
     if (cda::distance(p, cda::corners_of(tree.mesh(), last)) <= limit) return true;
     bool found = false;
@@ -52,8 +53,8 @@ struct Farthest {
     Vec3 at;
 };
 
-// Only what is farther than all before it is measured: of most points it is soon clear that they
-// are not.
+// Returns the point farthest from the mesh. The distance of a point is computed only if the point
+// is not within the largest distance so far, which is a cheap test.
 Farthest farthest(const std::vector<Vec3>& points, const TriangleTree& tree) {
     Farthest result;
     std::uint32_t last = 0;
@@ -80,10 +81,11 @@ bool is_nearer_than(double limit, Vec3 p, const TriangleMesh& mesh) {
     return false;
 }
 
-// Numbers for places, of both meshes, in a table with open addresses.
+// Numbers for positions: equal positions in both meshes get equal numbers. A hash table with open
+// addressing.
 class SamePlaces {
 public:
-    /// Requires: at most `most` vertices come in.
+    /// Requires: at most `most` vertices are added.
     explicit SamePlaces(std::size_t most) : slots_(std::bit_ceil(2 * most + 1), kNone) {
         places_.reserve(most);
     }
@@ -121,13 +123,14 @@ private:
     std::vector<Vec3> places_;
 };
 
-// A triangle whichever way it is gone round.
+// Returns the triangle in a form that does not depend on orientation and starting corner.
 Triple sorted(Triple t) {
     std::ranges::sort(t);
     return t;
 }
 
-// Triangles by their least corner: neighbours in space are neighbours in memory.
+// Set of triangles, grouped by their least corner, which keeps neighbours in space near each other
+// in memory.
 class TrianglesByCorner {
 public:
     TrianglesByCorner(const std::vector<Triple>& triangles, std::size_t places)
@@ -153,11 +156,11 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> first_;  // for each place, where in others_ its triangles begin
+    std::vector<std::uint32_t> first_;  // for each position, start of the triangles in others_
     std::vector<std::pair<std::uint32_t, std::uint32_t>> others_;
 };
 
-// What one mesh has by itself: triangles, and of these the corners and middles.
+// Triangles that the other mesh does not have, with their corners and middles.
 struct Own {
     std::vector<std::uint32_t> triangles;
     std::vector<Vec3> points;

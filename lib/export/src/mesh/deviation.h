@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far two surfaces are from each other.
+// Distance between two surfaces.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
 
 namespace ncsim::exporter {
 
-/// The farthest, in mm, that a corner or the middle of a triangle of one mesh lies from the other
-/// mesh, asked in both directions (the Hausdorff distance, sampled there). Infinite if only one of
-/// them is empty. Expected O(n log n).
+/// Returns the largest distance, in mm, from a corner or the middle of a triangle of either mesh to
+/// the other mesh: the Hausdorff distance, sampled at these points. Infinite if exactly one mesh is
+/// empty.
+/// Cost: O(n log n) expected.
 double deviation(const cda::TriangleMesh& a, const cda::TriangleMesh& b);
 
 }  // namespace ncsim::exporter

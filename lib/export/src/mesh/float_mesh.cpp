@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Vertices in which a surface touches itself become several, one for each fan of triangles.
-//  2. Coordinates are rounded. Edges that have no length now are contracted, and triangles that
-//     have no height are flipped, where what hangs together stays as it is (remove_slivers).
-//  3. Corners that are still in the same place, or on a line with the others of a triangle, are
-//     moved on (Places).
-//  4. What steps 2 and 3 changed is looked at. Should it not be what was promised, everything is
-//     done again without step 2, which leaves nothing to chance: step 1 gives a manifold whose
-//     vertices have numbers, and step 3 gives each number a place of its own.
+// Rounds a closed mesh to floats in four steps:
+//  1. Split each vertex at which the surface touches itself into one vertex per fan of triangles.
+//  2. Round the coordinates. Contract edges of zero length and flip triangles of zero height, if
+//     the topology does not change (remove_slivers).
+//  3. Move corners that share a position with another corner, or that are collinear with the other
+//     two corners of a triangle (Places).
+//  4. Check what steps 2 and 3 changed. If the check fails, repeat without step 2. That attempt
+//     always succeeds: step 1 gives a manifold, and step 3 gives each vertex a position of its own.
 //
-// Why step 3 succeeds: a cube of (2r + 1)³ places about a corner has 2r + 1 coordinates an axis. A
-// line has one point for each coordinate along the axis in which it is not constant, so it meets
-// 2r + 1 places of the cube at most. A place is refused if it is taken, or on the line through the
-// two other corners of a triangle. So of the cube at most t + d (2r + 1) places are refused, t the
-// number of places taken in it and d that of triangles; that is less than (2r + 1)³ for some r.
+// Step 3 terminates: a cube of (2r + 1)³ positions around a corner has 2r + 1 coordinates per axis.
+// A line has one point for each coordinate along an axis in which the line is not constant, so the
+// line meets at most 2r + 1 positions of the cube. A position is refused if it is occupied, or if
+// it is on the line through the other two corners of a triangle at the corner. Let t be the number
+// of occupied positions in the cube and d the number of triangles at the corner. At most t + d
+// (2r + 1) positions are refused, which is less than (2r + 1)³ for some r.
 //
-// Why one pass over the corners is enough: a corner goes to a place of its own, so nobody comes to
-// be where another one is. And it makes none of its triangles flat whose two other corners are
-// apart. Where they are not, one of them is not the first in its place and moves when it is its
-// turn; the rest of the triangle is apart then, or holds another one that has yet to move.
+// One pass over the corners is enough: a corner moves to a free position, so no two corners come to
+// share a position. The move makes no triangle flat whose other two corners differ in position. If
+// the other two corners share a position, one of the two is not the first at this position and
+// moves later; then the other two corners of the triangle differ, or the triangle contains a
+// further corner that has yet to move.
 #include "mesh/float_mesh.h"
 
 #include "ncsim/cda/mix.h"
@@ -49,21 +51,22 @@ using Triangle = std::array<Vertex, 3>;
 
 constexpr float kMost = 0x1p100F;
 
-// mm: parts are larger. Steps of anything smaller would leave the range of floats.
+// Smallest extent in mm; parts are larger. Steps of a smaller extent would leave the range of
+// floats.
 constexpr double kLeastSize = 0x1p-40;
 
 // A step is the distance between floats in the binade of the largest coordinate.
 constexpr int kBits = 23;
 
-// Floats near zero are finer than anybody needs, and than what is computed with 128 bits: they are
-// rounded to 2^-24 of a step.
+// Coordinates near zero are rounded to 2^-24 of a step, because finer floats would exceed the 128
+// bits of exact products.
 constexpr int kFineBits = 24;
 
-// Of a step: edges shorter and triangles lower than this have no extent. What doubles compute of
-// heights is off by 2^-24 of a step at most.
+// Edges shorter and triangles lower than this share of a step have no extent. The rounding error of
+// a height in doubles is at most 2^-24 of a step.
 constexpr double kLow = 0x1p-20;
 
-// The triangles around each vertex, as one turns around it.
+// The triangles around each vertex, in order of rotation.
 class Fans {
 public:
     Fans(const std::vector<Triangle>& triangles, std::size_t vertices)
@@ -82,7 +85,8 @@ public:
         }
     }
 
-    /// Vertices with more than one fan, ascending; nothing if there is no turning around some.
+    /// Returns the vertices with more than one fan, ascending; nullopt if the triangles at a vertex
+    /// do not form closed fans.
     std::optional<std::vector<Vertex>> with_several(std::size_t threads) {
         std::atomic<bool> is_closed = true;
         const auto vertices = static_cast<Vertex>(first_.size() - 1);
@@ -95,9 +99,9 @@ public:
         return several;
     }
 
-    /// Calls `fan` with the corners (three times the triangle, plus which of its corners it is) of
-    /// each fan around `v`. False if there is no turning around it: an edge there does not stand
-    /// once in each direction.
+    /// Calls `fan` for each fan around `v` with its corners, in order of rotation; a corner is 3 ×
+    /// triangle + position in the triangle. Returns false if the fans are not closed: some edge
+    /// does not occur exactly once in each direction.
     template <typename Action>
     bool visit(Vertex v, const Action& fan) {
         const auto begin = begin_of(v);
@@ -136,11 +140,12 @@ private:
     std::vector<Corner>::iterator begin_of(Vertex v) {
         return corners_.begin() + static_cast<std::ptrdiff_t>(first_[v]);
     }
-    std::vector<std::size_t> first_;  // for each vertex, where in `corners_` its own begin
+    std::vector<std::size_t> first_;  // for each vertex, start of the corners in `corners_`
     std::vector<Corner> corners_;
 };
 
-// Step 1. Appends to `vertex` what the new ones were.
+// Step 1: gives each further fan of a vertex a new vertex. Appends the original of each new vertex
+// to `vertex`.
 void part_fans(std::vector<Triangle>& triangles, std::vector<std::uint32_t>& vertex,
                std::size_t threads) {
     Fans fans(triangles, vertex.size());
@@ -163,7 +168,7 @@ bool is_manifold(const std::vector<Triangle>& triangles, std::size_t vertices,
     return several && several->empty();
 }
 
-// The grid of a mesh: how far one step is, and whole numbers for coordinates.
+// The grid of a mesh: the size of a step, and whole numbers for coordinates.
 class Steps {
 public:
     explicit Steps(double largest)
@@ -175,14 +180,15 @@ public:
     FloatPoint round(Vec3 p) const {
         FloatPoint point = to_floats(p);
         for (float& x : point) {
-            // The others have no finer bits.
+            // Larger coordinates have no bits finer than that.
             if (std::abs(static_cast<double>(x)) < step_)
                 x = static_cast<float>(fine_ * std::round(static_cast<double>(x) / fine_)) + 0.0F;
         }
         return point;
     }
 
-    /// The float `count` steps on, or the next one where floats are coarser.
+    /// Returns the float that is `count` steps from `x`; a step is the next float if floats are
+    /// coarser.
     float moved(float x, int count) const {
         const auto far = static_cast<float>(count < 0 ? -step_ : step_);
         for (int i = 0; i < std::abs(count); ++i) {
@@ -192,8 +198,8 @@ public:
         return x;
     }
 
-    /// Whether the corners lie on one line, exactly: coordinates have 48 bits, and a few more of
-    /// those moved beyond the largest one, so no product exceeds 128.
+    /// True if the corners are collinear, computed exactly: coordinates have 48 bits, or a few more
+    /// if a corner was moved beyond the largest coordinate, so products fit in 128 bits.
     bool are_collinear(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c) const {
         std::array<Int128, 3> ab{}, ac{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -211,12 +217,12 @@ private:
     double step_, fine_;
 };
 
-// Which places are taken, and by whom: a table with open addressing, half full at most.
+// Occupied positions and the vertex at each: a hash table with open addressing, at most half full.
 class PlaceTable {
 public:
     explicit PlaceTable(std::size_t places) { resize(2 * places); }
 
-    /// Who is there; `v` if nobody was.
+    /// Returns the vertex at `place`; puts `v` there if the place is free.
     Vertex take(const FloatPoint& place, Vertex v) {
         if (2 * (taken_ + 1) > slots_.size()) resize(2 * slots_.size());
         Slot& slot = slots_[find(place)];
@@ -227,7 +233,7 @@ public:
         return slot.vertex;
     }
     bool is_taken(const FloatPoint& place) const { return slots_[find(place)].vertex != kNone; }
-    /// Requires that it is taken.
+    /// Requires: `place` is occupied.
     Vertex at(const FloatPoint& place) const { return slots_[find(place)].vertex; }
 
 private:
@@ -237,7 +243,7 @@ private:
         Vertex vertex = kNone;
     };
 
-    // Where the place is, or would be.
+    // Returns the slot of `place`, or the free slot for it.
     std::size_t find(const FloatPoint& place) const {
         std::uint64_t h = 0;
         for (const float x : place)
@@ -259,7 +265,7 @@ private:
     std::size_t taken_ = 0;
 };
 
-// Step 3.
+// Step 3: gives each corner a position of its own.
 class Places {
 public:
     Places(const std::vector<Vec3>& exact, const std::vector<Triangle>& triangles,
@@ -271,9 +277,9 @@ public:
           threads_(threads),
           taken_(points.size()) {}
 
-    /// False: there was nothing to do.
+    /// Moves corners as needed. Returns false if no corner had to move.
     bool run() {
-        // The first corner in a place stays, and so do the first two of a flat triangle.
+        // The first corner at a position stays, and so do the first two corners of a flat triangle.
         std::vector<bool> is_used(points_.size(), false);
         for (const Triangle& t : triangles_) {
             for (const Vertex v : t)
@@ -319,8 +325,8 @@ private:
         }
     }
 
-    // Whether a triangle at `v` would be flat were it there; not asked of those whose two other
-    // corners are in one place.
+    // True if a triangle at `v` would be flat with `v` at `place`. Triangles whose other two
+    // corners share a position are ignored.
     bool is_flat_at(Vertex v, const FloatPoint& place) const {
         return std::any_of(opposite_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
                            opposite_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]),
@@ -331,7 +337,7 @@ private:
                            });
     }
 
-    // To the nearest place that is allowed, of those one step away first.
+    // Moves `v` to the nearest allowed position, with the fewest steps per axis.
     void move(Vertex v) {
         struct Candidate {
             double distance;
@@ -359,7 +365,7 @@ private:
             });
             for (const auto& [distance, place] : shell) {
                 if (taken_.is_taken(place) || is_flat_at(v, place)) continue;
-                // Where it was stays taken: it may be that of another one.
+                // The old position stays occupied because it may belong to another corner.
                 taken_.take(place, v);
                 points_[v] = place;
                 return;
@@ -372,12 +378,12 @@ private:
     const Steps& steps_;
     std::vector<FloatPoint>& points_;
     std::size_t threads_;
-    PlaceTable taken_;                // by the first one there
-    std::vector<std::size_t> first_;  // for each vertex, where in `opposite_` its own begin
-    std::vector<Edge> opposite_;      // edges of the triangles around it
+    PlaceTable taken_;                // first vertex at each position
+    std::vector<std::size_t> first_;  // for each vertex, start of the edges in `opposite_`
+    std::vector<Edge> opposite_;  // for each vertex, the opposite edges of the adjacent triangles
 };
 
-// Step 4, of corners: no two in one place, no triangle flat.
+// Step 4 for positions: true if no two corners share a position and no triangle is flat.
 bool are_places_right(const FloatMesh& mesh, const Steps& steps) {
     std::vector<bool> is_used(mesh.points.size(), false);
     for (const Triangle& t : mesh.triangles) {
@@ -393,7 +399,7 @@ bool are_places_right(const FloatMesh& mesh, const Steps& steps) {
     return true;
 }
 
-// Flips have given triangles to other faces.
+// Restores the order by faces, because flips give triangles to other faces.
 void sort_by_face(cda::TriangleMesh& mesh) {
     if (std::is_sorted(mesh.face.begin(), mesh.face.end())) return;
     std::vector<std::uint32_t> order(mesh.triangles.size());
@@ -409,7 +415,7 @@ void sort_by_face(cda::TriangleMesh& mesh) {
     mesh.face = std::move(sorted.face);
 }
 
-// Steps 2 and 3; nothing if the result is not what was promised.
+// Steps 2 to 4; nullopt if the check fails.
 std::optional<FloatMesh> rounded(const std::vector<Vec3>& exact, const Steps& steps,
                                  cda::TriangleMesh mesh, bool contracts, std::size_t threads) {
     FloatMesh result;
@@ -431,7 +437,7 @@ std::optional<FloatMesh> rounded(const std::vector<Vec3>& exact, const Steps& st
     result.face = std::move(mesh.face);
     const bool are_other_places =
         Places(exact, result.triangles, steps, result.points, threads).run();
-    // What nobody touched is as it was found to be: a manifold (step 1), right (step 3).
+    // Unchanged triangles are a manifold (step 1), and unchanged positions are valid (step 3).
     if (are_other_triangles && !is_manifold(result.triangles, result.points.size(), threads))
         return std::nullopt;
     if (are_other_places && !are_places_right(result, steps)) return std::nullopt;
@@ -445,7 +451,7 @@ FloatPoint to_floats(Vec3 p) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::abs(p[axis]) < static_cast<double>(kMost)))
             throw std::runtime_error("the part is too large for floats");
-        // Adding zero turns -0 into 0: some readers compare corners byte by byte.
+        // Adding zero turns -0 into 0, because some readers compare corners byte by byte.
         point[static_cast<std::size_t>(axis)] = static_cast<float>(p[axis]) + 0.0F;
     }
     return point;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Half-edges of a boundary and their twins.
 #include "mesh/half_edges.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ std::vector<HalfEdge> half_edges(const cda::Boundary& boundary) {
 }
 
 std::vector<std::uint32_t> twins_of(const std::vector<HalfEdge>& edges) {
-    // By their lower end, then by the upper one.
+    // Sorts the half-edges by their lower end, then by their upper end.
     const auto lower = [&](std::uint32_t e) { return std::min(edges[e].from, edges[e].to); };
     std::vector<std::uint32_t> first;  // in order, for each lower end
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
@@ -39,7 +41,7 @@ std::vector<std::uint32_t> twins_of(const std::vector<HalfEdge>& edges) {
         std::sort(order.begin() + first[v], order.begin() + first[v + 1],
                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     }
-    // A closed surface: they stand in pairs.
+    // The surface is closed, so half-edges come in pairs.
     std::vector<std::uint32_t> twins(edges.size());
     for (std::size_t i = 0; i + 1 < order.size(); i += 2) {
         twins[order[i]] = order[i + 1];

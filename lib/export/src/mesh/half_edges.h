@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The edges of a closed surface, each from both sides.
+// Half-edges of a closed surface.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -10,16 +10,18 @@
 
 namespace ncsim::exporter {
 
+/// An edge with the face on the left.
 struct HalfEdge {
     std::uint32_t from, to;  ///< Vertices.
-    std::uint32_t face;      ///< On its left.
+    std::uint32_t face;      ///< The face on the left.
 };
 
-/// Of all loops, in their order.
+/// Returns the half-edges of all loops, in the order of the loops.
 std::vector<HalfEdge> half_edges(const cda::Boundary& boundary);
 
-/// For each half-edge, by position, the one in the other direction. Requires a closed surface.
-/// O(n log n).
+/// Returns for each half-edge the index of the opposite half-edge.
+/// Requires: the surface is closed.
+/// Cost: O(n log n).
 std::vector<std::uint32_t> twins_of(const std::vector<HalfEdge>& edges);
 
 }  // namespace ncsim::exporter

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Edges with the same group on both sides vanish; what is left of a group are its outlines.
-//  2. The outlines are walked anew, the interior on the left. Where they touch in a vertex, the
-//  walk
-//     goes on along the first edge counter-clockwise from where it came: between the two there is
-//     nothing but outside. So each loop goes around one connected piece of the outside and passes
-//     no vertex twice: if it did, the group would hang together at that vertex only.
+// Merges faces in two steps:
+//  1. Remove the edges with the same group on both sides; the remaining edges of a group are its
+//     outlines.
+//  2. Walk the outlines with the interior on the left. If outlines touch in a vertex, continue
+//     along the first edge counter-clockwise from the incoming edge; the sector between the two
+//     edges is outside. So each loop goes around one connected piece of the outside and passes no
+//     vertex twice: otherwise the group would be connected at that vertex only.
 #include "mesh/merge_faces.h"
 
 #include "mesh/half_edges.h"
@@ -22,8 +23,8 @@ namespace {
 using cda::Vec3;
 using VertexIndex = std::uint32_t;
 
-// Angle of turning counter-clockwise from `back` to `out` about `normal`, as a number that grows
-// with it from 0 to 4: no arctangent is needed to compare.
+// Returns a number from 0 to 4 that grows with the angle from `back` to `out`, counter-clockwise
+// about `normal`. Comparison of angles needs no arctangent.
 double counterclockwise_turn(Vec3 back, Vec3 out, Vec3 normal) {
     const double x = cda::dot(back, out);
     const double y = cda::dot(cda::cross(back, out), normal);
@@ -43,7 +44,7 @@ double signed_area(const std::vector<Vec3>& vertices, const std::vector<VertexIn
     return cda::dot(sum, normal);
 }
 
-// Step 2 for one group, whose remaining edges are `edges`, sorted by where they begin.
+// Step 2 for a group with the remaining `edges`, sorted by their start.
 std::vector<std::vector<VertexIndex>> walk(const std::vector<Vec3>& vertices,
                                            const std::vector<HalfEdge>& edges, Vec3 normal) {
     std::vector<bool> is_used(edges.size(), false);
@@ -76,7 +77,7 @@ std::vector<std::vector<VertexIndex>> walk(const std::vector<Vec3>& vertices,
         }
         loops.push_back(std::move(loop));
     }
-    // The outline first: the loop that turns counter-clockwise.
+    // Moves the outline, which is the counter-clockwise loop, to the front.
     std::stable_partition(loops.begin(), loops.end(), [&](const auto& loop) {
         return signed_area(vertices, loop, normal) > 0.0;
     });
@@ -88,7 +89,7 @@ std::vector<std::vector<VertexIndex>> walk(const std::vector<Vec3>& vertices,
 MergedFaces merge_groups(const cda::Boundary& boundary, cda::DisjointSets& groups) {
     const std::vector<HalfEdge> edges = half_edges(boundary);
     const std::vector<std::uint32_t> twins = twins_of(edges);
-    // What is left of each group, by the number of its first face.
+    // Remaining edges of each group, by the number of the group's first face.
     std::vector<std::vector<HalfEdge>> outlines(boundary.faces.size());
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const std::uint32_t group = groups.find(edges[e].face);

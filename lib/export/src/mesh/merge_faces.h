@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The boundary as a person counts its faces: what lies in one plane and hangs together is one.
+// Merging of coplanar adjacent faces, so each visible face of the part is a face.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -13,18 +13,20 @@
 
 namespace ncsim::exporter {
 
+/// A boundary with merged faces.
 struct MergedFaces {
-    /// The merged surface, with the vertices of the old one (some of them unused now).
-    /// `origin` of a face is the smallest of those it is made of.
+    /// The merged surface, with the vertices of the original, some of which may be unused. `origin`
+    /// of a face is the smallest origin of the merged faces.
     cda::Boundary boundary;
-    /// For each merged face the origins of the faces it is made of, ascending, each once.
+    /// For each merged face, the origins of the original faces, ascending, without repetition.
     std::vector<std::vector<cda::Origin>> origins;
-    std::vector<std::uint32_t> group;  ///< The number that stands for it in the groups.
+    std::vector<std::uint32_t> group;  ///< For each merged face, the representative of the group.
 };
 
-/// Makes one face of each of `groups`, which hold the numbers of faces that hang together and lie
-/// in the plane of the group's first one, more or less. A group that has no outline, since it is a
-/// whole shell, has no face either. All vertices stay. O(n log n).
+/// Merges each of `groups` into a face. A group holds the numbers of connected faces that lie
+/// approximately in the plane of the group's first face. A group without an outline, which is a
+/// whole shell, gets no face. All vertices stay.
+/// Cost: O(n log n).
 MergedFaces merge_groups(const cda::Boundary& boundary, cda::DisjointSets& groups);
 
 }  // namespace ncsim::exporter

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Decision which faces are split into triangles, and the triangles.
 #include "mesh/pieces.h"
 
 #include "ncsim/cda/mesh.h"
@@ -14,7 +16,7 @@ namespace {
 
 using cda::Vec3;
 
-// Right turns of less than this (a sine) come from rounding and spoil no fan.
+// Largest sine of a right turn that counts as a rounding error and is harmless in a fan.
 constexpr double kStraight = 1e-7;
 
 bool is_convex(const cda::Boundary& boundary, const cda::BoundaryFace& face) {
@@ -34,8 +36,8 @@ bool is_convex(const cda::Boundary& boundary, const cda::BoundaryFace& face) {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// mm: where an outline comes nearer to itself, tessellators take the two places for one: Coin's for
-// VRML, assimp's for PLY.
+// Distance in mm below which tessellators (Coin for VRML, assimp for PLY) identify two places of an
+// outline.
 constexpr double kTouching = 1e-3;
 
 bool is_low(const std::vector<Vec3>& vertices, const Triangle& t) {
@@ -46,7 +48,7 @@ bool is_low(const std::vector<Vec3>& vertices, const Triangle& t) {
     return cda::norm(cda::cross(ab, ac)) < kTouching * longest;
 }
 
-// Where only other faces have a corner.
+// True if the loop has a nearly straight corner, which only adjacent faces need.
 bool has_straight_corner(const std::vector<Vec3>& vertices,
                          const std::vector<std::uint32_t>& loop) {
     const std::size_t n = loop.size();
@@ -60,7 +62,7 @@ bool has_straight_corner(const std::vector<Vec3>& vertices,
 
 Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
     : boundary_(boundary), first_(boundary.faces.size() + 1, 0) {
-    // All faces, so that no diagonal of one is an edge of another.
+    // Triangulates all faces together, so no diagonal of a face is an edge of another face.
     cda::TriangleMesh mesh = cda::triangulate(boundary);
     vertices_ = std::move(mesh.vertices);
     std::vector<std::vector<Triangle>> triangles(boundary.faces.size());
@@ -68,7 +70,7 @@ Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
         triangles[mesh.face[t]].push_back(mesh.triangles[t]);
     for (std::size_t f = 0; f < triangles.size(); ++f) {
         const bool is_fan = is_convex(boundary, boundary.faces[f]);
-        // An outline that comes near to itself has low triangles there.
+        // An outline that comes close to itself has low triangles there.
         const bool touches = std::any_of(triangles[f].begin(), triangles[f].end(),
                                          [&](const Triangle& t) { return is_low(vertices_, t); });
         const auto& loops = boundary.faces[f].loops;

@@ -13,33 +13,35 @@
 
 namespace ncsim::exporter {
 
-/// What the readers of a format know to draw.
+/// Kinds of polygons that the readers of a format can draw.
 enum class Polygons {
-    /// Readers cut others into fans from a corner: a face that is not convex (but for rounding), or
-    /// has a corner that is nearly none, is given as triangles.
+    /// Readers split polygons into fans from a corner. A face that is not convex (except for
+    /// rounding), or that has a nearly straight corner, is given as triangles.
     Convex,
-    /// Readers draw concave ones too, but not where the outline touches itself. Such faces, and
-    /// those with holes, are given as triangles.
+    /// Readers draw concave polygons, but not if the outline touches itself. Faces with an outline
+    /// that touches itself, and faces with holes, are given as triangles.
     Simple
 };
 
 /// Each face of a boundary as polygons without holes.
 class Pieces {
 public:
-    /// `boundary` must outlive the pieces.
+    /// Requires: `boundary` outlives the pieces.
     Pieces(const cda::Boundary& boundary, Polygons polygons);
 
-    /// Those of the boundary, and a few more that triangulate() made.
+    /// Returns the vertices of the boundary, followed by those that triangulate() added.
     const std::vector<cda::Vec3>& vertices() const { return vertices_; }
 
+    /// Returns the number of pieces of the face.
     std::size_t count(std::uint32_t face) const;
-    /// Vertices of piece `i` of the face, counter-clockwise seen from outside.
+    /// Returns the vertices of piece `i` of the face, counter-clockwise seen from outside.
     std::span<const std::uint32_t> corners(std::uint32_t face, std::size_t i) const;
 
 private:
     const cda::Boundary& boundary_;
     std::vector<cda::Vec3> vertices_;
-    // For each face where in `pieces_` its own begin; none: the face is its outline.
+    // For each face, start of the triangles in `pieces_`; a face without triangles is drawn as
+    // outline.
     std::vector<std::uint32_t> first_;
     std::vector<std::array<std::uint32_t, 3>> pieces_;
 };

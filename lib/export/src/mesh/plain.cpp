@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests that look at vertices and faces come first, since most boundaries fail them; triangles are
-// made for those that pass.
+// Tests on vertices and faces come first because most boundaries fail them. Triangles are made only
+// for boundaries that pass.
 #include "mesh/plain.h"
 
 #include "mesh/half_edges.h"
@@ -21,7 +21,7 @@ namespace {
 using cda::Vec3;
 using LoopOfVertices = std::vector<std::uint32_t>;
 
-// Normal times twice the area inside the loop, as merge_groups() sums it.
+// Returns the normal times twice the area inside the loop, summed as in merge_groups().
 Vec3 loop_area_vector(const std::vector<Vec3>& vertices, const LoopOfVertices& loop) {
     Vec3 sum;
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
@@ -31,9 +31,8 @@ Vec3 loop_area_vector(const std::vector<Vec3>& vertices, const LoopOfVertices& l
     return sum;
 }
 
-// True if each vertex that is used has three loops or more, all of different faces: then no vertex
-// is in the middle of a chain between two faces, and no loop meets itself or another one of its
-// face.
+// True if each used vertex has at least three loops, all of different faces. Then no vertex is in
+// the middle of a chain between two faces, and no loop meets itself or another loop of its face.
 bool are_all_corners(const cda::Boundary& boundary) {
     constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
     std::vector<std::uint32_t> loops_at(boundary.vertices.size(), 0);
@@ -80,8 +79,9 @@ bool any_are_joinable(const cda::Boundary& boundary, double share, const Provena
     return false;
 }
 
-// The order in which merge_groups() walks the loops. Requires: no vertex is in two loops. False:
-// the outline is not the first loop, or there are several.
+// Puts the loops into the order in which merge_groups() walks them. Returns false if the outline is
+// not the first loop, or if there are several outlines.
+// Requires: no vertex is in two loops.
 bool put_in_order(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     for (LoopOfVertices& loop : face.loops)
         std::rotate(loop.begin(), std::ranges::min_element(loop), loop.end());
@@ -93,7 +93,8 @@ bool put_in_order(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     return holes == face.loops.begin() + 1;
 }
 
-// True if a triangle is lower than `share`, in a wide sense: simplify_any() might move it.
+// True if a triangle may be lower than `share`, so simplify_any() might move it; a conservative
+// test.
 bool any_is_thin(const cda::TriangleMesh& mesh, double share) {
     return std::ranges::any_of(mesh.triangles, [&](const auto& corners) {
         const Vec3 a = mesh.vertices[corners[0]], b = mesh.vertices[corners[1]];

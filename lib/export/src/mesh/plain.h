@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Boundaries in which simplify() would change nothing. Most of its time would go into triangles
-// that are joined to the faces that they were made of.
+// Test for boundaries that simplify() would not change. simplify() would spend most of its time on
+// triangles that it joins to the original faces again.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -12,21 +12,23 @@
 
 namespace ncsim::exporter {
 
-/// Cosine of 15°: faces that turn away from each other by more are not joined.
+/// Cosine of 15°: faces whose normals differ by more are not joined.
 inline constexpr double kMinNormalCosine = 0.9659;
 
-/// Returns the boundary with its loops in the order of simplify_any(), if `share_mm` (mm, a quarter
-/// of the tolerance) makes no face of it larger, smaller or flatter; nothing if it may.
+/// Returns the boundary with its loops in the order of simplify_any() if no face changes for
+/// `share_mm` (mm, a quarter of the tolerance); nullopt if a face may change. The test is
+/// sufficient and not necessary: each vertex has at least three loops, no loops of a face meet, no
+/// triangle is thin, no shell is a flake, and no two adjacent faces of one line are nearly
+/// coplanar.
 ///
+/// Requires: at least one face.
 /// Guarantees: the faces, their loops, their origins and their planes are those of simplify_any();
-/// the deviation is 0. The test is sufficient and not necessary: each vertex has three loops or
-/// more, no loops of a face meet, no triangle is thin, no shell is a flake, and no two adjacent
-/// faces of one line are nearly in one plane.
-/// Requires: at least one face. Cost: about that of cda::triangulate().
+///     the deviation is 0.
+/// Cost: about that of cda::triangulate().
 std::optional<Simplified> as_plain(const cda::Boundary& boundary, double share_mm,
                                    const Provenance* lines);
 
-/// Does what simplify() promises, for any boundary: the oracle of the tests for as_plain().
+/// Simplifies any boundary as simplify() promises. Tests compare as_plain() with the result.
 /// Requires: at least one face.
 Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
                         const Provenance* lines);

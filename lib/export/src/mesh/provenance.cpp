@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lookup of origins in a Provenance.
 #include "ncsim/export/provenance.h"
 
 namespace ncsim::exporter {

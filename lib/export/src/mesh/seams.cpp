@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Counts of directed edges without partners.
 #include "ncsim/export/seams.h"
 
 #include "ncsim/cda/mix.h"
@@ -21,7 +23,7 @@ std::size_t Seams::Hash::operator()(const FloatEdge& edge) const {
 }
 
 void Seams::add(const FloatEdge& edge) {
-    // From a place to itself: whoever reads it does not see it.
+    // An edge of zero length is invisible to readers.
     if (edge[0] == edge[1]) return;
     const bool is_turned = edge[1] < edge[0];
     const FloatEdge key = is_turned ? FloatEdge{edge[1], edge[0]} : edge;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Faces become triangles; those that are too thin vanish (remove_slivers), and whole shells.
-//  2. Triangles are joined to groups across edges while every vertex of a group stays near the
-//     plane of its largest one; thin ones may turn any way.
+// Simplifies a boundary in five steps:
+//  1. Faces become triangles; thin triangles are removed (remove_slivers), and so are thin shells.
+//  2. Triangles are joined to groups across edges while every vertex of a group is near the plane
+//     of its largest face; thin triangles may have any normal.
 //  3. Each group becomes a face (merge_groups).
-//  4. Chains of vertices between two faces become straight where they almost are (Douglas and
-//     Peucker, Algorithms for the reduction of the number of points, 1973).
-//  5. Faces that lost their plane on the way get a new one.
-// A boundary in which none of this would change a face is recognised first (plain.h).
+//  4. Chains of vertices between two faces that are nearly straight become straight.
+//  5. Faces that are no longer in their plane get a new plane.
+// A boundary of which no face would change is recognised first (plain.h).
 //
-// What is thin or near is so within a quarter of the tolerance. Where the steps add up to more than
-// all of it, which is seen by comparing the surfaces, everything is done again with half as much.
+// "Thin" and "near" mean within a quarter of the tolerance. If a comparison of the surfaces shows
+// that the sum of the steps exceeds the tolerance, all steps are repeated with half that distance.
+// Source: Douglas and Peucker, Algorithms for the reduction of the number of points, 1973 (step 4).
 #include "ncsim/export/simplify.h"
 
 #include "ncsim/cda/disjoint_sets.h"
@@ -42,7 +43,7 @@ double distance(Vec3 a, Vec3 b) {
     return cda::norm(b - a);
 }
 
-// Normal times area, from all loops.
+// Returns the normal times the area, summed over all loops.
 Vec3 area_vector(const std::vector<Vec3>& vertices, const cda::BoundaryFace& face) {
     Vec3 sum;
     const Vec3 apex = vertices[face.loops.front().front()];
@@ -55,7 +56,7 @@ Vec3 area_vector(const std::vector<Vec3>& vertices, const cda::BoundaryFace& fac
     return 0.5 * sum;
 }
 
-// Each triangle as a face with the plane of the face it comes from.
+// Returns each triangle as a face in the plane of its original face.
 cda::Boundary as_boundary(const cda::TriangleMesh& mesh, const cda::Boundary& from) {
     cda::Boundary result;
     result.vertices = mesh.vertices;
@@ -72,7 +73,8 @@ cda::Boundary as_boundary(const cda::TriangleMesh& mesh, const cda::Boundary& fr
     return result;
 }
 
-// Shells of which every vertex lies near the plane of the largest face have nothing inside.
+// Removes shells without a significant interior: all vertices lie near the plane of the largest
+// face.
 void drop_flakes(cda::Boundary& boundary, double tolerance) {
     struct Shell {
         double area = -1.0;
@@ -96,7 +98,7 @@ void drop_flakes(cda::Boundary& boundary, double tolerance) {
     std::erase_if(boundary.faces, [&](const auto& face) { return shells[face.shell].is_flake; });
 }
 
-// Step 2.
+// Step 2: groups of nearly coplanar faces.
 class Flats {
 public:
     Flats(cda::Boundary& boundary, double tolerance, const Provenance* lines)
@@ -137,7 +139,7 @@ public:
             const std::uint32_t f = edges[e].face;
             const std::uint32_t g = edges[twins[e]].face;
             if (f == g) continue;
-            // Exact planes first, thin faces last: they fit to many.
+            // Exact planes come first; thin faces, which fit to many planes, come last.
             int rank = 1;
             if (flats_[f].is_thin || flats_[g].is_thin) rank = 2;
             if (boundary_.faces[f].normal == boundary_.faces[g].normal) rank = 0;
@@ -158,7 +160,7 @@ public:
         }
     }
 
-    /// Of the largest face in the group of `face`.
+    /// Returns the origin of the largest face in the group of `face`.
     cda::Origin origin(std::uint32_t face) { return flats_[groups_.find(face)].origin; }
 
     cda::DisjointSets& groups() { return groups_; }
@@ -169,7 +171,7 @@ private:
         double offset = 0.0;
         double area = 0.0;
         cda::Origin origin = cda::kStockOrigin;
-        std::uint32_t line = 0;  // 0 too where lines do not matter
+        std::uint32_t line = 0;  // always 0 if lines are ignored
         bool is_thin = false;
         std::vector<Vertex> vertices;
     };
@@ -204,10 +206,10 @@ private:
     cda::Boundary& boundary_;
     double tolerance_;
     cda::DisjointSets groups_;
-    std::vector<Flat> flats_;  // of a group: that of its first face
+    std::vector<Flat> flats_;  // for a group: the entry of the first face
 };
 
-// Step 4.
+// Step 4: straightens chains of vertices.
 class Straightening {
 public:
     Straightening(cda::Boundary& boundary, double tolerance)
@@ -225,7 +227,7 @@ public:
         for (Vertex v = 0; v < edges_at_.size(); ++v)
             is_kept_[v] = edges_at_[v] > 2;
         for_each_loop([&](const Loop& loop) { anchor(loop); });
-        // Edges that stay as they are come first: no chain may become one of them.
+        // Unchanged edges are collected first, because no chain may become one of them.
         std::vector<Loop> chains;
         for_each_loop([&](const Loop& loop) { split(loop, chains); });
         for (const Loop& chain : chains)
@@ -239,7 +241,8 @@ public:
     }
 
 private:
-    // A chain may end where it begins, with nothing of it farther away than the tolerance.
+    // Removes repeated vertices. A chain whose vertices are all within the tolerance of its end may
+    // start and end in the same vertex.
     static void drop_points(Loop& loop) {
         loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
         while (loop.size() > 1 && loop.front() == loop.back())
@@ -254,7 +257,7 @@ private:
         }
     }
 
-    // A loop without corners keeps two vertices that are far from each other.
+    // Keeps two distant vertices of a loop with fewer than two corners.
     void anchor(const Loop& loop) {
         const auto is_kept = [&](Vertex v) { return is_kept_[v]; };
         if (std::count_if(loop.begin(), loop.end(), is_kept) > 1) return;
@@ -270,7 +273,8 @@ private:
         is_kept_[a] = is_kept_[b] = true;
     }
 
-    // Appends the pieces between kept vertices, both included, that have others between them.
+    // Appends the pieces between successive kept vertices, both included, that have further
+    // vertices between.
     void split(const Loop& loop, std::vector<Loop>& chains) {
         const auto first =
             std::find_if(loop.begin(), loop.end(), [&](Vertex v) { return is_kept_[v]; });
@@ -296,7 +300,7 @@ private:
         const bool is_edge =
             std::none_of(chain.begin() + 1, chain.end() - 1, [&](Vertex v) { return is_kept_[v]; });
         if (!is_edge || taken_.insert(std::minmax(chain.front(), chain.back())).second) return;
-        // There is such an edge already: this one keeps a vertex to tell them apart.
+        // The edge exists already; the chain keeps a vertex to make the edges different.
         reduce(chain, 0, chain.size() - 1, true);
     }
 
@@ -334,7 +338,7 @@ double farthest_from_plane(const std::vector<Vec3>& vertices, const cda::Boundar
     return farthest;
 }
 
-// Step 5: the plane through the middle of the corners, at right angles to the area vector.
+// Step 5: sets the plane normal to the area vector, through the middle of the corners.
 void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     const Vec3 area = area_vector(vertices, face);
     if (!(cda::norm(area) > 0.0)) return;
@@ -372,8 +376,8 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
     return {std::move(merged.boundary), std::move(merged.origins), 0.0, {}};
 }
 
-// Flakes thinner than the tolerance may vanish however wide they are: what they were is near to
-// where nothing was, though far from what is left.
+// Returns `mesh` without the shells that vanished. A flake thinner than the tolerance may vanish
+// whatever its width: its points are near empty space, but may be far from the remaining surface.
 cda::TriangleMesh without_lost_shells(cda::TriangleMesh mesh, const cda::Boundary& before,
                                       const cda::Boundary& after) {
     std::vector<bool> is_left(before.shells, false);
@@ -403,10 +407,10 @@ Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
     const cda::TriangleMesh before = cda::triangulate(boundary);
     Simplified result;
     for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
-        // Far below the tolerance nothing but rounding is left to move.
+        // Far below the tolerance, only rounding is left to move.
         if (share < 1e-3 * tolerance_mm) share = 0.0;
         result = simplify_steps(boundary, before, share, lines);
-        if (result.boundary.faces.empty()) return result;  // a part smaller than the tolerance
+        if (result.boundary.faces.empty()) return result;  // the part is smaller than the tolerance
         result.mesh = cda::triangulate(result.boundary);
         result.deviation_mm =
             deviation(without_lost_shells(before, boundary, result.boundary), result.mesh);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A low triangle has a short edge (a needle), or its corners lie on one line almost, with one
-// between the two others (a cap). Needles vanish with their edge, shortest first, where the surface
-// stays a manifold (the link condition: Dey, Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge
-// Contraction, 1999). Caps vanish by an edge flip: the neighbour across the longest edge is cut in
-// two at the corner opposite (Botsch and Kobbelt, A Robust Procedure to Eliminate Degenerate Faces
-// from Triangle Meshes, 2001).
+// A low triangle has a short edge (a needle), or its corners are nearly collinear (a cap). Needles
+// vanish by contraction of their short edge, shortest first, if the surface stays a manifold (link
+// condition). Caps vanish by an edge flip: the triangle across the longest edge is split at the
+// opposite corner.
+// Source: Dey, Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge Contraction, 1999 (link
+//     condition); Botsch and Kobbelt, A Robust Procedure to Eliminate Degenerate Faces from
+//     Triangle Meshes, 2001 (flips).
 #include "mesh/slivers.h"
 
 #include "ncsim/cda/parallel.h"
@@ -29,7 +30,7 @@ using cda::Vec3;
 using Vertex = std::uint32_t;
 using Triangle = std::array<Vertex, 3>;
 
-// Flips and contractions make room for each other. Where they chase each other around, it ends.
+// Flips can make contractions possible, and the reverse. The limit ends cycles.
 constexpr int kMostRounds = 20;
 
 void make_set(std::vector<std::uint32_t>& numbers) {
@@ -43,7 +44,7 @@ double doubled_area(const cda::TriangleMesh& mesh, const Triangle& corners) {
         cda::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
 }
 
-// Has it an edge shorter, or a height less, than `least`?
+// True if the triangle has an edge or a height shorter than `least`.
 bool is_low(const cda::TriangleMesh& mesh, const Triangle& corners, double least) {
     double base = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -55,8 +56,8 @@ bool is_low(const cda::TriangleMesh& mesh, const Triangle& corners, double least
     return doubled_area(mesh, corners) < least * base;
 }
 
-// Ascending numbers of the triangles at each vertex: all in one array, and lists of their own for
-// those that changed.
+// Triangles at each vertex, ascending: in a common array, except that changed vertices have lists
+// of their own.
 class TrianglesAt {
 public:
     TrianglesAt(const std::vector<Triangle>& triangles, std::size_t vertices)
@@ -88,16 +89,17 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-    std::vector<std::uint32_t> first_;  // for each vertex, where in `all_` its own begin
+    std::vector<std::uint32_t> first_;  // for each vertex, start of the triangles in `all_`
     std::vector<std::uint32_t> all_;
-    std::vector<std::uint32_t> own_;  // in `lists_`
+    std::vector<std::uint32_t> own_;  // index into `lists_`; kNone: unchanged
     std::deque<std::vector<std::uint32_t>> lists_;
 };
 
-// Vertices stay where they are, so only triangles whose corners were exchanged can become low.
+// Removes low triangles. Vertices do not move, so only triangles whose corners were replaced can
+// become low.
 class Slivers {
 public:
-    /// Requires the triangles that are low.
+    /// Requires: `low` lists the low triangles.
     Slivers(cda::TriangleMesh& mesh, double least, std::vector<std::uint32_t> low)
         : mesh_(mesh),
           least_(least),
@@ -129,7 +131,7 @@ private:
         return cda::norm(mesh_.vertices[b] - mesh_.vertices[a]);
     }
 
-    // What was low, and what came to be since.
+    // Updates the list of low triangles from the touched triangles.
     void look_again() {
         low_.insert(low_.end(), touched_.begin(), touched_.end());
         changed_.insert(changed_.end(), touched_.begin(), touched_.end());
@@ -176,7 +178,8 @@ private:
         return all;
     }
 
-    // Corners of the part have more than those on its edges, these more than others.
+    // Returns the number of faces at `v`: largest for corners of the part, smaller on edges, 1
+    // inside a face.
     std::size_t faces_at(Vertex v) const {
         std::vector<std::uint32_t> faces;
         for (const std::uint32_t t : triangles_at_[v])
@@ -185,7 +188,9 @@ private:
         return faces.size();
     }
 
-    // `gone` becomes `kept`, if that changes nothing but lengths.
+    // Contracts the edge from `gone` to `kept` if the topology does not change and no original
+    // vertex moves by more than 2 least_. The roles of the two vertices may be swapped: the vertex
+    // with more faces is kept if possible.
     bool contract(Vertex gone, Vertex kept, double far) {
         if (triangles_at_[gone].empty() || triangles_at_[kept].empty()) return false;
         if (faces_at(gone) > faces_at(kept)) std::swap(gone, kept);
@@ -232,7 +237,7 @@ private:
     struct Cap {
         double base = 0.0;  // length of the longest edge
         bool is_low = false;
-        Vertex from = 0, to = 0, opposite = 0;  // the longest edge, and the corner opposite
+        Vertex from = 0, to = 0, opposite = 0;  // the longest edge and the opposite corner
     };
     Cap cap(std::uint32_t t) const {
         const Triangle& corners = mesh_.triangles[t];
@@ -252,7 +257,7 @@ private:
         for (const std::uint32_t t : low_) {
             if (const Cap found = cap(t); found.is_low) caps.emplace_back(-found.base, t);
         }
-        // Longest first: a cap upon a longer one waits until that one is gone.
+        // Longest first: a cap on the base of a longer cap waits until that cap is removed.
         std::sort(caps.begin(), caps.end());
         bool changed = false;
         for (const auto& [base, t] : caps)
@@ -264,7 +269,7 @@ private:
     bool flip(std::uint32_t t) {
         const Cap low = cap(t);
         if (is_gone_[t] || !low.is_low) return false;
-        // A needle whose edge could not be contracted.
+        // The triangle is a needle whose edge could not be contracted.
         if (length(low.from, low.opposite) < least_ || length(low.opposite, low.to) < least_)
             return false;
         const std::vector<std::uint32_t> both = with_both(low.from, low.to);
@@ -288,7 +293,7 @@ private:
         return std::find(corners.begin(), corners.end(), v) != corners.end();
     }
 
-    // The triangle loses a corner and wins another.
+    // Replaces the corners of triangle `t`; `lost` is the corner that `t` no longer has.
     void set(std::uint32_t t, Triangle corners, Vertex lost) {
         mesh_.triangles[t] = corners;
         std::erase(triangles_at_.change(lost), t);
@@ -300,7 +305,8 @@ private:
         }
     }
 
-    // What is left of a shell that was smaller than `least_`: two triangles, back to back.
+    // Removes pairs of triangles with the same corners, the remains of shells smaller than
+    // `least_`.
     void drop_leaves() {
         make_set(changed_);
         for (const std::uint32_t t : changed_) {
@@ -323,10 +329,10 @@ private:
     double least_;
     std::vector<std::uint32_t> low_;  // ascending
     TrianglesAt triangles_at_;
-    std::vector<double> radius_;  // farthest vertex that became this one
+    std::vector<double> radius_;  // distance to the farthest vertex contracted into each vertex
     std::vector<bool> is_gone_;
-    std::vector<std::uint32_t> touched_;  // since low_ was found
-    std::vector<std::uint32_t> changed_;  // ever
+    std::vector<std::uint32_t> touched_;  // since low_ was updated
+    std::vector<std::uint32_t> changed_;  // since the start
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface without the thin triangles that readers with a tolerance of their own stumble over.
+// Removal of thin triangles, which readers with a tolerance of their own reject.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -9,12 +9,17 @@
 
 namespace ncsim::exporter {
 
-/// Takes edges shorter than `least_mm` and triangles lower than that out of a closed mesh, as far
-/// as what hangs together does not change: the ends of a short edge become one vertex; the longest
-/// edge of a low triangle is bent to the vertex opposite. Vertices are moved onto others, by less
-/// than twice `least_mm` altogether, and left unused. Shells smaller than that vanish. The mesh
-/// stays closed. Where `least_mm` is 0, nothing happens. Whether anything did. Low triangles are
-/// looked for by `threads`, 0: as many as the machine has. Expected O(n log n).
+/// Removes edges shorter than `least_mm` and triangles lower than `least_mm` from a closed mesh,
+/// unless the topology would change. The ends of a short edge become a single vertex; the longest
+/// edge of a low triangle is replaced by edges to the opposite vertex. Shells smaller than
+/// `least_mm` vanish. If `least_mm` is 0, the mesh stays unchanged. `threads` is for the search for
+/// low triangles; 0 means as many as the machine has.
+///
+/// Requires: the mesh is closed.
+/// Returns: true if the mesh changed.
+/// Guarantees: the mesh stays closed. A vertex is replaced by a vertex at most 2 `least_mm` away;
+///     replaced vertices stay in the list, unused.
+/// Cost: O(n log n) expected.
 bool remove_slivers(cda::TriangleMesh& mesh, double least_mm, std::size_t threads = 1);
 
 }  // namespace ncsim::exporter

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Standard views and a camera that fits a box.
 #include "ncsim/export/camera.h"
 
 #include <algorithm>
@@ -20,13 +22,13 @@ constexpr std::array<std::pair<std::string_view, View>, 7> kViews{{{"iso", View:
                                                                    {"right", View::Right},
                                                                    {"bottom", View::Bottom}}};
 
-// Empty space around the part, as a part of the picture's height or width.
+// Empty space on each side of the part, as a share of the height or width of the picture.
 constexpr double kMargin = 0.06;
-// Distance of a perspective eye in diagonals of the box. At 4 a box is seen under about 14 degrees,
-// as with a 150 mm lens: parallel edges still look parallel, but the far end is clearly behind.
+// Distance of a perspective eye in diagonals of the box. With 4, the box subtends about 14 degrees,
+// as with a 150 mm lens: parallel edges look parallel, but the far end is clearly behind.
 constexpr double kEyeDiagonals = 4.0;
 
-// The picture's own axes, towards the eye and upwards, for each view.
+// Directions towards the eye and upwards, for each view.
 struct Directions {
     Vec3 back, up;
 };
@@ -79,10 +81,10 @@ Camera fit_camera(const cda::Box& box_or_nothing, View view, double aspect, Proj
     camera.back = cda::normalized(back);
     camera.right = cda::normalized(cda::cross(up, camera.back));
     camera.up = cda::cross(camera.back, camera.right);
-    camera.depth = 0.51 * diagonal;  // the box's own half diagonal, and a little
+    camera.depth = 0.51 * diagonal;  // half of the diagonal and a small margin
     camera.distance = projection == Projection::Perspective ? kEyeDiagonals * diagonal : 0.0;
 
-    // Half of what must be seen, at the target: the eight corners, projected.
+    // Half of the visible extent at the target, from the eight projected corners.
     double half_width = 0.0;
     double half_height = 0.0;
     for (int corner = 0; corner < 8; ++corner) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Marking of the tiles that edges cross.
 #include "render/edge_tiles.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ std::uint32_t tiles_in(std::uint32_t pixels) {
     return (pixels + kTilePixels - 1) / kTilePixels;
 }
 
-// Index of the tile with the coordinate `x` (samples), at most one beyond [0, count).
+// Returns the index of the tile at the coordinate `x` (samples), clamped to [-1, count].
 std::int64_t tile_at(double x, double side, std::uint32_t count) {
     return static_cast<std::int64_t>(
         std::floor(std::clamp(x / side, -1.0, static_cast<double>(count))));
@@ -32,7 +34,7 @@ void EdgeTiles::mark_all() {
     std::ranges::fill(marks_, std::uint8_t{1});
 }
 
-// Marks the tiles of a row that have a point from `left` to `right` (samples).
+// Marks the tiles of a row that contain a point from `left` to `right` (samples).
 void EdgeTiles::mark_row(double left, double right, std::int64_t row) {
     const std::int64_t first = std::max<std::int64_t>(0, tile_at(left, side_, columns_));
     const std::int64_t last =
@@ -43,7 +45,7 @@ void EdgeTiles::mark_row(double left, double right, std::int64_t row) {
 }
 
 void EdgeTiles::add_edge(const ScreenPoint& a, const ScreenPoint& b) {
-    // An edge that reaches behind the eye is seen anywhere.
+    // The projection of an edge that reaches behind the eye can be anywhere.
     if (!(a.w > 0.0) || !(b.w > 0.0)) return mark_all();
     double x = a.x / a.w, y = a.y / a.w, to_x = b.x / b.w, to_y = b.y / b.w;
     if (y > to_y) {
@@ -55,7 +57,7 @@ void EdgeTiles::add_edge(const ScreenPoint& a, const ScreenPoint& b) {
         std::min<std::int64_t>(std::int64_t{rows_} - 1, tile_at(to_y + margin_, side_, rows_));
     const double slope = to_y > y ? (to_x - x) / (to_y - y) : 0.0;
     for (std::int64_t row = first; row <= last; ++row) {
-        // The part of the edge that is within the margin of the row.
+        // Clips the edge to the row and its margin.
         const auto top = static_cast<double>(row * side_) - margin_;
         const auto bottom = static_cast<double>((row + 1) * side_) + margin_;
         const double at_top = top > y ? x + slope * (top - y) : x;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. The rectangle in which a frame differs from the one before.
-//  2. The colours of the pixels that differ; more than 255 are reduced by median cut (Heckbert,
-//     Color Image Quantization for Frame Buffer Display, 1982).
-//  3. The rectangle, with those that do not differ transparent.
+// Writes each frame in three steps:
+//  1. Find the rectangle in which the frame differs from the frame before.
+//  2. Collect the colours of the changed pixels; reduce more than 255 colours by median cut.
+//  3. Write the rectangle, with unchanged pixels transparent.
+// Source: Heckbert, Color Image Quantization for Frame Buffer Display, 1982.
 #include "ncsim/export/gif.h"
 
 #include <gif_lib.h>
@@ -23,7 +24,7 @@ namespace ncsim::exporter {
 
 namespace {
 
-// The last entry of each palette is not a colour.
+// The last entry of each palette is for transparent pixels.
 constexpr std::size_t kColours = 255;
 constexpr GifByteType kTransparent = 255;
 constexpr std::uint32_t kMaxGifSide = 65535;
@@ -41,10 +42,11 @@ struct Colour {
 };
 
 struct Rectangle {
-    std::uint32_t left = 0, top = 0, right = 0, bottom = 0;  // the last two beyond it
+    std::uint32_t left = 0, top = 0, right = 0, bottom = 0;  // `right` and `bottom` are exclusive
 };
 
-// Step 1. One pixel if nothing differs: a frame must have something to show.
+// Step 1. Returns a rectangle of one pixel if the frames are equal, because a frame must not be
+// empty.
 Rectangle difference(const Image& a, const Image& b) {
     Rectangle r{a.width, a.height, 0, 0};
     for (std::uint32_t y = 0; y < a.height; ++y) {
@@ -110,7 +112,7 @@ struct Box {
     }
 };
 
-// Step 2. Gives each colour its index.
+// Step 2: returns a palette and sets the index of each colour.
 std::array<GifColorType, 256> palette_for(std::vector<Colour>& colours) {
     std::array<GifColorType, 256> palette{};
     if (colours.empty()) return palette;
@@ -177,7 +179,7 @@ struct GifWriter::State {
         EGifSetGifVersion(file, true);
         check(EGifPutScreenDesc(file, static_cast<int>(frame.width), static_cast<int>(frame.height),
                                 8, 0, nullptr));
-        // Again and again: an extension that Netscape made and all players know.
+        // An extension by Netscape, supported by all players, makes the animation repeat.
         constexpr std::array<GifByteType, 3> kForEver{1, 0, 0};
         check(EGifPutExtensionLeader(file, APPLICATION_EXT_FUNC_CODE));
         check(EGifPutExtensionBlock(file, 11, "NETSCAPE2.0"));
@@ -185,7 +187,7 @@ struct GifWriter::State {
         check(EGifPutExtensionTrailer(file));
     }
 
-    // Step 3. `is_new`: whether a pixel differs from the frame before.
+    // Step 3. `is_new` is true for pixels that differ from the frame before.
     template <typename IsNew>
     void put(const Image& frame, const Rectangle& r, int hundredths, IsNew is_new) const {
         std::vector<Rgb> changed;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lookup of the OpenGL functions in the library.
 #include "render/gl.h"
 
 namespace ncsim::exporter {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Functions of OpenGL for the tests, from a library that is loaded with the first context.
+// Functions of OpenGL, from a library that is loaded with the first context.
 #pragma once
 
 #include "render/shared_library.h"
@@ -11,6 +11,7 @@
 
 namespace ncsim::exporter {
 
+/// Table of OpenGL functions.
 struct Gl {
     explicit Gl(const SharedLibrary& library);
 

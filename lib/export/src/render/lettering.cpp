@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Stroke font and its drawing.
 #include "render/lettering.h"
 
 #include <algorithm>
@@ -10,9 +12,9 @@ namespace ncsim::exporter {
 
 namespace {
 
-// The letters from ' ' to '~' on a grid of 8 by 8: each pair of digits is a point, x to the right,
-// y upwards; strokes are parted by commas. The base line is y = 2, capitals reach up to 8, small
-// letters to 6, tails down to 0. A stroke from a point to itself is a dot.
+// The characters from ' ' to '~' on a grid of 8 by 8. Each pair of digits is a point, x to the
+// right, y upwards; commas separate strokes. The base line is y = 2; capitals reach up to 8, small
+// letters to 6, and descenders down to 0. A stroke from a point to itself is a dot.
 // clang-format off
 constexpr std::array<std::string_view, 95> kGlyphs{
     "",  //  
@@ -118,7 +120,7 @@ constexpr double kBaseLine = 2.0;
 constexpr double kCapHeight = 6.0;
 constexpr double kAdvance = 10.5;
 constexpr double kXScale = 0.64;  // letters are slimmer than their grid
-constexpr double kStroke = 0.85;  // width of the line, in units of the grid
+constexpr double kStroke = 0.85;  // width of a stroke, in units of the grid
 
 struct Point {
     double x = 0.0, y = 0.0;
@@ -139,7 +141,7 @@ std::uint8_t mix(std::uint8_t under, std::uint8_t over, double share) {
     return static_cast<std::uint8_t>(under + share * (over - under) + 0.5);
 }
 
-// A stroke `width` pixels wide, smoothed over the pixel at its edge.
+// Draws a stroke of `width` pixels with a smooth edge of one pixel.
 void draw_stroke(Image& image, Point a, Point b, double width, Rgba8 colour) {
     const double reach = width / 2.0 + 1.0;
     const auto bound = [](double value, std::uint32_t size) {

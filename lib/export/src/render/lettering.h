@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Letters as an engraving cutter would make them: strokes of one width with round ends.
+// Text drawn like engraving: strokes of constant width with round ends.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -10,13 +10,13 @@
 
 namespace ncsim::exporter {
 
-/// Draws `text` (ASCII; other bytes show as a box, one for each UTF-8 character) with the lower
-/// left corner of its first letter at (x, y), capitals `height` pixels high. What lies beyond the
-/// picture is cut off.
+/// Draws `text` with the lower left corner of its first letter at (x, y) and capitals of `height`
+/// pixels. Text is ASCII; any other UTF-8 character is drawn as a box. Text beyond the picture is
+/// clipped.
 void draw_text(Image& image, double x, double y, double height, Rgba8 colour,
                std::string_view text);
 
-/// Width of the text in pixels.
+/// Returns the width of `text` in pixels.
 double text_width(double height, std::string_view text);
 
 }  // namespace ncsim::exporter

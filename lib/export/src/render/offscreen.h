@@ -9,8 +9,8 @@ namespace ncsim::exporter {
 
 struct Gl;
 
-/// OpenGL context of the compatibility profile, current in this thread until destruction,
-/// without a framebuffer.
+/// OpenGL context of the compatibility profile, without a framebuffer; current in this thread until
+/// destruction.
 class OffscreenContext {
 public:
     OffscreenContext() = default;
@@ -18,12 +18,12 @@ public:
     OffscreenContext(const OffscreenContext&) = delete;
     OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-    /// Functions of the context. Valid until the process ends.
+    /// Returns the functions of the context, which are valid until the process ends.
     virtual const Gl& gl() const = 0;
 };
 
-/// Loads OSMesa at the first call. Throws std::runtime_error if OSMesa is not installed or provides
-/// no context.
+/// Returns a context of OSMesa, which is loaded at the first call.
+/// Throws: std::runtime_error if OSMesa is not installed or provides no context.
 std::unique_ptr<OffscreenContext> osmesa_context();
 
 }  // namespace ncsim::exporter

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Depth and stencil test with OpenGL; colours carry the numbers of surfaces.
 #include "render/opengl_buffer.h"
 
 #include "render/gl.h"
@@ -22,7 +24,7 @@ OpenGlBuffer::OpenGlBuffer(std::unique_ptr<OffscreenContext> context)
     gl_.gen_framebuffers(1, &framebuffer_);
     gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.gen_renderbuffers(2, renderbuffers_.data());
-    // Disables everything that could change a number.
+    // All operations that could change a number are disabled.
     gl_.disable(GL_DITHER);
     gl_.disable(GL_BLEND);
     gl_.disable(GL_CULL_FACE);

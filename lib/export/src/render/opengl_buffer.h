@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons drawn by OpenGL with depth and stencil buffer; see also VisibilityBuffer.
+// Polygons drawn by OpenGL with a depth and a stencil buffer; the alternative to VisibilityBuffer.
 #pragma once
 
 #include "render/offscreen.h"
@@ -14,7 +14,8 @@
 
 namespace ncsim::exporter {
 
-/// Draws polygons into one rectangle at a time. Throws std::runtime_error if OpenGL fails.
+/// Draws polygons into one rectangle at a time.
+/// Throws: every member throws std::runtime_error if OpenGL fails.
 class OpenGlBuffer final : public SampleBuffer {
 public:
     explicit OpenGlBuffer(std::unique_ptr<OffscreenContext> context);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// OpenGL contexts of OSMesa.
 #include "render/gl.h"
 #include "render/offscreen.h"
 
@@ -7,8 +9,8 @@
 #include <array>
 #include <stdexcept>
 
-// OSMesa 22.3 keeps the framebuffer of each context until the process ends, some 200 bytes. This
-// definition says so to the leak checker of sanitized builds.
+// OSMesa 22.3 keeps some 200 bytes of the framebuffer of each context until the process ends. This
+// definition suppresses the report of the leak checker in sanitized builds.
 #if defined(__SANITIZE_ADDRESS__)
 #define NCSIM_HAS_LEAK_CHECKER 1
 #elif defined(__has_feature)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Projection of paths, bodies and boxes to polygons.
 #include "render/overlay.h"
 
 #include "ncsim/cda/mesh.h"
@@ -15,7 +17,7 @@ namespace {
 
 using cda::Vec3;
 
-// In pixels of a picture 960 high; larger ones have thicker lines.
+// In pixels of a picture with 960 rows; lines scale with larger pictures.
 constexpr double kLineWidth = 1.6;
 constexpr double kDash = 9.0;
 constexpr double kGap = 6.0;
@@ -28,8 +30,8 @@ constexpr Rgba8 kGhostOnDark{120, 128, 138};
 constexpr Rgba8 kFeedOnDark{255, 232, 112};
 constexpr Rgba8 kRapidOnDark{255, 104, 92};
 
-// What is before the eye in perspective, divided once and for all: lines are straight on the screen
-// anyway.
+// Returns the point after the perspective division. The point must be in front of the eye. Lines
+// stay straight on the screen, so the division can come first.
 ScreenPoint divided(const ScreenPoint& p) {
     return {p.x / p.w, p.y / p.w, p.z / p.w, 1.0};
 }
@@ -65,8 +67,8 @@ OverlayArt::OverlayArt(const ScreenMap& map, const Overlay& overlay, const Rende
         add_ghost(ghost);
 }
 
-// The twelve edges, not lifted before the part but set behind its faces, and so far inside the
-// block that its own outline hides them.
+// Adds the twelve edges of a box. The edges lie slightly inside the box and behind the faces of the
+// part, so the outline of a part that fills the box hides them.
 void OverlayArt::add_ghost(const Ghost& ghost) {
     constexpr std::size_t kSurface = 2;
     const double inset = 0.5 * norm(lift_);
@@ -88,7 +90,7 @@ void OverlayArt::add_ghost(const Ghost& ghost) {
 }
 
 void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
-    double walked = 0.0;  // since the first point, in samples
+    double walked = 0.0;  // distance from the first point, in samples
     const double dash = kDash * pixel_;
     const double period = (kDash + kGap) * pixel_;
     for (std::size_t i = 1; i < path.points.size(); ++i) {
@@ -100,7 +102,7 @@ void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
             continue;
         }
         if (length == 0.0) continue;
-        // Dashes go on around corners.
+        // Dashes continue around corners.
         auto dashes = static_cast<std::int64_t>(std::floor(walked / period));
         for (; static_cast<double>(dashes) * period < walked + length; ++dashes) {
             const double at = static_cast<double>(dashes) * period;
@@ -113,7 +115,7 @@ void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
     }
 }
 
-// A rectangle about the segment, longer by `overhang` at both ends so that corners close.
+// Adds a rectangle around the segment, extended by `overhang` at both ends to close corners.
 void OverlayArt::add_stroke(const ScreenPoint& a, const ScreenPoint& b, double overhang,
                             std::size_t surface) {
     const double length = trig::length_of(b.x - a.x, b.y - a.y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Paths and bodies as surfaces, drawn into the same buffer as the part.
+// Paths and bodies as surfaces, drawn into the buffer of the part.
 #pragma once
 
 #include "ncsim/export/overlay.h"
@@ -17,20 +17,21 @@
 
 namespace ncsim::exporter {
 
-/// An overlay, ready to be drawn tile by tile.
+/// Projected overlay, drawn tile by tile.
 class OverlayArt {
 public:
     OverlayArt(const ScreenMap& map, const Overlay& overlay, const RenderOptions& options);
 
-    /// Draws everything over what is in `target`. The first call appends its surfaces to
-    /// `surfaces`, which must hold all those of the part by then.
+    /// Draws the overlay over the content of `target`. The first call appends the overlay's
+    /// surfaces to `surfaces`.
+    /// Requires: `surfaces` contains all surfaces of the part.
     void draw(PolygonTarget& target, std::vector<Surface>& surfaces);
 
 private:
     struct Piece {
         std::array<ScreenPoint, 4> corners;
         std::size_t count = 4;    // of corners
-        std::size_t surface = 0;  // in surfaces_
+        std::size_t surface = 0;  // index into surfaces_
     };
     void add_path(const PathLine& path, std::size_t surface);
     void add_ghost(const Ghost& ghost);
@@ -39,12 +40,13 @@ private:
     void add_body(const Body& body);
 
     const ScreenMap& map_;
-    double pixel_;       // samples
-    double half_width_;  // of a line, in samples
-    cda::Vec3 lift_;     // towards the eye: a line on a face lies before it all over its width
+    double pixel_;       // samples per pixel, larger in large pictures
+    double half_width_;  // half of the width of a line, in samples
+    // Towards the eye: a line on a face must be in front of the face over its width.
+    cda::Vec3 lift_;
     std::vector<Surface> surfaces_;
     std::vector<Piece> pieces_;
-    std::optional<std::size_t> first_;  // number of surfaces_[0] in the table of the picture
+    std::optional<std::size_t> first_;  // index of surfaces_[0] in the table of the picture
 };
 
 }  // namespace ncsim::exporter

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Colours of stock and tools, and conversion between sRGB and linear values.
 #include "render/palette.h"
 
 #include <algorithm>
@@ -9,8 +11,8 @@ namespace ncsim::exporter {
 
 namespace {
 
-// A dull grey for the stock, soft hues for fresh cuts; told apart in order by most kinds of
-// colour-blind eyes too (blue and orange first).
+// A dull grey for the stock and soft hues for the tools. Successive tool colours differ for most
+// kinds of colour blindness (blue and orange first).
 constexpr Rgba8 kStockColour{150, 156, 164};
 constexpr std::array<Rgba8, 8> kToolColours{{{126, 182, 226},
                                              {240, 172, 98},
@@ -20,7 +22,7 @@ constexpr std::array<Rgba8, 8> kToolColours{{{126, 182, 226},
                                              {172, 156, 222},
                                              {226, 124, 98},
                                              {104, 192, 194}}};
-// A brown that none of them comes near.
+// A brown that is unlike all tool colours.
 constexpr Rgba8 kUnnumberedColour{164, 122, 90};
 
 constexpr std::array<Rgba8, 5> kScale{
@@ -50,7 +52,7 @@ double linear_share(std::uint8_t channel) {
     constexpr double kLinearUpTo = 0.04045;
     const double c = static_cast<double>(channel) / 255.0;
     if (c <= kLinearUpTo) return c / 12.92;
-    // x^2.4 = x² · ⁵√x², with the root by Newton's method from above: it falls until it is found.
+    // x^2.4 = x² · ⁵√x². Newton's method finds the root from above and decreases until convergence.
     const double x = (c + 0.055) / 1.055;
     const double square = x * x;
     double root = 1.0;

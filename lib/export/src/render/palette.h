@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which colour a face has: one for uncut stock, one for each tool, one for the tool of a program
-// that calls none; the same in every format.
+// Colours of faces: for uncut stock, for each tool, and for cuts without a tool call. All formats
+// use the same colours.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -15,9 +15,9 @@
 
 namespace ncsim::exporter {
 
-/// Light is added up in linear terms and stored as sRGB. The curve between them is
-/// taken to be a plain square: close to the real one, and exact arithmetic on every machine, which
-/// a power function is not.
+/// Colour in linear values, in which light adds up; stored colours are sRGB. The curve between both
+/// is approximated by a square, which is close and, unlike a power function, exact on every
+/// machine.
 struct LinearColour {
     float r = 0, g = 0, b = 0;
 
@@ -27,53 +27,58 @@ struct LinearColour {
     friend LinearColour operator*(float s, LinearColour a) { return {s * a.r, s * a.g, s * a.b}; }
 };
 
+/// Converts between sRGB and linear colours.
 LinearColour to_linear(Rgba8 colour);
 Rgba8 to_srgb(LinearColour colour);
 
-/// A channel from 0 to 1, in whole thousandths, which every format writes the same.
+/// Returns a channel as a value from 0 to 1 in whole thousandths, which every format writes the
+/// same.
 inline double unit_share(std::uint8_t channel) {
     const int thousandths = channel * 1000 / 255;
     return static_cast<double>(thousandths) / 1000.0;
 }
 
-/// The linear share, 0 to 1, of a channel in sRGB (IEC 61966-2-1), as glTF files have it. Computed
-/// without powers of the C library: the same on every machine.
+/// Returns the linear value from 0 to 1 of an sRGB channel, as glTF files store colours. The
+/// computation does not use the power function of the C library, so the result is the same on every
+/// machine.
+/// Source: IEC 61966-2-1.
 double linear_share(std::uint8_t channel);
 
-/// The colours of a scale from 0 to 1: yellow, green, blue, violet, ever darker, so that the order
-/// can be seen without telling hues apart. Numbers beyond are clamped.
+/// Returns the colour at `t` of a scale from 0 to 1: yellow, green, blue, violet, ever darker, so
+/// the order is visible without hues. `t` is clamped to [0, 1].
 LinearColour scale_colour(double t);
 
-/// Who left a face.
+/// The tool that cut a face, or the stock.
 struct Maker {
-    bool is_tool = false;    ///< Else nobody: it is the stock's own.
-    std::uint32_t tool = 0;  ///< Its number; 0 where the program calls none.
+    bool is_tool = false;    ///< False: an uncut face of the stock.
+    std::uint32_t tool = 0;  ///< Number of the tool; 0 if the program calls no tool.
 
     explicit Maker(Provenance::Entry entry) : is_tool(!entry.is_stock()), tool(entry.tool) {}
     auto operator<=>(const Maker&) const = default;
 
-    /// "stock", "T3", "T0".
+    /// Returns "stock", "T3" or "T0".
     std::string name() const;
 };
 
-/// The stock and the tools of a program, each with a colour. Tools are coloured by their rank among
-/// the numbers used, so neighbours in a program differ even where numbers are far apart; from the
-/// ninth on colours come again. Tool 0 has a colour of its own.
+/// The stock and the tools of a program, each with a colour. The colour of a tool depends on its
+/// rank among the used numbers, so successive tools differ even if their numbers are far apart.
+/// Colours repeat from the ninth tool on. Tool 0 has a colour of its own.
 class Palette {
 public:
     explicit Palette(const Provenance& provenance);
 
     Rgba8 colour(Maker maker) const;
     Rgba8 colour(Provenance::Entry entry) const { return colour(Maker(entry)); }
-    /// The stock, whether there is a face of it or not, then tools in the order of their numbers.
+    /// Returns the stock, even without a face of the stock, then the tools in the order of their
+    /// numbers.
     const std::vector<Maker>& makers() const { return makers_; }
-    /// Position of the maker in makers(); that of the stock for a tool that is not there.
+    /// Returns the position of `maker` in makers(); that of the stock for an unknown tool.
     std::size_t rank(Maker maker) const;
     std::size_t rank(Provenance::Entry entry) const { return rank(Maker(entry)); }
 
 private:
     std::vector<Maker> makers_;
-    std::size_t first_numbered_ = 1;  // in makers_
+    std::size_t first_numbered_ = 1;  // index of the first tool with a number, in makers_
 };
 
 }  // namespace ncsim::exporter

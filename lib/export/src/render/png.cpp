@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// libpng reports errors by longjmp, which must not jump over C++ objects: `encode` holds none that
-// is created after its setjmp, and what the stream throws is caught before libpng sees it.
+// libpng reports errors by longjmp, which must not jump over C++ objects. Therefore `encode`
+// creates no object after its setjmp, and exceptions of the stream are caught before they reach
+// libpng.
 #include "ncsim/export/png.h"
 
 #include <png.h>
@@ -18,13 +19,13 @@ namespace ncsim::exporter {
 
 namespace {
 
-// Effort of zlib, 1 to 9. Above 5, time grows faster than files shrink.
+// Compression level of zlib, 1 to 9. Above 5, time grows faster than files shrink.
 constexpr int kEffort = 5;
 
 struct Sink {
     std::ostream& out;
-    std::exception_ptr thrown;  // by the stream
-    std::string message;        // of libpng
+    std::exception_ptr thrown;  // exception of the stream
+    std::string message;        // message of libpng
 };
 
 void on_error(png_structp png, png_const_charp message) {
@@ -85,7 +86,7 @@ void pack_row(const Image& image, std::uint32_t y, bool has_alpha, png_byte* row
     }
 }
 
-// False if libpng gave up; the reason is in the sink. No object with a destructor may be
+// Returns false if libpng failed; the reason is in the sink. No object with a destructor may be
 // created here.
 bool encode(const Encoder& encoder, const Image& image, bool has_alpha, png_byte* row) {
     png_structp png = encoder.png();
@@ -94,8 +95,8 @@ bool encode(const Encoder& encoder, const Image& image, bool has_alpha, png_byte
     png_set_IHDR(png, info, image.width, image.height, 8,
                  has_alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    // Rows of one colour repeat as they are: choosing a filter for each row takes longer than
-    // packing, and the files of pictures like these are larger for it.
+    // Rows of one colour repeat without a filter. The choice of a filter for each row takes longer
+    // than compression, and pictures with large areas of one colour become larger.
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_set_compression_level(png, kEffort);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

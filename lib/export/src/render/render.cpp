@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Both renderers draw the numbers of surfaces, band by band, and leave the rest to Resolver:
-// what differs between them is only how hidden and removed parts of a surface are found.
+// Both renderers draw the numbers of surfaces, band by band, and Resolver computes the pixels. The
+// renderers differ only in how they find hidden and removed parts of a surface.
 #include "ncsim/export/render.h"
 
 #include "ncsim/cda/mesh.h"
@@ -53,7 +53,7 @@ void check(const RenderOptions& options) {
 class Scene {
 public:
     virtual ~Scene() = default;
-    // Draws all polygons, in the same order each time.
+    // Draws all polygons, in the same order at each call.
     virtual void draw(PolygonTarget& target) = 0;
     // Marks the tiles that edges of surfaces cross. Edges between polygons of one flat surface may
     // be missing.
@@ -65,9 +65,10 @@ std::unique_ptr<SampleBuffer> buffer_of(Renderer renderer) {
     return std::make_unique<VisibilityBuffer>();
 }
 
-// Makes the picture of a scene, in bands. A tile that no edge is near, and whose four corners see
-// one surface, sees nothing else: depth is linear over a tile, so a plane that is nearest at the
-// corners is nearest between them. Only the other tiles are drawn sample by sample.
+// Draws the picture of a scene, in bands. If no edge is near a tile and its four corners see the
+// same surface, the whole tile sees that surface: depth is linear over a tile, so a plane that is
+// nearest at the corners is nearest between them. Only the remaining tiles are drawn sample by
+// sample.
 class Painter {
 public:
     Painter(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table,
@@ -97,16 +98,17 @@ public:
     }
 
 private:
-    // Pixels of the tile.
+    // Returns the pixels of the tile.
     PixelRect pixels(std::uint32_t column, std::uint32_t row) const {
         const std::uint32_t x = column * kTilePixels, y = row * kTilePixels;
         return {x, y, std::min(kTilePixels, options_.width - x),
                 std::min(kTilePixels, options_.height - y)};
     }
 
-    // Fills the tiles without an edge whose corners see one surface; marks all others.
+    // Fills the tiles without an edge whose corners see the same surface; marks all remaining
+    // tiles.
     void fill_plain_tiles(SampleBuffer& buffer) {
-        // The corners of tiles are the centres of these cells.
+        // The centres of these cells are the corners of the tiles.
         const auto half = static_cast<std::int64_t>(tiles_.side() / 2);
         const SampleRect corners{-half, -half, tiles_.columns() + 1, tiles_.rows() + 1,
                                  tiles_.side()};
@@ -128,7 +130,7 @@ private:
         }
     }
 
-    // Draws what is marked of a band of tiles.
+    // Draws the marked tiles of a band.
     void draw_tiles(SampleBuffer& buffer, std::uint32_t first_row) {
         const std::uint32_t end_row = std::min(first_row + rows_at_once_, tiles_.rows());
         std::uint32_t left = tiles_.columns(), right = 0, top = end_row, bottom = first_row;
@@ -160,7 +162,7 @@ private:
     const RenderOptions& options_;
     Scene& scene_;
     EdgeTiles tiles_;
-    std::uint32_t rows_at_once_ = 1;  // of tiles
+    std::uint32_t rows_at_once_ = 1;  // rows of tiles
     Resolver resolver_;
     Image image_;
 };
@@ -170,7 +172,7 @@ ScreenMap screen_map(const RenderOptions& options) {
             static_cast<double>(options.height) * options.samples};
 }
 
-// Makes surfaces, coloured as the options say.
+// Creates surfaces with the colours of the options.
 class Paint {
 public:
     Paint(const ScreenMap& map, const Provenance& provenance, const RenderOptions& options)
@@ -190,7 +192,7 @@ public:
         result.offset = cda::dot(n_C, map_.point_in_camera(point));
         const bool is_cut = origin != cda::kStockOrigin;
         if (is_cut && colouring_ == Colouring::Line) {
-            // Origins are numbered as they were cut: program lines may come in loops.
+            // Origins are numbered in the order of cutting; program lines may repeat in loops.
             result.colour = scale_colour(static_cast<double>(origin) / last_);
         } else {
             result.colour = to_linear(palette_.colour(provenance_.of(origin)));
@@ -210,8 +212,8 @@ private:
     double last_;
 };
 
-// Hands the facets of a model to the stencil buffer. The facets come in the same order for every
-// tile, so their numbers stay the same; the table is filled by the first.
+// Draws the facets of a model with their masks. The facets come in the same order in each pass, so
+// their numbers stay the same; the first pass fills the table.
 class StencilCanvas : public cda::FacetCanvas {
 public:
     StencilCanvas(const ScreenMap& map, const Paint& paint, std::vector<Surface>& surfaces)
@@ -254,11 +256,12 @@ private:
     std::vector<std::vector<ScreenPoint>> masks_;
 };
 
-// The triangles of a boundary. Those of a flat face are one surface, those of a round one have
-// normals of their own each.
+// The triangles of a boundary. All triangles of a flat face are one surface; each triangle of a
+// round face is a surface with normals of its own.
 class BoundaryArt {
 public:
-    /// Appends its surfaces to `table`. `boundary` and `table` must outlive it.
+    /// Appends the surfaces of `boundary` to `table`.
+    /// Requires: `boundary` and `table` outlive the object.
     BoundaryArt(const ScreenMap& map, const cda::Boundary& boundary, const brep::Shading& shading,
                 const Paint& paint, SurfaceTable& table)
         : boundary_(boundary), surfaces_(table.surfaces), mesh_(cda::triangulate(boundary)) {
@@ -299,7 +302,7 @@ public:
         }
     }
 
-    /// Marks the loops of flat faces that are drawn, and all triangles of round faces.
+    /// Marks the loops of the drawn flat faces, and all triangles of round faces.
     void mark(EdgeTiles& tiles) const {
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
             if (ids_[t] != kBackground && has_edges_of_its_own(t)) tiles.draw(corners(t), ids_[t]);
@@ -318,7 +321,8 @@ private:
         return {points_[a], points_[b], points_[c]};
     }
 
-    // Triangles of round faces, and those with a vertex that the boundary does not have.
+    // True for triangles of round faces, and for triangles with a vertex that the boundary does not
+    // have.
     bool has_edges_of_its_own(std::size_t t) const {
         return surfaces_[ids_[t] - 1].bend != 0 ||
                std::ranges::any_of(mesh_.triangles[t],
@@ -327,14 +331,15 @@ private:
 
     const cda::Boundary& boundary_;
     const std::vector<Surface>& surfaces_;
-    std::vector<std::uint32_t> flat_faces_;  // that are drawn
+    std::vector<std::uint32_t> flat_faces_;  // flat faces that are drawn
     cda::TriangleMesh mesh_;
     std::vector<ScreenPoint> points_;
-    std::vector<SurfaceId> ids_;  // of triangles; the background's: they are not seen
+    // Surface of each triangle; kBackground: the triangle faces away from the camera.
+    std::vector<SurfaceId> ids_;
 };
 
-// The picture that `draw` makes of an overlay; with bodies that are not opaque, that of the others
-// with the whole one over it, by their share.
+// Returns the picture that `draw` makes of an overlay. If some bodies are not opaque, the picture
+// with all bodies is blended over the picture without them, with the opacity of the first.
 template <typename Draw>
 Image with_transparent(const Overlay& overlay, const Draw& draw) {
     const auto is_transparent = [](const Body& body) { return body.colour.a < kOpaque; };

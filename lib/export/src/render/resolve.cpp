@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lighting, lines between faces, removal of specks, and averages over pixels.
 #include "render/resolve.h"
 
 #include "render/crease.h"
@@ -14,21 +16,21 @@ namespace {
 
 using cda::Vec3;
 
-// Light, in the camera's frame, so that every view is lit alike: a key light from the left, low
-// enough to bring out the relief of faces that look up, a weak one from the right, the sky, a part
-// that comes from everywhere, and a sheen, since milled metal is not paper. On a box seen
-// from Iso the top, the left and the right side get about 0.9, 0.6 and 0.4.
+// Light in the camera frame, so every view has the same light: a key light from the left, low
+// enough to show the relief of faces that look up, a weak light from the right, a sky, ambient
+// light, and a sheen for milled metal. On a box seen from Iso, the top, the left and the right side
+// get about 0.9, 0.6 and 0.4.
 const Vec3 kKeyLight = cda::normalized({-0.65, 0.38, 0.66});
 const Vec3 kFillLight = cda::normalized({0.70, -0.10, 0.70});
-const Vec3 kMirror = cda::normalized(kKeyLight + Vec3{0, 0, 1});  // shows the key light's image
+const Vec3 kMirror = cda::normalized(kKeyLight + Vec3{0, 0, 1});  // reflects the key light
 constexpr double kKey = 0.66;
 constexpr double kFill = 0.15;
 constexpr double kSky = 0.22;
 constexpr double kEverywhere = 0.26;
 constexpr double kSheen = 0.16;
 
-// How much of a pixel's colour is line: where something stands before something else, and
-// where two faces meet.
+// Share of ink in a line at a silhouette, where a face is in front of another face, and at a
+// crease, where two faces meet.
 constexpr float kSilhouetteInk = 0.75F;
 constexpr float kCreaseInk = 0.5F;
 constexpr Rgba8 kInk{24, 28, 34};
@@ -42,7 +44,7 @@ double square(double x) {
 
 constexpr LinearColour kWhiteLight{1, 1, 1};
 
-// Change of depth per mm across the picture, along x plus along y.
+// Returns the change of depth per mm across the picture, along x plus along y.
 double slope(const Surface& surface) {
     return (std::abs(surface.n_C.x) + std::abs(surface.n_C.y)) / surface.n_C.z;
 }
@@ -84,7 +86,7 @@ void Resolver::light_new_surfaces() {
     }
 }
 
-// (x, y) in mm from the middle of the picture.
+// Returns the colour of a surface at (x, y), in mm from the centre of the picture.
 LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
     if (id == kBackground) return lit_[id];
     const Surface& surface = surfaces_[id - 1];
@@ -100,7 +102,7 @@ LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
     return light.diffuse * scale_colour(t) + light.sheen * kWhiteLight;
 }
 
-// Where it is `depth` before the middle of the picture.
+// Returns the normal at (x, y) and `depth`, in mm from the centre of the picture.
 Vec3 Resolver::normal_at(const Surface& surface, double x, double y, double depth) const {
     if (surface.bend == 0) return surface.n_C;
     const Camera& camera = map_.camera();
@@ -108,8 +110,8 @@ Vec3 Resolver::normal_at(const Surface& surface, double x, double y, double dept
     return bends_[surface.bend - 1].normal_at({scale * x, scale * y, depth});
 }
 
-// Where the line of sight through (x, y) meets the plane of the surface: z in the camera's frame.
-// The middle of the picture is the origin; in mm at the target.
+// Returns the depth at which the line of sight through (x, y) meets the plane of the surface: z in
+// the camera frame. (x, y) is in mm at the target, from the centre of the picture.
 double Resolver::depth_at(const Surface& surface, double x, double y) const {
     const Vec3 n = surface.n_C;
     if (map_.camera().is_orthographic()) return (surface.offset - n.x * x - n.y * y) / n.z;
@@ -135,7 +137,7 @@ bool Resolver::is_line(SurfaceId id) const {
     return id != kBackground && surfaces_[id - 1].is_line;
 }
 
-// Strength of the line between two neighbouring samples that see `a` and `b`; (x, y) is the
+// Returns the strength of the line between two adjacent samples that see `a` and `b`; (x, y) is the
 // point between them.
 float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const {
     if (a == b) return 0.0F;
@@ -143,21 +145,21 @@ float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const
     if (a == kBackground || b == kBackground) return kSilhouetteInk;
     const Surface& p = surfaces_[a - 1];
     const Surface& q = surfaces_[b - 1];
-    // Triangles of one face.
+    // Both are triangles of one face.
     if (p.n_C == q.n_C && p.offset == q.offset) return 0.0F;
     const double depth = depth_at(p, x, y), other = depth_at(q, x, y);
     const double step = std::abs(depth - other);
-    // Two faces that meet somewhere between the samples differ by no more than half a sample
-    // times their slopes.
+    // If two faces meet between the samples, their depths differ by at most half a sample times the
+    // sum of their slopes.
     if (step > map_.sample_size() * (1.0 + slope(p) + slope(q))) return kSilhouetteInk;
     return cda::dot(normal_at(p, x, y, depth), normal_at(q, x, y, other)) < kCreaseCosine
                ? kCreaseInk
                : 0.0F;
 }
 
-// Where edges of facets that ought to coincide are rounded apart, single samples see through the
-// crack, or see a facet that is cut away there. A sample none of whose four neighbours sees the
-// same plane shows nothing a picture could show: it takes the surface most of them see.
+// Rounding can separate the edges of adjacent facets. A sample can then see through the gap, or see
+// a facet that is masked there. A sample is a speck if none of its four neighbours sees the same
+// plane; the speck gets the surface that most neighbours see.
 void Resolver::remove_specks() {
     const std::size_t width = rect_.width;
     specks_.clear();
@@ -181,7 +183,7 @@ void Resolver::remove_specks() {
             if (votes(winner) >= 2) specks_.emplace_back(i, winner);
         }
     }
-    // Changed last: what a sample gets does not depend on where tiles begin.
+    // Specks are replaced last, so the result does not depend on where tiles begin.
     for (const auto& [i, id] : specks_)
         ids_[i] = id;
 }
@@ -213,7 +215,7 @@ void Resolver::find_lines() {
     }
 }
 
-// Returns a pixel all samples of which have the colour.
+// Returns a pixel whose samples all have the colour.
 Rgba8 Resolver::mean_of(LinearColour colour) const {
     const std::uint32_t count = options_.samples * options_.samples;
     LinearColour sum;
@@ -222,7 +224,7 @@ Rgba8 Resolver::mean_of(LinearColour colour) const {
     return to_srgb((1.0F / static_cast<float>(count)) * sum);
 }
 
-// Returns the colour in the middle of the pixel.
+// Returns the colour of a surface in the middle of the pixel.
 LinearColour Resolver::colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
     const double h = map_.sample_size();
     const double samples = options_.samples;
@@ -230,8 +232,8 @@ LinearColour Resolver::colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint3
                      -h * (samples * (y + 0.5 - 0.5 * options_.height)));
 }
 
-// Returns pixel (x, y) of the picture, all samples of which see a surface that is not coloured by
-// depth.
+// Returns pixel (x, y) of the picture, whose samples all see the surface. The surface must not be
+// coloured by depth.
 Rgba8 Resolver::uniform_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
     return is_round(id) ? mean_of(colour_of_pixel(id, x, y)) : plain_[id];
 }
@@ -243,7 +245,7 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
     const double left = samples * (x - 0.5 * options_.width) + 0.5;
     const double top = samples * (y - 0.5 * options_.height) + 0.5;
     LinearColour sum, light;
-    SurfaceId lit = kBackground;  // whose light is known all over the pixel
+    SurfaceId lit = kBackground;  // round surface whose light is known for the pixel
     for (std::uint32_t s = 0; s < samples * samples; ++s) {
         const std::uint32_t row = s / samples, column = s % samples;
         const std::size_t i = first + std::size_t{row} * rect_.width + column;
@@ -252,8 +254,8 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
         if (!round) {
             light = colour_at(id, h * (left + column), -h * (top + row));
         } else if (id != lit) {
-            // Round surfaces are lit once, in the middle of the pixel; the light hardly changes
-            // there.
+            // Round surfaces are lit once per pixel, in its middle, because the light hardly
+            // changes within a pixel.
             light = colour_of_pixel(id, x, y);
         }
         lit = round ? id : kBackground;
@@ -262,8 +264,8 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
     return to_srgb((1.0F / static_cast<float>(samples * samples)) * sum);
 }
 
-// True if all samples of a pixel see one surface, without lines, whose colour does not depend on
-// depth.
+// True if all samples of a pixel see the same surface, without lines, and its colour does not
+// depend on depth.
 bool Resolver::is_uniform(std::size_t first) const {
     const SurfaceId id = ids_[first];
     for (std::uint32_t row = 0; row < options_.samples; ++row) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From surfaces seen at samples to the pixels of a picture: light, lines, average.
+// Pixels of a picture from the surfaces seen at samples: light, lines, averages.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -17,33 +17,34 @@
 
 namespace ncsim::exporter {
 
-/// Samples around a tile that belong to its neighbours: lines and specks look two samples beyond
-/// it.
+/// Number of samples around a tile that are needed from adjacent tiles: the search for lines and
+/// specks looks two samples beyond the tile.
 inline constexpr std::uint32_t kTileMargin = 4;
 
-/// What is seen where nothing stands.
+/// Returns the colour of the background.
 LinearColour colour_of(Background background);
 
-/// Pixels of a picture.
+/// Rectangle of pixels of a picture.
 struct PixelRect {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Turns samples into pixels, tile by tile. Depends on surfaces only, not on how they were drawn.
+/// Turns samples into pixels, tile by tile. The result depends on the surfaces only, not on the
+/// renderer.
 class Resolver {
 public:
-    /// `table` must outlive the resolver and may grow between tiles.
+    /// Requires: `table` outlives the resolver. The table may grow between tiles.
     Resolver(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table);
 
-    /// Fills the pixels of `tile`. `ids` are the samples of `seen`, which holds the samples of the
-    /// tile and kTileMargin more on each side.
+    /// Fills the pixels of `tile`. `ids` are the samples of `seen`, which contains the samples of
+    /// the tile and kTileMargin more on each side.
     void resolve(std::span<const SurfaceId> ids, const SampleRect& seen, const PixelRect& tile,
                  Image& image);
-    /// Fills the pixels of `tile`, all samples of which see `id`.
+    /// Fills the pixels of `tile` if all samples see `id`.
     void fill(SurfaceId id, const PixelRect& tile, Image& image);
 
 private:
-    // Light on a surface: its colour times `diffuse`, and `sheen` of white.
+    // Light on a surface: `diffuse` is the factor of its colour, `sheen` that of white.
     struct Lighting {
         float diffuse = 0, sheen = 0;
     };
@@ -72,11 +73,11 @@ private:
     LinearColour ink_colour_;
     // By SurfaceId; unused for surfaces that are round or coloured by depth.
     std::vector<LinearColour> lit_;
-    std::vector<Rgba8> plain_;  // pixels whose samples all have that colour
-    // The tile at hand with its margin.
+    std::vector<Rgba8> plain_;  // pixels whose samples all have the colour in lit_
+    // The current tile with its margin.
     std::vector<SurfaceId> ids_;
     std::vector<float> ink_;                                 // for each sample, 0 … 1
-    std::vector<std::pair<std::size_t, SurfaceId>> specks_;  // samples and what they get
+    std::vector<std::pair<std::size_t, SurfaceId>> specks_;  // samples and their new surfaces
     SampleRect rect_;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Loading of libraries with dlopen().
 #include "render/shared_library.h"
 
 #include <dlfcn.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Library that is loaded at run time.
+// A library that is loaded at run time.
 #pragma once
 
 namespace ncsim::exporter {
@@ -8,12 +8,12 @@ namespace ncsim::exporter {
 /// Loaded library; unloaded when the process ends.
 class SharedLibrary {
 public:
-    /// `name` of the loader, libEGL.so.1 for instance. Throws std::runtime_error with the
-    /// message of the loader.
+    /// Loads the library `name`, for instance libEGL.so.1.
+    /// Throws: std::runtime_error with the message of the loader.
     explicit SharedLibrary(const char* name);
 
-    /// Points `function` to the symbol `name`. Throws std::runtime_error if the library lacks the
-    /// symbol.
+    /// Points `function` to the symbol `name`.
+    /// Throws: std::runtime_error if the library lacks the symbol.
     template <class Function>
     void find(Function*& function, const char* name) const {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): of dlsym()

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Layout of pictures, labels and caption on a sheet.
 #include "ncsim/export/sheet.h"
 
 #include "render/lettering.h"
@@ -13,12 +15,13 @@ namespace ncsim::exporter {
 
 namespace {
 
-// Heights of capitals, as parts of the height of a picture, and the least that can be read.
+// Heights of capitals as shares of the height of a picture, and the smallest readable height in
+// pixels.
 constexpr double kLabelHeight = 1.0 / 42.0;
 constexpr double kCaptionHeight = 1.0 / 36.0;
 constexpr double kLeastHeight = 7.0;
-constexpr double kCaptionMargin = 1.5;  // beside lines of text, in heights of capitals
-constexpr double kLineSpacing = 2.1;    // from line to line, in heights of capitals
+constexpr double kCaptionMargin = 1.5;  // margin of text lines, in heights of capitals
+constexpr double kLineSpacing = 2.1;    // distance of text lines, in heights of capitals
 
 struct Look {
     Rgba8 background, text, rule;
@@ -39,7 +42,7 @@ std::uint32_t columns_for(std::size_t pictures) {
     return columns;
 }
 
-// Capitals of a line are as high as the pictures ask for, less if it would not fit.
+// Returns the height of capitals in a line: `wanted`, or less if the line would not fit.
 double line_height(const std::string& line, std::uint64_t width, double margin, double wanted) {
     const double room = std::max(0.0, static_cast<double>(width) - 2.0 * margin);
     const double needed = text_width(wanted, line);
@@ -67,7 +70,8 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std
     }
     const std::uint32_t columns = columns_for(pictures.size());
     const auto rows = static_cast<std::uint32_t>((pictures.size() + columns - 1) / columns);
-    // The room for the caption does not depend on what it says: frames of a film are of one size.
+    // The space for the caption does not depend on its text, so all frames of a film have the same
+    // size.
     const double capitals = std::max(kLeastHeight, kCaptionHeight * height);
     const double margin = caption.empty() ? 0.0 : kLineSpacing * capitals;
     const double text_height =

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Interpolation of normals over a triangle.
 #include "render/surface.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ Bend::Bend(const std::array<Vec3, 3>& corners_C, const std::array<Vec3, 3>& n_C)
     const Vec3 second = corners_C[1] - corner_, third = corners_C[2] - corner_;
     const Vec3 area = cross(second, third);
     const double square = dot(area, area);
-    // Nobody sees one without an area.
+    // A triangle without area is not visible.
     if (!(square > 0.0)) return;
     to_second_ = (1.0 / square) * cross(third, area);
     to_third_ = (1.0 / square) * cross(area, second);
@@ -25,11 +27,11 @@ Bend::Bend(const std::array<Vec3, 3>& corners_C, const std::array<Vec3, 3>& n_C)
 
 Vec3 Bend::normal_at(Vec3 p_C) const {
     const Vec3 p = p_C - corner_;
-    // Samples on an edge may lie beyond it, of needles by many times their width.
+    // Samples at the edge of a needle can lie outside by many times its width.
     const double second = std::clamp(dot(to_second_, p), 0.0, 1.0);
     const double third = std::clamp(dot(to_third_, p), 0.0, 1.0 - second);
     const Vec3 n = n_ + second * towards_second_ + third * towards_third_;
-    // In a corner that has none.
+    // The point is a corner without a normal.
     return cda::normalized(n == Vec3{} ? 2.0 * n_ + towards_second_ : n);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a renderer knows about a flat face once it is drawn: its plane, its colour, and, if it
-// stands for a piece of something round, how that is bent. The graphics library only decides which
-// surface is seen at which sample; shading and lines are computed from this table (deferred
-// shading), so they are the same for both renderers.
+// Surfaces that a renderer draws: the plane and the colour of a flat face and, for a facet of a
+// round surface, the change of its normal. The renderer only decides which surface is seen at which
+// sample. Shading and lines are computed from this table (deferred shading), so they are the same
+// for both renderers.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -16,33 +16,36 @@
 
 namespace ncsim::exporter {
 
-/// Lengths in mm, in the camera's frame C: x to the right, y up, z towards the eye, the
-/// target at the origin.
+/// Plane and colour of a drawn face. Lengths are in mm, in the camera frame C: x to the right, y
+/// up, z towards the eye, the target at the origin.
 struct Surface {
-    cda::Vec3 n_C;          ///< Unit, out of the material, towards the eye.
+    cda::Vec3 n_C;          ///< Unit normal, out of the material, towards the eye.
     double offset = 0.0;    ///< n_C · x == offset on the surface.
-    LinearColour colour;    ///< Of the material, before any light.
-    bool by_depth = false;  ///< The colour depends on the height of each point instead.
-    bool is_line = false;   ///< Drawn over the part: neither light nor edges.
-    /// Of a round one, 1 + the index of how its normals go; 0: it is flat.
+    LinearColour colour;    ///< Colour of the material without light.
+    bool by_depth = false;  ///< True: the colour depends on the height of each point instead.
+    bool is_line = false;   ///< True: drawn over the part, without light and edges.
+    /// 1 + the index of the Bend of a round surface; 0: flat.
     std::uint32_t bend = 0;
 };
 
-/// How the normals of a triangle go from corner to corner. Frame C.
+/// Interpolated normals of a triangle, in the camera frame C.
 class Bend {
 public:
-    /// `n_C`: unit, in the corners; zero in one that has none, from where those of the others go.
+    /// `n_C` are unit normals in the corners; zero for a corner without a normal, near which the
+    /// normals of the remaining corners count.
     Bend(const std::array<cda::Vec3, 3>& corners_C, const std::array<cda::Vec3, 3>& n_C);
 
-    /// In its point nearest to `p_C`, which lies in its plane; unit.
+    /// Returns the unit normal at the point of the triangle nearest to `p_C`.
+    /// Requires: `p_C` is in the plane of the triangle.
     cda::Vec3 normal_at(cda::Vec3 p_C) const;
 
 private:
-    cda::Vec3 corner_, to_second_, to_third_;  // a point's shares of both sides: dot products
+    // Dot products with the last two give a point's shares of both sides.
+    cda::Vec3 corner_, to_second_, to_third_;
     cda::Vec3 n_, towards_second_, towards_third_;
 };
 
-/// What is drawn.
+/// Surfaces of a picture.
 struct SurfaceTable {
     std::vector<Surface> surfaces;
     std::vector<Bend> bends;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stencil buffer as in Schüppel 2001, section 5.1, with one change: the masks of each
-// facet are written with a number of their own, so that nothing has to be cleared after a
-// facet, and a mask that reaches over the facet's edge by a rounding cannot hit the next one.
+// The stencil buffer of Schüppel 2001, section 5.1, with a change: the masks of each facet are
+// written with a number of their own. So the buffer need not be cleared after each facet, and a
+// mask that extends beyond the edge of its facet by rounding does not affect the next facet.
 #include "render/visibility.h"
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace ncsim::exporter {
 
 namespace {
 
-// A sine.
+// Smallest sine of the angle between a visible face and the line of sight.
 constexpr double kGrazing = 1e-6;
 
-// Parts of a cell that corners are rounded to.
+// Parts of a cell to which corners are rounded.
 constexpr std::int64_t kUnit = 256;
-// Corners farther away are cut off, in cells: products of two differences have 64 bits then.
+// Distance in cells at which polygons are clipped, so products of two differences fit in 64 bits.
 constexpr double kFarthest = 1 << 22;
-// Depths -1 to 1 are these numbers.
+// Depths from -1 to 1 become whole numbers from -kDepthScale to kDepthScale.
 constexpr double kDepthScale = 1 << 23;
 constexpr std::int32_t kNothing = std::numeric_limits<std::int32_t>::max();
 
@@ -29,7 +29,7 @@ std::int64_t divided_up(std::int64_t a, std::int64_t b) {
     return q * b < a ? q + 1 : q;
 }
 
-// Cuts the polygon to where `height`, which is linear, is not negative.
+// Clips the polygon to the half-space in which the linear function `height` is not negative.
 template <class Height>
 void clip(std::vector<ScreenPoint>& polygon, const Height& height) {
     if (std::ranges::all_of(polygon, [&](const ScreenPoint& p) { return height(p) >= 0.0; }))
@@ -48,8 +48,6 @@ void clip(std::vector<ScreenPoint>& polygon, const Height& height) {
 }
 
 }  // namespace
-
-// --- ScreenMap ---------------------------------------------------------------------------
 
 ScreenMap::ScreenMap(const Camera& camera, double width, double height)
     : camera_(camera), width_(width), height_(height) {}
@@ -70,8 +68,8 @@ ScreenPoint ScreenMap::operator()(cda::Vec3 p_W) const {
         return {0.5 * width_ + samples_per_mm * p_C.x, 0.5 * height_ - samples_per_mm * p_C.y,
                 -p_C.z / range, 1.0};
     }
-    // Seen from the eye at z = d: sizes shrink by d / (d - z). Depth is chosen linear in 1 / w, -1
-    // at z = range and 1 at z = -range, as the hardware interpolates it.
+    // The eye is at z = d; sizes shrink by d / (d - z). Depth is linear in 1 / w, -1 at z = range
+    // and 1 at z = -range, as graphics hardware interpolates depth.
     const double d = camera_.distance;
     const double w = (d - p_C.z) / d;
     const double near = (d - range) / d;
@@ -88,8 +86,6 @@ bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point) {
     return cda::dot(normal, towards_eye) > kGrazing;
 }
 
-// --- VisibilityBuffer --------------------------------------------------------------------
-
 void VisibilityBuffer::begin(const SampleRect& rect) {
     rect_ = rect;
     size_ = std::size_t{rect.width} * rect.height;
@@ -105,7 +101,8 @@ void VisibilityBuffer::begin(const SampleRect& rect) {
     facets_with_masks_ = 0;
 }
 
-// Makes corners_ of the polygon. False: none of it is in the rectangle.
+// Sets corners_ to the corners of the polygon. Returns false if the polygon is outside the
+// rectangle.
 bool VisibilityBuffer::place(std::span<const ScreenPoint> polygon) {
     // The eye is at w = 0.
     constexpr double kNearest = 1e-6;
@@ -145,8 +142,8 @@ bool VisibilityBuffer::place(std::span<const ScreenPoint> polygon) {
            top < kUnit * std::int64_t{rect_.height};
 }
 
-// Computed from the triangle with the largest area, of those that the first corner makes with two
-// others.
+// Returns the depth of the polygon, computed from the largest of the triangles with the first
+// corner.
 VisibilityBuffer::Depth VisibilityBuffer::depth() const {
     const Corner& a = corners_.front();
     const auto area = [&](const Corner& b, const Corner& c) {
@@ -179,8 +176,8 @@ VisibilityBuffer::Depth VisibilityBuffer::depth() const {
     return depth;
 }
 
-// The cells of the row whose middles are within the polygon: from the leftmost crossing of its
-// edges with the line through these middles to the rightmost.
+// Returns the cells of the row whose centres are within the polygon: from the leftmost to the
+// rightmost crossing of its edges with the line through the centres.
 VisibilityBuffer::Run VisibilityBuffer::run(std::uint32_t row) const {
     const std::int64_t y = kUnit * std::int64_t{row} + kUnit / 2;
     std::int64_t begin = std::numeric_limits<std::int64_t>::max(), end = -begin;
@@ -188,7 +185,7 @@ VisibilityBuffer::Run VisibilityBuffer::run(std::uint32_t row) const {
         const Corner *a = &corners_[i], *b = &corners_[i + 1 == corners_.size() ? 0 : i + 1];
         if ((a->y <= y) == (b->y <= y)) continue;
         if (a->y > b->y) std::swap(a, b);
-        // The first middle that is not on the left of the edge.
+        // The first centre that is not on the left of the edge.
         const std::int64_t dy = b->y - a->y;
         const std::int64_t at =
             divided_up((a->x - kUnit / 2) * dy + (y - a->y) * (b->x - a->x), kUnit * dy);
@@ -213,7 +210,7 @@ void VisibilityBuffer::for_each_run(const Draw& draw) const {
     }
 }
 
-// Draws the polygon of corners_; not where the last masks were, if `is_masked`.
+// Draws the polygon of corners_; if `is_masked`, not where the latest masks are.
 void VisibilityBuffer::fill(const Depth& depth, SurfaceId id, bool is_masked) {
     const double first_column = static_cast<double>(left_) / static_cast<double>(kUnit);
     const double first_row = static_cast<double>(top_) / static_cast<double>(kUnit);

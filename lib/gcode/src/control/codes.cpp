@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lookup of G codes in codes.def, and the classes of M codes.
 #include "control/codes.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 namespace ncsim::gcode {
 namespace {
 
-/// The name as programs write it, with a point for the '_'.
+/// Name of a code as programs write the name, with a point in place of the '_'.
 template <std::size_t Size>
 struct Written {
     std::array<char, Size> text{};
@@ -40,7 +42,7 @@ constexpr auto kCodes = std::to_array<GCode>({
 #undef NCSIM_G
 });
 
-constexpr int kMaxTenths = 2700;  // above G269 none is known
+constexpr int kMaxTenths = 2700;  // Upper bound: the last known code is G269.
 
 constexpr auto kIndex = [] {
     std::array<std::uint8_t, kMaxTenths> index{};
@@ -53,6 +55,7 @@ constexpr auto kIndex = [] {
 
 }  // namespace
 
+/// Returns the code with `tenths` = 10 × number, or None.
 Code find_g(int tenths) {
     if (tenths < 0 || tenths >= kMaxTenths || kIndex[static_cast<std::size_t>(tenths)] == 0) {
         return Code::None;
@@ -129,12 +132,12 @@ MGroup m_group(int number) {
 }
 
 bool is_harmless_m(int number, Dialect dialect) {
-    // Rigid tapping, which G84 is here in any case.
+    // M29: rigid tapping, which G84 always simulates.
     if (dialect == Dialect::Fanuc) return number == 29;
     if (dialect != Dialect::Haas) return false;
     const auto is_in = [number](int first, int last) { return number >= first && number <= last; };
     // Brakes of rotary axes; user outputs; chips and coolant; gears; display, doors, air, mist and
-    // jets; variation of the spindle speed. Not M16, M36, M46, M50, M82, M86, M96, M109.
+    // jets; variation of the spindle speed. Excluded: M16, M36, M46, M50, M82, M86, M96, M109.
     return is_in(10, 12) || is_in(21, 29) || is_in(31, 35) || is_in(41, 42) || is_in(51, 59) ||
            is_in(62, 69) || is_in(73, 74) || is_in(76, 77) || is_in(80, 81) || is_in(83, 84) ||
            is_in(88, 89) || is_in(130, 131) || is_in(138, 139) || is_in(158, 163);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of G and M codes: what their names are, and which group a code belongs to. Two codes of
-// one group exclude each other in a block.
+// The table of G and M codes: names, and the group of each code. Two codes of a group exclude each
+// other in a block.
 #pragma once
 
 #include "ncsim/gcode/dialect.h"
@@ -12,6 +12,7 @@
 
 namespace ncsim::gcode {
 
+/// Modal group of a G code.
 enum class Group : std::uint8_t {
     OneShot,
     Motion,
@@ -32,20 +33,20 @@ enum class Group : std::uint8_t {
     Mirror,
     Polar,
     Carried,      ///< G254, G255, G54.2, G54.4.
-    Face,         ///< G12.1, G13.1 and Haas's G112, G113.
+    Face,         ///< G12.1, G13.1 and G112, G113 of Haas.
     Cylinder,     ///< G7.1, G107.
-    TiltedPlane,  ///< G68.2 and its kin: a frame.
-    Orient,       ///< G53.1 and its kin: the tool is turned upright to it.
+    TiltedPlane,  ///< G68.2 and similar codes: frame of a tilted working plane.
+    Orient,       ///< G53.1 and similar codes: turn the tool normal to the plane.
     Macro,
-    Pocket,        ///< G12, G13 of Haas.
-    HolePattern,   ///< G70, G71, G72 of Haas: where the cycle drills.
-    Unsupported,   ///< Known, and not simulated: after it every place would be wrong.
-    NotSimulated,  ///< Known, and not simulated: a cut would be missing.
-    Ignored,       ///< Known, and without effect on where the tool goes.
+    Pocket,        ///< G12, G13 and G150 of Haas.
+    HolePattern,   ///< G70, G71, G72 of Haas: positions of holes for the active cycle.
+    Unsupported,   ///< Known but not simulated; all later positions would be wrong.
+    NotSimulated,  ///< Known but not simulated; the cut of the block is missing.
+    Ignored,       ///< Known and without effect on the path of the tool.
 };
 constexpr std::size_t kGroups = 29;
 
-/// Ten times the number in the name of a code: 382 of "G38_2".
+/// Returns ten times the number in the name of a code: 382 for "G38_2".
 constexpr int tenths_in(std::string_view name) {
     int number = 0;
     int tenths = 0;
@@ -62,7 +63,7 @@ constexpr int tenths_in(std::string_view name) {
     return number * 10 + tenths;
 }
 
-/// The G codes of codes.def: G38_2 is G38.2. The value is ten times the number.
+/// The G codes of codes.def: G38_2 is G38.2. Value: ten times the number.
 enum class Code : std::int16_t {
     None = -1,
 #define NCSIM_G(name, group, takes_axes, letters, known_to) name = tenths_in(#name),
@@ -70,39 +71,42 @@ enum class Code : std::int16_t {
 #undef NCSIM_G
 };
 
+/// Controls that have a code.
 enum class KnownTo : std::uint8_t {
-    All,     ///< RS274/NGC as LinuxCNC runs it, and others.
-    Others,  ///< But not RS274/NGC.
+    All,     ///< RS274/NGC as in LinuxCNC, and other controls.
+    Others,  ///< Controls other than RS274/NGC.
     Haas,    ///< Haas only.
 };
 
 /// A row of codes.def.
 struct GCode {
     Code code;
-    std::string_view name;  ///< As it is written: "G38.2".
+    std::string_view name;  ///< Spelling in programs: "G38.2".
     Group group;
-    bool takes_axes;         ///< Axis words of the block are its own.
-    std::uint32_t letters;   ///< A bit, from A, for each of the other words that it has a use for.
-    bool has_other_letters;  ///< On controls other than LinuxCNC's it may use any.
+    bool takes_axes;         ///< Axis words of the block belong to the code.
+    std::uint32_t letters;   ///< A bit, counted from A, for each letter that the code uses.
+    bool has_other_letters;  ///< Controls other than LinuxCNC may use further letters.
     KnownTo known_to;
 };
 
-/// The code of ten times the G number; None, where there is none.
+/// Returns the code with ten times the number `tenths`, or None.
 Code find_g(int tenths);
 
-/// Of a code that is not None.
+/// Returns the row of `code`.
+/// Requires: `code` is not None.
 const GCode& entry_of(Code code);
 inline std::string_view name_of(Code code) {
     return entry_of(code).name;
 }
-/// Ten times its number; -1 of None.
+/// Returns ten times the number of `code`; -1 for None.
 constexpr int tenths_of(Code code) {
     return static_cast<int>(code);
 }
 
-/// G73, G74, G76, G81 … G89: a canned cycle that drills, taps or bores.
+/// True for G73, G74, G76, G81 … G89: canned cycles that drill, tap or bore.
 bool is_cycle(Code code);
 
+/// Group of an M code.
 enum class MGroup : std::uint8_t {
     Stop,
     ToolChange,
@@ -112,16 +116,16 @@ enum class MGroup : std::uint8_t {
     Io,
     Call,
     Other,
-    Clamp,       ///< Holds a rotary axis or lets it go, as the machine tells.
-    Kinematics,  ///< How a LinuxCNC machine turns, as its configuration has it.
+    Clamp,       ///< Clamps or releases a rotary axis; defined by the machine.
+    Kinematics,  ///< Chooses the kinematics of a LinuxCNC machine; defined by the configuration.
     Unknown
 };
 constexpr std::size_t kMGroups = 10;
 
-/// The group of an M code.
+/// Returns the group of the M code `number`.
 MGroup m_group(int number);
-/// True for M codes of a control that move no axis and choose no block: coolant, chips, air, doors,
-/// brakes, outputs.
+/// True for M codes of a control that move no axis and do not change the order of blocks: coolant,
+/// chips, air, doors, brakes, outputs.
 bool is_harmless_m(int number, Dialect dialect);
 
 }  // namespace ncsim::gcode

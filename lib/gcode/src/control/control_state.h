@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All that a block can change in the control, as one value: to refuse a block is to put the value
-// from before it back.
+// Complete state of the control that a block can change, as a value. Refusing a block restores the
+// previous value.
 //
-// What is not in it was not changed by the control but told to others: motions that were made, what
-// was said. Nor are parameters: those a block assigns to are set even if its words are refused,
-// because a counter that stood still would never let its loop end.
+// The state excludes outputs: motions made and messages. Parameters are excluded, too: assignments
+// take effect even if the words of the block are refused, because a loop whose counter stays
+// constant never ends.
 #pragma once
 
 #include "ncsim/gcode/state.h"
@@ -22,14 +22,15 @@
 
 namespace ncsim::gcode {
 
-/// A line with ,R or ,C or ,A: how it ends, only the next one tells.
+/// A line with ,R or ,C or ,A. The end of the line depends on the next line.
 struct HeldCorner {
-    MachineState state;  ///< As it was at the start of the line.
-    Axes end{};          ///< As programmed: the corner.
+    MachineState state;  ///< State at the start of the line.
+    Axes end{};          ///< The programmed corner.
     AxisMask mask = 0;
     char letter = 'R';
     double size = 0.0;
-    std::optional<double> angle;  ///< Of a line whose end the next one tells.
+    /// Direction of a line that ends where the line meets the next line.
+    std::optional<double> angle;
     SourceSpan span, word;
     std::uint32_t file = 0;
     bool operator==(const HeldCorner&) const = default;
@@ -38,13 +39,14 @@ struct HeldCorner {
 /// A curve of G5.2 or G6.2 whose points come block by block. Program coordinates.
 struct Curve {
     bool by_points = false;  ///< Between G5.2 and G5.3.
-    bool by_knots = false;   ///< Of G6.2, before its last knot.
+    bool by_knots = false;   ///< G6.2 is active, before the last knot.
     int order = 4;
     GrowingList<Spline::ControlPoint> points;
     GrowingList<double> knots;
     bool operator==(const Curve&) const = default;
 };
 
+/// State of the control. See the head of the file.
 struct ControlState {
     MachineState machine;
     CopyOnWrite<Store> store;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// CopyOnWrite, a value with cheap copies.
 #pragma once
 
 #include <memory>
@@ -6,8 +8,7 @@
 
 namespace ncsim::gcode {
 
-/// A large value that is copied when it is changed, not when it is kept: copies share it until
-/// then. For one thread.
+/// A large value that copies share until a copy is changed. For a single thread.
 template <typename Value>
 class CopyOnWrite {
 public:
@@ -16,7 +17,7 @@ public:
     const Value& operator*() const { return *value_; }
     const Value* operator->() const { return value_.get(); }
 
-    /// To write into; no other copy sees it. Valid until this one is copied.
+    /// Returns the value for writing, unshared. Valid until this object is copied.
     Value& change() {
         if (value_.use_count() > 1) value_ = std::make_shared<Value>(*value_);
         return *value_;
@@ -27,7 +28,7 @@ public:
     }
 
 private:
-    std::shared_ptr<Value> value_;  // never null
+    std::shared_ptr<Value> value_;  // Never null.
 };
 
 }  // namespace ncsim::gcode

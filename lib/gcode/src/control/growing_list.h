@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// GrowingList, a list with cheap copies.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +11,8 @@
 
 namespace ncsim::gcode {
 
-/// A list that grows at its end. Copies share what they have in common, so that to keep one before
-/// something is added, and to go back to it, costs nothing, however long it is. For one thread.
+/// A list that grows at the end. Copies share their common beginning, so saving and restoring a
+/// copy costs O(1), whatever the length. For a single thread.
 template <typename Value>
 class GrowingList {
 public:
@@ -24,7 +26,7 @@ public:
 
     void push_back(Value value) {
         if (!values_) values_ = std::make_shared<std::vector<Value>>();
-        // What follows the last one of ours was added by a copy.
+        // Elements beyond size_ were added by a copy.
         if (values_->size() > size_) {
             if (values_.use_count() > 1) {
                 values_ = std::make_shared<std::vector<Value>>(begin(), end());
@@ -42,8 +44,8 @@ public:
     }
 
 private:
-    std::shared_ptr<std::vector<Value>> values_;  // null: none yet
-    std::size_t size_ = 0;                        // how many of them are ours
+    std::shared_ptr<std::vector<Value>> values_;  // Null while empty.
+    std::size_t size_ = 0;                        // Number of elements of this list.
 };
 
 }  // namespace ncsim::gcode

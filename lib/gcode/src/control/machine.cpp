@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order of execution, and the modes.
+// Order of execution, and modes.
 #include "control/machine.h"
 
 #include "ncsim/gcode/print.h"
@@ -49,7 +49,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, ArcCentr
     state_.retract_to_r = options.starts_with_g99.value_or(rules.is_linuxcnc());
     state_.chosen = state_.coordinates = options.tip_control.at_start;
     compensation_.set_linuxcnc(rules.is_linuxcnc());
-    use_system({});  // G54, with the axes at home
+    use_system({});  // G54, with the axes at home.
     parameters_.view.state = &state_;
     parameters_.view.store = &control_.store;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -67,7 +67,7 @@ bool Machine::is_known(std::size_t axis) const {
                         : true;
 }
 
-/// From here on it is known where the axis stands.
+/// Marks the position of `axis` as known in the active system.
 void Machine::tell_place(std::size_t axis) {
     state_.place_frame[axis] = state_.frame[axis];
     if (axis == kX) state_.known.x = true;
@@ -75,7 +75,8 @@ void Machine::tell_place(std::size_t axis) {
     if (axis == kZ) state_.known.z = true;
 }
 
-/// The first move before G90 and G91, where the control and the values leave open which one counts.
+/// Returns the first move before G90 and G91 if neither the control nor the values determine the
+/// mode.
 std::optional<ProgramPlace> Machine::distance_guess() const {
     const bool starts_absolute =
         rules_.is_linuxcnc() || rules_.dialect == Dialect::Grbl || rules_.dialect == Dialect::Haas;
@@ -89,7 +90,7 @@ void Machine::set_origin(SourceSpan span, std::uint32_t file) {
     path_.set_origin(span, file);
 }
 
-/// A move of the programmed path, with or without compensation.
+/// Makes a move of the programmed path, with or without cutter compensation.
 bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
     if (outline_) {
         outline_->is_foreign |= kind != MoveKind::Feed;
@@ -107,8 +108,8 @@ bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
     return true;
 }
 
-/// The first move in the plane after G40 ends at the programmed point, also along the axis of the
-/// plane that it does not name.
+/// Returns `end` plus the offset that remains after G40: the first move in the plane after G40 ends
+/// at the programmed point along both axes of the plane.
 Axes Machine::with_cancelled_offset(const Axes& end, AxisMask mask) {
     const PlaneAxes axes = axes_of(state_.plane);
     const auto moves = [mask](std::size_t axis) { return (mask >> axis & 1U) != 0; };
@@ -129,12 +130,13 @@ bool Machine::execute(const Command& command) {
     curve_fails_ = false;
     if (act(command)) return true;
     if (outline_) outline_->is_foreign = true;
-    if (path_.count() == motions) restore(before);  // what has moved stays where it is
+    if (path_.count() == motions) restore(before);  // Motions that were made cannot be undone.
     if (curve_fails_) control_.curve = {};
     return false;
 }
 
-/// Makes the control what it was at `before`; the path has made no motion since.
+/// Restores the control to `before`.
+/// Requires: the path has made no motion since `before`.
 void Machine::restore(const ControlState& before) {
     for (std::size_t i = 0; i < 3; ++i) {
         const double shift = before.machine.frame_shift[i] - state_.frame_shift[i];
@@ -143,8 +145,8 @@ void Machine::restore(const ControlState& before) {
     control_ = before;
 }
 
-/// True if the words of `command` that select a plane, a system or a length leave all of them as
-/// they are. Such words do not end what cutter compensation holds back.
+/// True if the words of `command` that select a plane, a system or a length change none of the
+/// three. Cutter compensation continues across such words.
 bool Machine::keeps_frame(const Command& command) const {
     const Code system = command.group(Group::WorkOffset);
     const bool by_number = system == Code::G54_1 || system == Code::G154 ||
@@ -160,7 +162,7 @@ bool Machine::keeps_frame(const Command& command) const {
     }
 }
 
-/// True if G43 of `command` selects the length that is active, with the same value.
+/// True if G43 of `command` selects the active length with the same value.
 bool Machine::is_length_active(const Command& command) const {
     const int h = length_number(command);
     if (state_.length_register != h || state_.tip_by_length) return false;
@@ -183,7 +185,7 @@ std::optional<Plane> Machine::plane_of(const Command& command) {
     }
 }
 
-/// A move that is held back by cutter compensation is made before anything that has no part in it.
+/// Makes a move held back by cutter compensation before a command that interrupts compensation.
 void Machine::let_out(const Command& command) {
     if (!compensation_.is_on()) return;
     const Code one_shot = command.group(Group::OneShot);
@@ -240,7 +242,7 @@ bool Machine::act(const Command& command) {
     if (command.group(Group::OneShot) == Code::G4 && !dwell(command)) return false;
     if (const std::optional<Plane> plane = plane_of(command)) state_.plane = *plane;
     if (rules_.strict) switch_units();
-    // G41 beside G150 is for the pocket alone.
+    // G41 in the block of G150 applies to the pocket only.
     const bool for_pocket = command.group(Group::Pocket) == Code::G150;
     if ((!for_pocket && !set_cutter_side(command)) || !set_tool_length(command) ||
         !set_work_offset(command)) {
@@ -292,7 +294,7 @@ bool Machine::tolerate(const MessageText& message, SourceSpan span,
     return true;
 }
 
-/// What RS274/NGC refuses before it does anything.
+/// Checks that RS274/NGC makes before executing the block.
 bool Machine::check(const Command& command) {
     const Code motion = command.group(Group::Motion);
     const Code one_shot = command.group(Group::OneShot);
@@ -311,7 +313,8 @@ bool Machine::check(const Command& command) {
     return check_corner_words(command) && check_unused_words(command);
 }
 
-/// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.
+/// Reports "G1 X50. R2." and "X50. C4.": corners in the form of lathe controls; mill controls of
+/// the same makers require a comma.
 bool Machine::check_corner_words(const Command& command) {
     if (!rules_.corner_words || !is_line(command) || state_.face) return true;
     if (command.has('R') && command['R'] != 0.0)
@@ -321,18 +324,18 @@ bool Machine::check_corner_words(const Command& command) {
                 {"C", "C", ", or begin with C0. if it is an axis"});
 }
 
-/// Words that no code of the block uses: RS274/NGC refuses them, others pass over them, and where
-/// they pass over them they may hide a code that got lost.
+/// Reports words that no code of the block uses. RS274/NGC refuses such words. Other controls
+/// ignore the words, which may then hide a missing code.
 bool Machine::check_unused_words(const Command& command) {
     constexpr std::string_view kParameters = "DEHIJKLPQR";
     if (!command.has_any(letters('D', 'E', 'H', 'I', 'J', 'K', 'L', 'P', 'Q', 'R'))) return true;
     Code motion = command.group(Group::Motion);
     if (motion == Code::None && (command.axis_words || is_modal_arc(command)))
         motion = state_.motion;
-    // Other controls: registers stand where they like, codes without effect here have words of
-    // their own, and cycles more of them.
+    // On other controls, register words are allowed anywhere, ignored codes may have words, and
+    // cycles have further words.
     const bool lax = !rules_.strict;
-    const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E and the user's own
+    const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E, and M codes of the user.
     std::uint32_t used = !user_m ? 0U
                          : lax   ? letters('E', 'L', 'P', 'Q', 'R')
                                  : letters_of_m(command);
@@ -365,7 +368,7 @@ bool Machine::set_feed(const Command& command) {
         state_.feed_mode = mode == Code::G93   ? FeedMode::InverseTime
                            : mode == Code::G94 ? FeedMode::PerMinute
                                                : FeedMode::PerRevolution;
-        // A feed of another kind is no feed.
+        // A feed in the unit of a different mode is not a valid feed.
         if (before != state_.feed_mode || rules_.strict) state_.feed = 0.0;
     }
     if (command.has('F') && letter_of_dwell(command) != 'F') {
@@ -405,7 +408,8 @@ void Machine::set_speeds_and_tools(const Command& command) {
         case 4:
         case 14: state_.spindle = SpindleTurning::Counterclockwise; break;
         case 5:
-        case 19: state_.spindle = SpindleTurning::Stopped; break;  // M19: it is held in a direction
+        // M19 holds the spindle in a direction.
+        case 19: state_.spindle = SpindleTurning::Stopped; break;
         default: break;
     }
     set_coolant(command);
@@ -437,13 +441,13 @@ void Machine::set_coolant(const Command& command) {
     if (command.mist_and_flood) state_.coolant = {.mist = true, .flood = true};
 }
 
-/// Does any rotary axis stand elsewhere than at 0?
+/// True if a rotary axis is not at 0.
 bool Machine::is_turned() const {
     const Axes at = machine_position();
     return at[kA] != 0.0 || at[kB] != 0.0 || at[kC] != 0.0;
 }
 
-/// What under tip control, with the tool tilted, would not go where it is taken to.
+/// Reports codes that would move incorrectly under tip control with the tool tilted.
 bool Machine::check_tip_control(const Command& command) {
     if (state_.coordinates != Coordinates::Tip || !command.axis_words || command.axes_are_taken())
         return true;
@@ -452,7 +456,8 @@ bool Machine::check_tip_control(const Command& command) {
         return fail(Message::TipControlForbids, command.span,
                     {name_of(motion == Code::None ? state_.motion : motion)});
     }
-    if (state_.plane_frame) return true;  // whose X, Y and Z are those of cycles, arcs, corrections
+    // In a tilted plane, cycles, arcs and compensation use X, Y and Z of the plane.
+    if (state_.plane_frame) return true;
     bool turns = is_turned();
     for (const char letter : {'A', 'B', 'C'})
         turns |= command.has(letter) && command[letter] != 0.0;
@@ -476,8 +481,8 @@ bool Machine::check_tip_control(const Command& command) {
     return what.empty() || fail(Message::TipControlForbids, command.span, {what});
 }
 
-/// After M428 and its kin, what a rotary axis does to the tip is told by the configuration of the
-/// machine alone. Where none has turned, nothing depends on it.
+/// True if the position of the tip depends on an M428 or similar code whose kinematics are
+/// unspecified. If no rotary axis has turned, the kinematics do not matter.
 bool Machine::needs_kinematics(const Command& command) {
     if (state_.kinematics == 0) return false;
     return command.has_any(letters('A', 'B', 'C')) || is_turned();
@@ -485,7 +490,7 @@ bool Machine::needs_kinematics(const Command& command) {
 
 namespace {
 
-/// Converts all lengths of `state`; `factor`: old units in new ones.
+/// Converts all lengths of `state`; `factor` = new value / old value.
 void convert_units(MachineState& state, double factor) {
     const auto scale = [factor](Axes& axes) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -552,7 +557,7 @@ void Machine::set_modes(const Command& command) {
         state_.lathe_diameter = g == Code::G7;
 }
 
-/// Fanuc's kin: P counts milliseconds unless it has a point.
+/// Returns seconds. On Fanuc and similar controls P without a decimal point is in milliseconds.
 double Machine::seconds_of(const Command& command, char letter) const {
     const double value = command[letter];
     if (!rules_.dwell_milliseconds || letter != 'P') return value;
@@ -563,8 +568,8 @@ double Machine::seconds_of(const Command& command, char letter) const {
     return has_point ? value : value / 1000.0;
 }
 
-/// The word that is the time of G4; ' ': none. A word has one meaning in a block, so that one sets
-/// neither feed nor spindle speed.
+/// Returns the letter of the dwell time of G4; ' ': none. A word has a single meaning in a block,
+/// so the word sets neither feed nor spindle speed.
 char Machine::letter_of_dwell(const Command& command) const {
     if (command.group(Group::OneShot) != Code::G4) return ' ';
     for (const char letter : {'P', 'X', 'U', 'F', 'S'}) {
@@ -608,14 +613,15 @@ void Machine::stop(const Command& command) {
 }
 
 void Machine::stop_at(int code) {
-    // M0, M1, M60. LinuxCNC and grbl leave the spindle alone; others stop it, Haas and most Fanuc
-    // machines among them.
+    // M0, M1, M60. LinuxCNC and grbl keep the spindle on; other controls stop the spindle,
+    // including Haas and most Fanuc machines.
     if (rules_.strict || rules_.dialect == Dialect::Grbl) return;
     const bool stops_it = rules_.dialect == Dialect::Fanuc || rules_.dialect == Dialect::Haas;
     if (stops_it && code != 1) {
         state_.spindle = SpindleTurning::Stopped;
     } else {
-        state_.spindle_in_doubt = state_.spindle != SpindleTurning::Stopped;  // M1: if it is on
+        // M1 stops only if the operator enabled M1.
+        state_.spindle_in_doubt = state_.spindle != SpindleTurning::Stopped;
     }
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Acts on one command after the other: the modes, offsets and moves of a control, in the order of
-// execution of RS274/NGC (Kramer, Proctor, Messina, 2000, table 8), not of writing.
+// Machine: executes commands. Modes, offsets and moves take effect in the order of execution of
+// RS274/NGC, not in the order of writing.
+// Source: Kramer, Proctor, Messina, 2000, table 8.
 //
-// One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
-// (coordinate systems), tilted_plane.cpp (tip control, planes), face_and_cylinder.cpp, home.cpp
-// (G28, G30, G53), arc.cpp, corner.cpp, cycle.cpp, hole_pattern.cpp, pocket.cpp, area_pocket.cpp,
-// spline.cpp, probe.cpp.
+// The members are in several files: machine.cpp (order of execution, modes), saved_modes.cpp,
+// strict_words.cpp; frames/: offsets.cpp, offset_variables.cpp, home.cpp (G28, G29, G30),
+// tilted_plane.cpp (tip control, planes), face_and_cylinder.cpp, carried_zero.cpp; paths/:
+// moves.cpp (G53, threads, probing), arc.cpp, spline.cpp, compensation_checks.cpp; cycles/:
+// cycle.cpp, corner.cpp, hole_pattern.cpp, pocket.cpp, area_pocket.cpp.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
@@ -36,62 +38,68 @@
 
 namespace ncsim::gcode {
 
-/// A move of an outline in X and Y of the program; an arc, if it turns.
+/// A move of an outline in X and Y of the program. `turns` = 0: a line; otherwise an arc about
+/// `centre`.
 struct OutlineMove {
     PlanePoint from, to, centre;
-    int turns = 0;  ///< Above 0 counter-clockwise.
+    int turns = 0;  ///< > 0 counter-clockwise, < 0 clockwise.
 };
 
+/// Executes the commands of a program.
 class Machine {
 public:
     Machine(const InterpreterOptions& options, const Rules& rules, ArcCentres& centres,
             DiagnosticLog& log, Path& path, Parameters& parameters);
 
-    /// Acts on `command`, or returns false after reporting an error: then control() is as it was,
-    /// but for the curve that the command should have ended, and unless it had moved something.
+    /// Executes `command`.
+    /// Returns: false after reporting an error. If the command made no motion before the error,
+    /// control() is restored, except that a curve that the command should have ended is discarded.
     bool execute(const Command& command);
 
-    // M70 … M73 of LinuxCNC: the modes of a call level.
+    // Saves and restores the modes of a call level: M70 … M73 of LinuxCNC.
     struct SavedModes;
     std::shared_ptr<const SavedModes> save_modes() const;
     bool restore_modes(const SavedModes& saved, SourceSpan span);
 
-    // The outline of a G150: between these two, moves are listened to and not made.
+    // Outline of a G150: between begin_outline() and end_outline(), moves are recorded and not
+    // made.
     bool begin_outline(const Command& command);
     void end_outline();
-    /// What may stand in an outline: lines and arcs.
+    /// True if `command` may be part of an outline: lines and arcs.
     static bool belongs_to_outline(const Command& command);
 
-    bool ended() const { return ended_; }  ///< M2 or M30.
-    /// Met a code after which nothing could be simulated rightly; it was reported.
+    bool ended() const { return ended_; }  ///< M2 or M30 was executed.
+    /// True after a code that makes correct simulation impossible; the code was reported.
     bool stopped() const { return stopped_; }
     const ControlState& control() const { return control_; }
     const MachineState& state() const { return state_; }
     MachineState& state() { return state_; }
 
-    /// Lets out what waits for the next move (a corner, cutter compensation).
+    /// Makes held moves (a corner, cutter compensation).
     void flush() {
         if (control_.corner) settle_corner();
         compensation_.flush(state_);
     }
-    /// Where the following motions come from.
+    /// Sets the block and the file of the following motions.
     void set_origin(SourceSpan span, std::uint32_t file);
 
-    /// Sets an offset that the program writes as a variable; `is_relative`: `value` was computed
-    /// from an unknown place. False, after a report, if that is not simulated.
+    /// Sets an offset that the program writes as a variable. `is_relative`: `value` depends on an
+    /// unknown position.
+    /// Returns: true if the variable shows the state of the machine afterwards; false if the
+    /// variable keeps the assigned number.
     bool set_variable(const SystemVariable& variable, double value, bool is_relative,
                       SourceSpan span);
-    /// A stop such as M0.
+    /// Acts as M0 does.
     void pause() { stop_at(0); }
 
-    /// The end of the program: modes go back to what a control starts a program with.
+    /// Ends the program and resets the modes to the start values of the control.
     void finish();
 
-    // Which unit the first length was in, for the assumption sheet.
+    // Unit of the first length, for the assumption sheet.
     bool units_stated() const { return state_.units_stated; }
     bool first_length_seen() const { return state_.first_length_seen; }
     bool first_length_in_inches() const { return state_.first_length_in_inches; }
-    /// G43 or one of its kin came.
+    /// True if G43 or a similar code was executed.
     bool uses_length_offsets() const { return uses_length_offsets_; }
     // See Interpretation.
     bool asked_for_places() const { return asked_for_places_; }
@@ -120,7 +128,7 @@ private:
     bool check_corner_words(const Command& command);
     bool check_unused_words(const Command& command);
 
-    // Each returns false after reporting an error.
+    // Each of these functions returns false after reporting an error.
     bool set_feed(const Command& command);
     void set_speeds_and_tools(const Command& command);
     void set_coolant(const Command& command);
@@ -148,7 +156,7 @@ private:
     bool return_from_home(const Command& command);
     void store_home(bool second);
     bool offset_92(const Command& command, Code code);
-    bool set_data(const Command& command);  // G10
+    bool set_data(const Command& command);  // G10.
     bool set_work_data(const Command& command, int index, bool from_position);
     bool set_external(const Command& command);
     void move_external(const Axes& external);
@@ -192,12 +200,12 @@ private:
     void end_cycle();
     bool check_spindle(const Command& command, Code motion);
     bool cycle_words(const Command& command, Code motion);
-    /// What is the same for all holes of a block.
+    /// Data that are the same for all holes of a block.
     struct Drilling {
         Code motion = Code::None;
         std::size_t depth_axis = kZ;
         double r = 0.0, bottom = 0.0, clear = 0.0;
-        double height = 0.0;  ///< At which the tool goes to the next hole.
+        double height = 0.0;  ///< Height of the drilling axis on the way to the next hole.
     };
     std::optional<Drilling> begin_drilling(const Command& command, Code motion);
     bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
@@ -228,7 +236,8 @@ private:
                      const Area& area, bool along_y, double level, double clear);
     double radius_of_register(const Command& command, SourceSpan span);
 
-    /// Where the axis words point to, in program coordinates, and which axes they name.
+    /// Computes the end position `end` of the axis words, in program coordinates, and the named
+    /// axes `mask`.
     bool find_ends(const Command& command, Axes& end, AxisMask& mask);
     bool polar_ends(const Command& command, Axes& end, AxisMask& mask);
     Axes programmed_from(const Axes& position) const;
@@ -249,7 +258,7 @@ private:
     Axes from_stand(const Axes& stand) const;
     double length_mm() const;
     void mix_knowledge();
-    /// What X, Y and Z were before they were places of the joints.
+    /// Meaning of X, Y and Z to restore after a move in joint coordinates.
     struct Suspended {
         std::optional<FeatureFrame> frame;
         Coordinates coordinates = Coordinates::Axes;
@@ -297,7 +306,8 @@ private:
               std::initializer_list<std::string_view> arguments = {});
     void warn(const MessageText& message, SourceSpan span,
               std::initializer_list<std::string_view> arguments = {});
-    /// A warning where other controls accept it; an error under strict rules.
+    /// Reports a warning, or an error under strict rules.
+    /// Returns: true if it was a warning.
     bool tolerate(const MessageText& message, SourceSpan span,
                   std::initializer_list<std::string_view> arguments = {});
 
@@ -314,19 +324,20 @@ private:
     struct Outline {
         ControlState before;
         std::vector<OutlineMove> moves;
-        bool is_foreign = false;  ///< Something moved otherwise than in X and Y.
+        bool is_foreign = false;  ///< A move changed axes other than X and Y.
     };
-    std::optional<Outline> outline_;  ///< While one is listened to.
+    std::optional<Outline> outline_;  ///< Set while an outline is recorded.
     std::vector<OutlineMove> heard_;
     bool heard_well_ = false;
     SourceSpan span_;
     std::uint32_t file_ = 0;
     static constexpr int kExtended = 9;
-    bool curve_fails_ = false;  ///< If the block is refused, the curve it is part of goes with it.
+    /// If the block is refused, the curve that contains the block is discarded.
+    bool curve_fails_ = false;
     bool motion_was_named_ = false;
     bool uses_length_offsets_ = false;
     bool asked_for_places_ = false;
-    bool distance_is_stated_ = false;  ///< G90 or G91 came.
+    bool distance_is_stated_ = false;  ///< G90 or G91 was executed.
     DistanceEvidence distance_;
     std::set<int> unread_registers_;  ///< Of the specified ones.
     double setting_askew_ = 0.0;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parameters of RS274/NGC and Fanuc, and their unknown values.
 #include "control/parameters.h"
 
 #include "control/codes.h"
@@ -12,7 +14,7 @@ namespace {
 
 constexpr int kMaxNumber = 99'999;
 constexpr int kMaxStrict = 5602;
-/// More names than any program uses; a loop that makes names stops here.
+/// Limit on the number of names, above any real program; stops a loop that creates names.
 constexpr std::size_t kMaxNames = 20'000;
 
 int to_index(double number, bool strict) {
@@ -44,7 +46,7 @@ std::string Parameters::take_unknown() const {
     return name;
 }
 
-/// Remembers that `key` was read, if its value is unknown.
+/// Records `key` as read if the value of `key` is unknown.
 void Parameters::note_read(std::string_view key, bool is_set) const {
     if (!unknown_.empty()) return;
     if (!is_set) {
@@ -54,6 +56,7 @@ void Parameters::note_read(std::string_view key, bool is_set) const {
     }
 }
 
+/// Records the unknown variable on which the value of `key` depends; empty: none.
 void Parameters::keep_origin(std::string_view key, std::string_view unknown) {
     if (!unknown.empty()) {
         computed_from_.insert_or_assign(std::string(key), std::string(unknown));
@@ -62,14 +65,14 @@ void Parameters::keep_origin(std::string_view key, std::string_view unknown) {
     }
 }
 
-/// #5161 … #5410 of RS274/NGC, and #5221 … of Fanuc.
+/// Returns the values of #5161 … #5410 of RS274/NGC and #5201 … of Fanuc: homes, offsets, origins.
 std::optional<Parameters::Shown> Parameters::of_offsets(int number) const {
     const MachineState& state = *view.state;
     const Store& store = **view.store;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
     for (std::size_t i = 0; i < store.homes.size(); ++i) {
         const int first = i == 0 ? 5161 : 5181;
-        // No option says where home lies; zeros are a default.
+        // No option specifies the homes; a home of zeros is a default.
         if (is_in(number, first, 9))
             return Shown{store.homes[i][axis(first)], store.homes[i] != Axes{}};
     }
@@ -86,14 +89,14 @@ std::optional<Parameters::Shown> Parameters::of_offsets(int number) const {
     const std::size_t item = axis(5221) % 20;
     if (item == 9) return Shown{offset.rotation, offset.frame[kZ] == 0};
     if (item > 9) return std::nullopt;
-    // Fanuc shows the units of the program, LinuxCNC those of the machine: here mm.
+    // Fanuc shows the units of the program, LinuxCNC the units of the machine: here mm.
     const double unit = rules_.macro_b && !is_rotary(item) ? state.unit_mm() : 1.0;
     const bool is_known = offset.frame[item > kZ ? std::size_t{kZ} : item] == 0;
     return Shown{(offset.origin[item] - store.external[item]) / unit,
                  is_known && (rules_.macro_b || !state.inches)};
 }
 
-/// #5001 … #5064 and #4001 … of Fanuc, where RS274/NGC has nothing.
+/// Returns the values of Fanuc variables that RS274/NGC lacks: #5001 … #5049 and #4001 ….
 std::optional<Parameters::Shown> Parameters::of_fanuc(int number) const {
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
@@ -125,7 +128,7 @@ std::optional<Parameters::Shown> Parameters::of_machine(int number) const {
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
     if (is_in(number, 5420, 9)) return Shown{state.position[axis(5420)], is_axis_known(axis(5420))};
-    // A probe always makes contact here.
+    // A probe always makes contact in the simulation.
     const bool has_probed = (*view.store)->has_probed;
     if (is_in(number, 5061, 9)) return Shown{(*view.store)->probed[axis(5061)], has_probed};
     if (number == 5070) return Shown{1.0, has_probed};
@@ -158,7 +161,7 @@ std::optional<double> Parameters::numbered(double number) const {
     return value;
 }
 
-/// LinuxCNC refuses to read the position while cutter compensation is on.
+/// True for positions while cutter compensation is on: LinuxCNC refuses to read the position then.
 bool Parameters::is_hidden(double number) const {
     return rules_.strict && is_in(to_index(number, true), 5420, 9) &&
            view.state->cutter_side != CutterSide::Off;
@@ -202,8 +205,8 @@ void Parameters::show_machine(int number) {
     if (i < is_set_.size()) is_set_[i] = 0;
 }
 
-/// #<_x> and its kin. Names of LinuxCNC's configuration ("_ini[…]", "_hal[…]") are missing: their
-/// values do not follow from the program.
+/// Returns the value of a predefined name such as #<_x>. Names of LinuxCNC's configuration
+/// ("_ini[…]", "_hal[…]") are missing because their values do not follow from the program.
 std::optional<Parameters::Shown> Parameters::predefined(std::string_view name) const {
     const MachineState& s = *view.state;
     constexpr std::string_view kNames = "xyzabcuvw";
@@ -218,7 +221,7 @@ std::optional<Parameters::Shown> Parameters::predefined(std::string_view name) c
             return Shown{s.position[a] + s.offset_92[a] + s.work_offset[a] + s.tool_offset[a],
                          is_axis_known(a) && s.frame[a > kZ ? std::size_t{kZ} : a] == 0};
         }
-        return std::nullopt;  // rotated: computed by the machine
+        return std::nullopt;  // Depends on the rotation; not computed.
     }
     struct Entry {
         std::string_view name;
@@ -306,7 +309,7 @@ bool Parameters::set_named(std::string_view name, double value, std::string_view
 
 namespace {
 
-/// True for "#1" … `count`, and for names that end with their subroutine.
+/// True for "#1" … `count` and for names that are local to a subroutine.
 bool is_local(std::string_view key, std::size_t count) {
     if (key.starts_with("#<")) return !key.starts_with("#<_");
     const PlainNumber number = read_plain_number(key.data() + 1, key.data() + key.size());
@@ -324,7 +327,8 @@ Parameters::Locals Parameters::take_locals(std::size_t count) {
         auto here = it++;
         if (is_local(here->first, count)) saved.computed_from.insert(computed_from_.extract(here));
     }
-    // A called program starts with its arguments and nothing else, which is known.
+    // A called program starts with the arguments and no other local variables, so all locals are
+    // known.
     std::fill_n(locals_.begin() + 1, count, empty());
     std::fill_n(locals_set_.begin() + 1, count, true);
     return saved;

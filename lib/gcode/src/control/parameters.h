@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbered and named parameters, the local ones of a call, and those that show the state of
-// the machine. Kept apart from MachineState, which is copied often.
+// Numbered and named parameters, local parameters of calls, and parameters that show the state of
+// the machine. Separate from MachineState because MachineState is copied often.
 #pragma once
 
 #include "ncsim/gcode/state.h"
@@ -20,7 +20,7 @@
 
 namespace ncsim::gcode {
 
-/// What parameters can show besides what was assigned.
+/// State shown by parameters that the program does not assign.
 struct MachineView {
     const MachineState* state = nullptr;
     const CopyOnWrite<Store>* store = nullptr;
@@ -30,32 +30,34 @@ struct MachineView {
     bool has_return_value = false;
 };
 
+/// The parameters of a program.
 class Parameters final : public ParameterSource {
 public:
-    static constexpr std::size_t kLocals = 33;  ///< #1 … #33; RS274/NGC calls keep #1 … #30 apart.
+    static constexpr std::size_t kLocals = 33;  ///< #1 … #33; RS274/NGC calls save #1 … #30.
 
     std::optional<double> numbered(double number) const override;
     bool is_hidden(double number) const override;
     std::optional<double> named(std::string_view name) const override;
 
-    /// `unknown`: the name of the unknown variable that `value` was computed from, if any.
-    /// Returns: false if there is no such parameter, or it can only be read.
+    /// Sets #`number`. `unknown`: name of the unknown variable on which `value` depends, if any.
+    /// Returns: false if the parameter does not exist or is read-only.
     bool set_numbered(double number, double value, std::string_view unknown = {});
     bool set_named(std::string_view name, double value, std::string_view unknown = {});
     static bool is_read_only(double number);
-    /// Sets "#500" or "#<_depth>" as the job specifies it. False if there is no such parameter.
+    /// Sets "#500" or "#<_depth>" to the value that the job specifies.
+    /// Returns: false if there is no such parameter.
     bool specify(std::string_view name, double value);
-    /// Has #number show the state of the machine again, whatever was assigned to it.
+    /// Makes #`number` show the state of the machine again, and discards the assigned value.
     void show_machine(int number);
 
-    /// The first variable read since the last call whose value is neither in the program nor in
-    /// the job; empty if there is none. Computed values keep the name of the variable they are
-    /// computed from.
+    /// Returns the first variable read since the last call whose value neither the program nor the
+    /// job specifies; empty if there is none. A computed value keeps the name of the variable on
+    /// which the value depends.
     std::string take_unknown() const;
 
     void set_rules(const Rules& rules);
 
-    /// Calls: the local variables and local names of the caller are put away.
+    /// Local variables and local names of a caller, saved during a call.
     struct Locals {
         std::array<double, kLocals + 1> numbers{};
         std::array<bool, kLocals + 1> is_set{};
@@ -68,7 +70,7 @@ public:
     MachineView view;
 
 private:
-    /// A value of the machine, and whether the program or the job determines it.
+    /// A value of the machine; `is_known`: the program or the job determines the value.
     struct Shown {
         double value = 0.0;
         bool is_known = true;
@@ -85,11 +87,11 @@ private:
     Rules rules_;
     std::array<double, kLocals + 1> locals_{};
     std::array<bool, kLocals + 1> locals_set_{};
-    std::vector<double> numbers_;       // by number; as long as needed
-    std::vector<std::uint8_t> is_set_;  // as long as numbers_
-    /// Variables whose values depend on an unknown one, and its name. Keys: "#500", "#<_name>".
+    std::vector<double> numbers_;       // By number; grows on demand.
+    std::vector<std::uint8_t> is_set_;  // Size of numbers_.
+    /// Name of the unknown variable on which each variable depends. Keys: "#500", "#<_name>".
     std::map<std::string, std::string, std::less<>> computed_from_;
-    mutable std::string unknown_;  // see take_unknown()
+    mutable std::string unknown_;  // See take_unknown().
     std::map<std::string, double, std::less<>> local_names_;
     std::map<std::string, double, std::less<>> global_names_;
 };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rare, an optional value for large, mostly absent data.
 #pragma once
 
 #include <memory>
@@ -6,7 +8,7 @@
 
 namespace ncsim::gcode {
 
-/// An optional value that is large and seldom there: without one, a copy costs a pointer.
+/// An optional value that is large and mostly absent: a copy without a value costs a pointer.
 template <typename Value>
 class Rare {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where controls differ, as switches: the only place that knows what a dialect means.
+// Differences between controls, as switches. Rules::of() derives the switches from a dialect.
 #pragma once
 
 #include "ncsim/gcode/dialect.h"
@@ -9,6 +9,7 @@
 
 namespace ncsim::gcode {
 
+/// Switches for the differences between controls.
 struct Rules {
     Dialect dialect = Dialect::Rs274;
     bool strict = false;
@@ -17,35 +18,37 @@ struct Rules {
     bool dwell_milliseconds = false;
     /// G28 and G30 cancel the tool length (Haas).
     bool home_cancels_length = false;
-    /// G70 and G71 alone select inch and millimetre; else they are cycles.
+    /// G70 and G71 without other words select inch and millimetre; false: G70 and G71 are cycles.
     bool g70_is_units = true;
-    /// G70, G71 and G72 with I, J, K, L are holes on a circle, an arc and a line (Haas). A program
-    /// without a sign of its control is read as Fanuc's, so there, too, where all words are told.
+    /// G70, G71 and G72 with I, J, K, L are holes on a circle, an arc and a line (Haas). Fanuc has
+    /// the same value because a program without signs of Haas is read as a program for Fanuc; on
+    /// Fanuc all words must be present.
     bool hole_patterns = false;
-    /// G12 and G13 mill circular pockets (Haas); on Fanuc where I and D tell that they are meant.
+    /// G12 and G13 mill circular pockets (Haas). On Fanuc, I and D must be present.
     bool circular_pockets = false;
     /// ,R and ,C round and chamfer the corner to the next line (Fanuc, Haas, Mazak).
     bool corner_words = false;
-    /// There, C may be a corner that somebody wrote without the comma: it never is what an axis
-    /// would be told.
+    /// With `corner_words`: a C word may be a corner whose comma is missing, because no C word of
+    /// the program looks like a position of a rotary axis.
     bool c_may_be_corner = false;
-    /// The user has named grbl, so codes that grbl 1.1 does not have are errors.
+    /// The user specified grbl, so codes that grbl 1.1 lacks are errors.
     bool only_grbl = false;
     CompensationStart compensation_start = CompensationStart::SquareToItself;
-    /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc; on Haas L).
+    /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc; on Haas: L).
     bool k_repeats = false;
-    /// I, J and K of G83 and G73 are pecks that shrink (Haas).
+    /// I, J and K of G83 and G73 are decreasing pecks (Haas).
     bool pecks_shrink = false;
-    /// G68.2 and its kin as the remaps of LinuxCNC have them: only where the program is one of that
-    /// control by a sign of its own; else they are Fanuc's.
+    /// G68.2 and similar codes follow the remaps of LinuxCNC; otherwise Fanuc. True only if the
+    /// program has a sign of LinuxCNC or the user specified the dialect.
     bool linuxcnc_planes = false;
-    /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
+    /// Calls save the local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
     bool macro_b = false;
 
-    /// The program is LinuxCNC's: by its rules, by the user, or by a sign of its own. A program
-    /// without a sign counts as RS274/NGC, and may be for another control.
+    /// True if the program is for LinuxCNC: by the rules, by the user, or by a sign in the program.
+    /// A program without a sign counts as RS274/NGC and may be for another control.
     bool is_linuxcnc() const { return strict || linuxcnc_planes; }
 
+    /// Returns the rules of `dialect`; `strict`: the rules of LinuxCNC.
     static Rules of(Dialect dialect, bool strict) {
         Rules rules;
         rules.dialect = dialect;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// M70 to M73 of LinuxCNC: saves the modes of a call level, and restores them by a block of the
-// words that differ, as that control does.
+// M70 to M73 of LinuxCNC: saves the modes of a call level, and restores the modes by a block of the
+// differing words, as LinuxCNC does.
 #include "control/machine.h"
 
 #include <cmath>
 
 namespace ncsim::gcode {
 
-/// The modes that M70 saves. Lengths and feeds in the units that were active at M70.
+/// Modes saved by M70. Lengths and feeds are in the units that were active at M70.
 struct Machine::SavedModes {
     MachineState state;
 };
@@ -69,7 +69,7 @@ bool Machine::restore_modes(const SavedModes& saved, SourceSpan span) {
     }
     Command words = empty();
     const MachineState now = state_;
-    // Written with one digit, and without any: F12.34 becomes F12.3.
+    // LinuxCNC writes F with one decimal and S without decimals: F12.34 becomes F12.3.
     if (before.feed != now.feed) put(words, 'F', std::round(before.feed * 10.0) / 10.0);
     if (before.spindle_rpm != now.spindle_rpm) put(words, 'S', std::round(before.spindle_rpm));
     const auto put_if = [&words](bool differs, Group group, Code code) {

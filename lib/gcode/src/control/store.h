@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a control keeps in its tables: a value like MachineState, but one that few blocks change.
+// Tables of a control, as a value like MachineState. Few blocks change the tables.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
@@ -15,32 +15,35 @@
 
 namespace ncsim::gcode {
 
-/// Of the registers of Fanuc's kin; it is in what `tools` says already.
+/// Wear in the tool registers of Fanuc and similar controls. The offsets in `tools` include the
+/// wear.
 struct Wear {
     double length_mm = 0.0;
     double radius_mm = 0.0;
     bool operator==(const Wear&) const = default;
 };
 
+/// Tables of a control: origins, tools, homes, probed positions.
 struct Store {
     std::array<WorkOffset, 9> work_offsets;
     std::map<int, WorkOffset> extended;  ///< G54.1 P1 …, by number.
     /// External offset of Fanuc and Haas (EXT, G10 L2 P0); all origins include it. mm, degrees.
     Axes external{};
-    bool has_external = false;  ///< The program has set it.
-    /// Frames of the systems that were active, for X, Y and Z. Distances between these frames are
-    /// specified, or were assumed when the second of two systems became active.
+    bool has_external = false;  ///< Set by the program.
+    /// References (OriginFrame) of the systems that were active, for X, Y and Z. The distances
+    /// between these references are specified, or were assumed when the second of two systems
+    /// became active.
     std::array<std::set<int>, 3> used_frames;
     std::vector<ToolTableEntry> tools;
-    std::map<int, Wear> wear;     ///< By the number of the register.
-    std::array<Axes, 2> homes{};  ///< Of G28 and G30, machine, mm.
-    Axes via{};                   ///< Over which the last G28 went, program coordinates.
+    std::map<int, Wear> wear;     ///< By register number.
+    std::array<Axes, 2> homes{};  ///< Targets of G28 and G30, machine coordinates, mm.
+    Axes via{};                   ///< Intermediate point of the last G28, program coordinates.
     bool has_via = false;
-    Axes stored_92{};  ///< What G92.3 brings back, mm.
-    Axes probed{};     ///< Where the last probe met something, program coordinates.
+    Axes stored_92{};  ///< Offset that G92.3 restores, mm.
+    Axes probed{};     ///< Contact position of the last probing, program coordinates.
     bool has_probed = false;
-    PlaneParts plane_parts;  ///< Of a G68.2 in several blocks.
-    /// LinuxCNC: told by G68.2, and taken by the G53.1 to come; active units.
+    PlaneParts plane_parts;  ///< Parts of a G68.2 definition in several blocks.
+    /// LinuxCNC: frame set by G68.2, activated by the next G53.1; active units.
     std::optional<FeatureFrame> told_plane;
     bool operator==(const Store&) const = default;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Words that LinuxCNC refuses before it acts on a block: numbers that are not whole, tools that no
-// table has, words of M codes.
+// Words that LinuxCNC refuses before the block acts: numbers that are not whole, tools missing in
+// the table, words of M codes.
 // Source: refusals of rs274 of linuxcnc-uspace 2.9, recorded in tests/gcode/rs274_refusals.txt.
 #include "control/machine.h"
 
@@ -11,7 +11,7 @@
 namespace ncsim::gcode {
 namespace {
 
-constexpr double kWholeTolerance = 1e-4;  // as LinuxCNC rounds words to whole numbers
+constexpr double kWholeTolerance = 1e-4;  // Tolerance of LinuxCNC for whole numbers.
 
 bool is_whole(double value) {
     return std::abs(value - std::round(value)) < kWholeTolerance;
@@ -37,7 +37,8 @@ std::uint32_t Machine::letters_of_m(const Command& command) {
     return used;
 }
 
-/// Reports that `name` needs `what`; false.
+/// Reports that `name` needs `what`.
+/// Returns: false.
 bool Machine::lacks(const Command& command, std::string_view name, std::string_view what) {
     return fail(Message::WordMissing, command.span, {name, what});
 }
@@ -64,7 +65,7 @@ bool Machine::check_strict(const Command& command) {
     return check_words_of_m(command) && check_words_of_g(command);
 }
 
-/// M19, M61, M62 … M68.
+/// Checks the words of M19, M61 and M62 … M68.
 bool Machine::check_words_of_m(const Command& command) {
     const auto is_index = [&](char letter) {
         return command.has(letter) && command[letter] >= 0.0;

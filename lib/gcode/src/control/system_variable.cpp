@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers of the system variables of RS274/NGC, Fanuc and Haas.
 #include "control/system_variable.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ constexpr bool is_within(int n, int first, int count) {
     return n >= first && n < first + count;
 }
 
-/// Blocks of `count` numbers, of which the first `items` mean something.
+/// Groups of `count` numbers; the first `items` of a group have a meaning.
 struct Range {
     int first, count, items, index;
     Effect effect;
@@ -43,7 +45,8 @@ SystemVariable of_rs274(int n) {
     return {};
 }
 
-/// Returns the offset of G54 … G59 or G54.1 Pn that #`n` is. Axes 1 to 4 are X, Y, Z, A.
+/// Returns the offset of G54 … G59 or G54.1 Pn that #`n` is; nullopt if #`n` is no offset. Axes 1
+/// to 4 are X, Y, Z, A.
 std::optional<SystemVariable> work_offset_of_fanuc(int n, bool haas) {
     constexpr int kExtended = 9;
     struct Systems {
@@ -61,7 +64,8 @@ std::optional<SystemVariable> work_offset_of_fanuc(int n, bool haas) {
     return std::nullopt;
 }
 
-/// Haas has one memory of offsets; which of those of Fanuc a control has, it does not say.
+/// Returns the tool offset that #`n` is. Haas has one memory of offsets. Fanuc has several kinds of
+/// memory, and the program does not show which kind the control has.
 SystemVariable tool_offset_of_fanuc(int n, bool haas) {
     constexpr std::array kHaas{Effect::Length, Effect::LengthWear, Effect::Diameter,
                                Effect::DiameterWear};
@@ -81,7 +85,7 @@ SystemVariable of_fanuc(int n, bool haas) {
     if (is_within(n, 5201, kAxisCount))
         return {Effect::External, n, 0, static_cast<std::size_t>(n - 5201)};
     if (const auto offset = work_offset_of_fanuc(n, haas)) return *offset;
-    // Haas keeps numbers of the user there.
+    // Variables of the user on Haas.
     if (haas && is_within(n, 10'000, 1000)) return {};
     return {Effect::NotApplied, n};
 }

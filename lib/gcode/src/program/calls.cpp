@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Subprograms: O-word calls, M98, M97, G65; where they stand and how they return.
+// Calls of subprograms by O-words, M98, M97, G65: search, entry and return.
 #include "program/runner.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ ProgramIndex& Runner::index() {
 
 bool Runner::jump(std::size_t file_number, BlockReader::Place place) {
     if (file_number == current_ && place.line < file().reader.place().line) {
-        repeated_ = std::max<std::uint64_t>(repeated_, 1);  // from here on blocks are counted
+        repeated_ = std::max<std::uint64_t>(repeated_, 1);  // Starts the count of repeated blocks.
     }
     current_ = file_number;
     file().reader.seek(place);
@@ -68,7 +68,8 @@ std::optional<std::size_t> Runner::open_file(const std::string& name) {
     return files_.size() - 1;
 }
 
-/// In the file under way, in the others that are open, in a file of its own.
+/// Finds a program or subroutine in the current file, then in the other open files, then, if
+/// `in_files`, in a separate file.
 std::optional<Runner::Target> Runner::find_target(ControlWord word, const std::string& label,
                                                   bool in_files) {
     const std::size_t here = current_;
@@ -90,13 +91,13 @@ std::optional<Runner::Target> Runner::find_target(ControlWord word, const std::s
     if (!opened) return std::nullopt;
     if (const auto found = look_in(*opened)) return found;
     if (word == ControlWord::ProgramNumber) {
-        return Target{*opened, static_cast<std::size_t>(-1)};  // a file without its O number
+        return Target{*opened, static_cast<std::size_t>(-1)};  // A file without the O number.
     }
     return std::nullopt;
 }
 
 void Runner::enter(Frame frame, const Target& target) {
-    constexpr std::size_t kDeepestStrict = 9;  // of LinuxCNC
+    constexpr std::size_t kDeepestStrict = 9;  // Limit of LinuxCNC.
     if (frames_.size() >= options_.limits.call_depth ||
         (rules_.strict && frames_.size() >= kDeepestStrict)) {
         fault(Message::CallDepth, block_.line_span());
@@ -121,7 +122,7 @@ void Runner::enter(Frame frame, const Target& target) {
     jump(target.file, start);
 }
 
-/// Back to the caller, or once more through the subprogram.
+/// Repeats the subprogram if runs remain, or returns to the caller.
 void Runner::leave_frame() {
     Frame& frame = frames_.back();
     repeats_.resize(std::min(repeats_.size(), frame.repeats));
@@ -144,7 +145,8 @@ void Runner::leave_frame() {
     jump(back_file, back);
 }
 
-/// M70 and M73 save the modes of this call level, M71 forgets them, M72 restores them.
+/// M70 and M73 save the modes of the call level, M71 discards the saved modes, M72 restores the
+/// modes.
 void Runner::save_or_restore(int m) {
     std::shared_ptr<const Machine::SavedModes>& modes =
         frames_.empty() ? main_modes_ : frames_.back().modes;
@@ -171,21 +173,22 @@ bool Runner::call_code(int m) {
     switch (m) {
         case 97: call_lines(); break;
         case 98:
-        case 198: call_subprogram(); break;  // M198: of another memory of the control
+        // M198 calls a program in a different memory of the control.
+        case 198: call_subprogram(); break;
         default: return_from_subprogram(); break;
     }
     return true;
 }
 
-/// True for programs that a control keeps for itself, or on another memory: O8xxx and O9xxx of
-/// Fanuc and Haas, and those of M198.
+/// True for programs stored in the control or in external memory: O8xxx and O9xxx of Fanuc and
+/// Haas, and programs called by M198.
 bool Runner::is_elsewhere(double number) const {
     if (rules_.strict) return false;
     if (command_.group(MGroup::Call) == 198) return true;
     return rules_.macro_b && number >= 8000.0 && number <= 9999.0;
 }
 
-/// Reports a call of a program of the control, unless it is declared harmless.
+/// Reports the call of a program of the control, unless the program is declared harmless.
 void Runner::leave_out(double number, SourceSpan span) {
     if (resolver_.is_allowed('O', number)) return;
     const std::string label = std::to_string(std::lround(number));
@@ -203,7 +206,7 @@ void Runner::call_subprogram() {
     std::optional<Target> target =
         find_target(ControlWord::ProgramNumber, std::to_string(number), true);
     if (!target && !rules_.strict && !command_.has('L') && number > 9999) {
-        // Old Fanuc form: P68003 is six times O8003.
+        // Old Fanuc form: P68003 means six runs of O8003.
         target = find_target(ControlWord::ProgramNumber, std::to_string(number % 10'000), true);
         const std::uint64_t repeats = number / 10'000;
         if (target) runs = static_cast<double>(repeats), number %= 10'000;
@@ -227,7 +230,7 @@ void Runner::call_subprogram() {
     enter(std::move(frame), *target);
 }
 
-/// Haas M97 P100: the lines from N100 to M99 of the same program.
+/// M97 P100 of Haas: calls the lines from N100 to M99 of the same program.
 void Runner::call_lines() {
     if (!command_.has('P') || command_['P'] < 0.0 || command_['P'] > 4e9) {
         return fault(Message::CallWithoutNumber, command_.span, {"M97"});
@@ -248,8 +251,9 @@ void Runner::call_lines() {
     jump(current_, *place);
 }
 
-/// G150 P100: the machine listens to the outline from N100 of this program, or in O100, to M99. It
-/// is nowhere run. False after a fault.
+/// G150 P100: records the outline from N100 of the program, or in O100, to M99. The outline is
+/// never executed.
+/// Returns: false after reporting a fault.
 bool Runner::hear_outline() {
     constexpr int kMostBlocks = 1000;
     const double p = command_['P'];
@@ -306,7 +310,7 @@ bool Runner::hear_outline() {
 
 void Runner::return_from_subprogram() {
     if (frames_.empty()) {
-        // In the main program M99 starts it over; once is enough to see what it does.
+        // M99 in the main program restarts the program; a single run shows all motions.
         if (!rules_.strict) log_.add(Message::MainRepeats, command_.span);
         machine_.finish();
         end_program();

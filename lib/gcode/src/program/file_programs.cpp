@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Divides a file into sections at O numbers and decides which sections are programs.
 #include "ncsim/gcode/file_programs.h"
 
 #include "ncsim/gcode/parser.h"
@@ -18,14 +20,15 @@ namespace {
 
 constexpr std::string_view kAxes = "XYZABCUVW";
 
-/// The first 'M' or 'm' of M2, M02 or M30 in `text` from `from` on; npos: none.
+/// Returns the position of the first 'M' or 'm' of M2, M02 or M30 in `text`, from `from` on; npos:
+/// none.
 std::size_t find_end(std::string_view text, std::size_t from) {
     constexpr auto kNone = std::string_view::npos;
     std::size_t upper = text.find('M', from);
     std::size_t lower = text.find('m', from);
     while (upper != kNone || lower != kNone) {
         const std::size_t at = std::min(upper, lower);
-        // Digits, and blanks between them.
+        // Digits, possibly separated by blanks.
         int number = 0;
         for (std::size_t i = at + 1; i < text.size() && number < 100; ++i) {
             if (text[i] == ' ' || text[i] == '\t') continue;
@@ -38,7 +41,7 @@ std::size_t find_end(std::string_view text, std::size_t from) {
     return kNone;
 }
 
-/// How many lines begin with O or a colon, behind blanks and '/'; at most `enough`.
+/// Returns the number of lines that begin with O or a colon after blanks and '/'; at most `enough`.
 std::size_t count_heads(std::string_view text, std::size_t enough) {
     std::size_t heads = 0;
     for (const char letter : {'O', 'o', ':'}) {
@@ -53,11 +56,11 @@ std::size_t count_heads(std::string_view text, std::size_t enough) {
     return heads;
 }
 
-/// True if the file has to be read block by block: two O numbers, or something behind an end.
+/// True if the file must be read block by block: it has two O numbers, or words after an end.
 bool may_hold_more(std::string_view text) {
     text = after_byte_order_mark(text);
     if (count_heads(text, 2) > 1) return true;
-    // The end: M2, M30, or the second '%'.
+    // End: M2, M30, or the second '%'.
     std::size_t end = find_end(text, 0);
     std::size_t closings = 0;
     for (std::size_t at = text.find('%'); at < end && at != std::string_view::npos;
@@ -88,8 +91,8 @@ bool has_code(const Block& block, char letter, double number) {
     });
 }
 
-/// The program that a block calls: "101", empty if it calls none; `any` becomes true if the number
-/// is computed.
+/// Returns the number of the program that `block` calls: "101"; empty if there is no call. Sets
+/// `any` if the number is computed.
 std::string called_by(const Block& block, bool& any) {
     const bool calls = has_code(block, 'M', 98) || has_code(block, 'G', 65) ||
                        has_code(block, 'G', 66) || has_code(block, 'G', 150);
@@ -109,11 +112,11 @@ bool is_join(ControlWord word) {
 
 }  // namespace
 
-/// Lines and programs that blocks name: where a program may go on, and what it calls.
+/// Lines and programs that blocks name: possible continuations and calls.
 struct NamedTargets {
     std::set<std::uint32_t> lines;
-    bool any_line = false;     ///< A jump to a computed line.
-    bool any_program = false;  ///< A call of a computed number.
+    bool any_line = false;     ///< The program has a jump to a computed line.
+    bool any_program = false;  ///< The program has a call of a computed number.
 
     void add_line(const Block& block, char letter) {
         const Word* word = find_word(block, letter);
@@ -222,7 +225,7 @@ private:
         if ((ends || returns) && !is_conditional) stop(block.line);
     }
 
-    /// Follows the interpreter: the first '%' opens, a bare one behind it closes.
+    /// Same rule as Runner::percent: the first '%' opens, a later '%' without text closes.
     void percent(const Block& block) {
         if (!has_words_ && !is_opened_) {
             is_opened_ = true;
@@ -262,7 +265,8 @@ FilePrograms::FilePrograms(const SourceFile& file, bool block_delete) {
     if (programs_.empty()) programs_.push_back({"program 1", {}});
 }
 
-/// Decides which sections are programs. A section that runs on takes the next one along.
+/// Decides which sections are programs. A section whose execution continues includes the next
+/// section.
 void FilePrograms::divide(bool calls_anything) {
     std::set<std::string> called;
     for (const Section& section : sections_)
@@ -274,7 +278,7 @@ void FilePrograms::divide(bool calls_anything) {
             i > 0 && sections_[i - 1].program != kNone && sections_[i - 1].runs_on;
         if (is_joined) {
             section.program = sections_[i - 1].program;
-            // "%", remarks, then the first O number.
+            // "%", comments, then the first O number.
             if (!sections_[i - 1].has_words && i == 1)
                 programs_.back() = {section.label, section.span};
             continue;

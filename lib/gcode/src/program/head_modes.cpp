@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Modes that the head of a program sets.
+// The table of modes that the head of a program should set.
 #include "program/head_modes.h"
 
 namespace ncsim::gcode {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chooses the dialect of a program, refuses unreadable programs, and runs the program.
 #include "ncsim/gcode/interpreter.h"
 
 #include "control/rules.h"
@@ -22,7 +24,7 @@ SourceSpan place(const std::vector<Evidence>& evidence) {
     return {evidence.empty() ? 0 : evidence.front().line, 1, 0};
 }
 
-/// What to do with a program that is not read.
+/// Returns the remedy for a program of the kind `kind`, which is not executed.
 std::string_view what_to_do(Kind kind) {
     switch (kind) {
         case Kind::Heidenhain:
@@ -36,8 +38,8 @@ std::string_view what_to_do(Kind kind) {
     }
 }
 
-/// Programs that would be misread from beginning to end are not run at all, unless somebody says
-/// what they are; those that move a tool like a milling machine does are run with a warning.
+/// True if the program must not be run: it would be misread completely. A kind specified by the
+/// user, and programs that move a tool like a milling program, run with a warning.
 bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
     const SourceSpan span = place(findings.kind_evidence);
     const std::string why = reasons(findings.kind_evidence);
@@ -62,8 +64,8 @@ bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
     return true;
 }
 
-/// Interprets the whole program without output. Returns: more of its arcs fit absolute centres
-/// than incremental ones.
+/// Interprets the whole program without output.
+/// Returns: true if more arcs fit absolute than incremental centres.
 bool has_absolute_centres(const SourceFile& program, InterpreterOptions options,
                           const Rules& rules) {
     options.observe_frame = nullptr;

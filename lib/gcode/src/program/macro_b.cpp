@@ -8,7 +8,8 @@
 
 namespace ncsim::gcode {
 
-/// True if the rest of the block is to be run (IF … THEN).
+/// Executes the control word.
+/// Returns: true if the rest of the block is to be executed (IF … THEN).
 bool Runner::macro_word() {
     const Control control = block_.control;
     switch (control.word) {
@@ -23,7 +24,8 @@ bool Runner::macro_word() {
         case ControlWord::While: {
             const std::optional<std::size_t> here = index().at_line(block_.line);
             if (!here) return false;
-            // WHILE without a condition: DO n alone, without end but for a GOTO.
+            // WHILE without a condition: DO n alone, an infinite loop unless a GOTO leaves the
+            // loop.
             const bool holds = control.expression.empty() ||
                                condition(control.expression, control.span).value_or(false);
             if (holds) return false;
@@ -64,7 +66,8 @@ void Runner::go_to(std::string_view label) {
     jump(current_, *place);
 }
 
-/// G65 calls once, G66 after each following move (`g` 0: now), G67 ends that.
+/// G65 calls once; G66 calls after each following move (`g` = 0: the call after a move); G67 ends
+/// G66.
 void Runner::macro_call(int g) {
     if (g == 67) return modal_call_.clear();
     if (g == 66) {
@@ -72,7 +75,7 @@ void Runner::macro_call(int g) {
         modal_level_ = frames_.size();
         return;
     }
-    // The arguments of G66 stand in the block that said G66.
+    // The arguments of a modal call are in the block with G66.
     Block block = block_;
     SourceFile modal;
     BlockReader modal_reader(modal);
@@ -85,12 +88,13 @@ void Runner::macro_call(int g) {
                                              0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
     std::array<double, Parameters::kLocals + 1> values;
     values.fill(rules_.arithmetic.vacant ? kVacant : 0.0);
-    std::array<std::string, Parameters::kLocals + 1> unknown;  // of each value
+    // Unknown variable on which each value depends.
+    std::array<std::string, Parameters::kLocals + 1> unknown;
     std::optional<double> program;
     double runs = 1.0;
-    int triple = 0;  // I J K may come several times: #4 … #6, #7 … #9, …
+    int triple = 0;  // I J K may occur several times: #4 … #6, #7 … #9, …
     char last = 0;
-    bool is_argument = false;  // a word behind G65 or G66
+    bool is_argument = false;  // The word is after G65 or G66.
     for (const Word& word : block.words) {
         is_argument |= word.letter == 'G' && (word.number == 65.0 || word.number == 66.0);
         if (!is_argument || word.letter == 'G' || word.letter == 'O') continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The O-words of RS274/NGC as LinuxCNC runs them: branches, loops, subroutines.
+// O-words of RS274/NGC as in LinuxCNC: branches, loops, subroutines.
 #include "program/runner.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ void Runner::o_word() {
                 in_main_title_ = true;
                 return;
             }
-            // Running into the next program: the one under way lacked its M99.
+            // Execution reaches the next program because the current program has no M99.
             Frame& frame = frames_.back();
             if (frame.kind == CallKind::Subprogram && !rules_.strict) {
                 leave_frame();
@@ -40,10 +40,10 @@ void Runner::o_word() {
     }
     switch (control.word) {
         case ControlWord::Sub: {
-            // A subroutine is passed by; it runs when it is called.
+            // A subroutine is skipped; the body is executed by calls.
             const auto end = marks.next(i, label, ControlWord::EndSub);
             if (!end) {
-                // The rest of the file belongs to it.
+                // The rest of the file belongs to the subroutine.
                 log_.add(rules_.strict ? Severity::Error : Severity::Warning,
                          Message::SubEndMissing, control.span, {label});
                 ended_ = true;
@@ -90,8 +90,9 @@ void Runner::o_word() {
     }
 }
 
-/// Reports the subroutine at marker `i` if LinuxCNC would refuse it: a second one of its name, in
-/// another one, around another one, or after a call of it.
+/// Reports the subroutine at marker `i` if LinuxCNC refuses the definition: a repeated name, a
+/// nested definition, or a call before the definition.
+/// Returns: false if refused.
 bool Runner::check_sub(std::size_t i) {
     const ProgramIndex& marks = index();
     const std::string& label = marks[i].label;
@@ -113,8 +114,9 @@ bool Runner::check_sub(std::size_t i) {
     return true;
 }
 
-/// Reports the label of marker `i` if LinuxCNC would refuse it: no whole number, or in one
-/// subroutine a label of two structures, or of none.
+/// Reports the label of marker `i` if LinuxCNC refuses the label: not a whole number, used for two
+/// structures in a subroutine, or without an opening word.
+/// Returns: false if refused.
 bool Runner::check_label(std::size_t i) {
     const ProgramIndex& marks = index();
     const Marker& here = marks[i];
@@ -158,7 +160,7 @@ void Runner::o_branch(std::size_t i) {
     const bool jumped_to = else_if_line_ == here.line;
     else_if_line_ = 0;
     if (here.word != ControlWord::OIf && !jumped_to) {
-        // The branch before was run: on to the end.
+        // The previous branch was executed: continue after the end.
         const SourceSpan rest = block_.control.rest;
         if (rules_.strict && rest.length > 0)
             return fault(Message::UnreadableText, rest,
@@ -200,7 +202,7 @@ void Runner::o_loop(std::size_t i) {
             const auto opening = marks.previous(i, here.label, ControlWord::ODo,
                                                 ControlWord::OWhile, ControlWord::OEndWhile);
             if (opening && marks[*opening].word == ControlWord::ODo) {
-                // do … while: back to the beginning as long as it holds
+                // do … while: jumps to the beginning while the condition holds.
                 if (holds.value_or(false)) jump(current_, marks[*opening].after);
                 return;
             }
@@ -279,7 +281,7 @@ void Runner::o_call() {
     const std::optional<std::string> label = label_of(control.label, control.span);
     if (!label) return;
     std::array<double, 30> arguments{};
-    std::array<std::string, 30> unknown;  // the variable that each depends on
+    std::array<std::string, 30> unknown;  // Variable on which each argument depends.
     std::size_t count = 0;
     std::string_view rest = control.expression;
     while (!rest.empty()) {
@@ -299,7 +301,7 @@ void Runner::o_call() {
         const bool other_form = find_target(ControlWord::ProgramNumber, *label, false).has_value();
         fault(other_form ? Message::CallForms : Message::SubNotFound, control.span,
               {tagged("O", *label)});
-        // What follows was written for after the call; without it, it would cut at random.
+        // The following blocks assume the call; without the call the cuts would be arbitrary.
         if (rules_.strict) ended_ = true;
         return;
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Probing macros of Renishaw (Inspection Plus) that most controls have, for programs without the
-// macros themselves. Source: Renishaw, Inspection Plus software, programming guide.
+// Probing macros of Renishaw (Inspection Plus), which most controls have, for programs without the
+// text of the macros.
+// Source: Renishaw, Inspection Plus software, programming guide.
 #include "ncsim/gcode/print.h"
 
 #include "program/runner.h"
@@ -11,10 +12,10 @@
 namespace ncsim::gcode {
 namespace {
 
-/// Numbers of the local variables of F, X, Y and Z.
+/// Numbers of the local variables F, and X (then Y, Z).
 constexpr std::size_t kF = 9;
 constexpr std::size_t kFirstAxis = 24;
-constexpr double kProbeFeed = 1000.0;  // mm/min, where neither the call nor the program has one
+constexpr double kProbeFeed = 1000.0;  // mm/min, if neither the call nor the program sets a feed.
 
 std::string word_text(char letter, double value) {
     std::string out(1, letter);
@@ -24,7 +25,7 @@ std::string word_text(char letter, double value) {
 
 }  // namespace
 
-/// Runs the block `text` as if it were in the place of the current one.
+/// Executes the block `text` in place of the current block.
 void Runner::act_on_text(const std::string& text, SourceSpan span) {
     const SourceFile inside{{}, text};
     BlockReader reader(inside);
@@ -36,8 +37,9 @@ void Runner::act_on_text(const std::string& text, SourceSpan span) {
     machine_.execute(command);
 }
 
-/// Makes the moves of the macro `number`; false if it is not known. P9832 and P9833 turn the probe
-/// on and off, P9810 moves to X Y Z and stops at contact, P9811 measures a surface and comes back.
+/// Makes the moves of the macro `number`. P9832 and P9833 turn the probe on and off, P9810 moves to
+/// X Y Z and stops at contact, P9811 measures a surface and returns.
+/// Returns: false if the macro is unknown.
 bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,
                          SourceSpan span) {
     const std::string name = "P" + std::to_string(number);
@@ -46,7 +48,7 @@ bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocal
         return true;
     }
     if (number != 9810 && number != 9811) return false;
-    // The macros compute with coordinates that G68, G51 and G16 change.
+    // The macros compute with coordinates, which G68, G51 and G16 transform.
     const Programmed& programmed = machine_.state().programmed;
     if (programmed.rotated || programmed.scaled || programmed.polar) return false;
     std::string there;

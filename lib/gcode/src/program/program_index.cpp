@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Builds the index of a file in a single pass.
 #include "program/program_index.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the control words and line numbers of a file stand. Built when the first jump needs it;
-// plain programs never pay for it.
+// Positions of the control words and line numbers of a file. Built at the first jump; programs
+// without jumps need no index.
 #pragma once
 
 #include "ncsim/gcode/parser.h"
@@ -15,14 +15,16 @@
 
 namespace ncsim::gcode {
 
+/// A block with a control word.
 struct Marker {
     ControlWord word = ControlWord::None;
-    std::string label;  ///< "100" without leading zeros, or the name.
+    std::string label;  ///< "100" without leading zeros, or a name.
     std::uint32_t line = 0;
-    BlockReader::Place at;     ///< Of the line itself.
-    BlockReader::Place after;  ///< Of the next one.
+    BlockReader::Place at;     ///< Position of the line.
+    BlockReader::Place after;  ///< Position of the next line.
 };
 
+/// Index of the control words and line numbers of a file.
 class ProgramIndex {
 public:
     explicit ProgramIndex(const SourceFile& file);
@@ -30,9 +32,10 @@ public:
     const std::vector<Marker>& markers() const { return markers_; }
     const Marker& operator[](std::size_t i) const { return markers_[i]; }
 
-    /// The marker of a line that has one.
+    /// Returns the index of the marker in line `line`; nullopt if the line has no marker.
     std::optional<std::size_t> at_line(std::uint32_t line) const;
-    /// The first marker after (before) `i` with this label and one of these words.
+    /// Returns the index of the first marker after (previous: before) `i` with the label `label`
+    /// and a word of `words`; nullopt: none.
     template <typename... Words>
     std::optional<std::size_t> next(std::size_t i, std::string_view label, Words... words) const {
         while (++i < markers_.size()) {
@@ -48,10 +51,11 @@ public:
         }
         return std::nullopt;
     }
-    /// The first marker of the file with this label and word.
+    /// Returns the index of the first marker of the file with `word` and `label`; nullopt: none.
     std::optional<std::size_t> find(ControlWord word, std::string_view label) const;
 
-    /// The line with this N: the first from `from` on, else the first of the file.
+    /// Returns the position of the line N`number`: the first match from line `from` on, otherwise
+    /// the first match in the file; nullopt: none.
     std::optional<BlockReader::Place> find_number(std::uint32_t number, std::uint32_t from) const;
 
 private:
@@ -64,15 +68,16 @@ private:
         BlockReader::Place at;
     };
     std::vector<Marker> markers_;
-    std::vector<Number> numbers_;  // by number, then by line
+    std::vector<Number> numbers_;  // Sorted by number, then by line.
 };
 
-/// "N" and "10" -> "N10".
+/// Returns `letter` followed by `number`: "N" and "10" give "N10".
 inline std::string tagged(std::string_view letter, std::string_view number) {
     return std::string(letter).append(number);
 }
 
-/// "0100" -> "100", "<Name>" -> "name"; other labels have to be evaluated first.
+/// Converts "0100" to "100" and "<name>" to "name".
+/// Requires: `label` needs no evaluation.
 std::string plain_label(std::string_view label);
 
 }  // namespace ncsim::gcode

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Values of words, and groups of G and M codes.
 #include "program/resolve.h"
 
 #include "ncsim/gcode/control_codes.h"
@@ -12,10 +14,10 @@
 namespace ncsim::gcode {
 namespace {
 
-/// Larger than any machine, and small enough that sums and squares stay numbers.
+/// Larger than any machine, and small enough that sums and squares are finite.
 constexpr double kLargest = 1e12;
 
-/// True for the codes of grbl, those of options included, and M6, which senders of programs act on.
+/// True for the codes of grbl, including optional codes, and for M6, which senders execute.
 bool is_of_grbl(char letter, double number) {
     static const ControlCodes& grbl = *find_control_codes("grbl");
     return (letter == 'M' && number == 6.0) || support_of(grbl, letter, number) != CodeSupport::No;
@@ -36,7 +38,7 @@ Resolver::Resolver(const Rules& rules, const Parameters& parameters, DiagnosticL
         const char letter =
             word[0] >= 'a' && word[0] <= 'z' ? static_cast<char>(word[0] - 32) : word[0];
         const PlainNumber number = read_plain_number(word.data() + 1, word.data() + word.size());
-        allow_.emplace_back(letter, number.end ? number.value : kVacant);  // "E": with any number
+        allow_.emplace_back(letter, number.end ? number.value : kVacant);  // "E": any number.
     }
 }
 
@@ -64,7 +66,8 @@ bool Resolver::tolerate(const MessageText& message, SourceSpan span,
 
 void Resolver::report_unknown(std::string_view name, SourceSpan span) {
     if (name.empty()) return;
-    constexpr std::size_t kMostNames = 20;  // a program may read whole tables
+    // Limit, because a program may read whole tables of variables.
+    constexpr std::size_t kMostNames = 20;
     if (named_.size() >= kMostNames && !named_.contains(name))
         return log_.add(Message::VariablesUnknown, span);
     named_.emplace(name);
@@ -101,13 +104,13 @@ std::optional<double> Resolver::value_of(const Word& word) {
 
 namespace {
 
-/// G70, G71 and G72 are holes on a circle, an arc and a line where they have a radius, an angle or
-/// a number of holes.
+/// True if G70, G71 or G72 of `block` has a radius, an angle or a number of holes, so the code is a
+/// hole pattern.
 bool is_hole_pattern(const Block& block) {
     return find_word(block, 'I') || find_word(block, 'J') || find_word(block, 'L');
 }
 
-/// Nothing else than holes can be meant.
+/// True if `block` has all words of a hole pattern, so no other meaning is possible.
 bool is_whole_hole_pattern(const Block& block, Code code) {
     return find_word(block, 'I') && find_word(block, 'J') && find_word(block, 'L') &&
            (code != Code::G71 || find_word(block, 'K'));
@@ -126,8 +129,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         return true;
     };
     const bool haas = rules_.dialect == Dialect::Haas;
-    // G70 and G71 are units on some controls, cycles of a lathe on RS274/NGC, and holes in a row on
-    // Haas.
+    // G70 and G71 select units on some controls. On RS274/NGC the codes are lathe cycles; on Haas,
+    // patterns of holes.
     if (code == Code::G70 || code == Code::G71 || code == Code::G72) {
         if (rules_.strict) return put(Group::Unsupported);
         if (rules_.hole_patterns &&
@@ -150,7 +153,7 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         const bool told = haas || (find_word(block, 'I') && find_word(block, 'D'));
         if (!rules_.circular_pockets || !told) return put(Group::NotSimulated);
     }
-    // The outline of G150 stands where P says.
+    // P is the number of the line or program with the outline of G150.
     if (code == Code::G150 && haas && find_word(block, 'P')) return put(Group::Pocket);
     if (code == Code::None) {
         command.has_others = true;
@@ -158,29 +161,30 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         const std::string text = text_of(word, value);
         log_.add(Message::UnknownG, word.span, {text, text});
         unknown_g_ = true;
-        return true;  // the rest of the block may have faults of its own
+        return true;  // The rest of the block may have further faults.
     }
     if (rules_.only_grbl && !is_of_grbl('G', 0.1 * tenths_of(code)) && !is_allowed('G', value)) {
         log_.add(Message::NotOfGrbl, word.span, {text_of(word, value)});
         return false;
     }
     Group group = entry_of(code).group;
-    // Haas has G107 map a linear axis onto a rotary one.
+    // G107 of Haas maps a linear axis onto a rotary axis.
     if (code == Code::G107 && haas) group = Group::Unsupported;
     if ((code == Code::G43_4 || code == Code::G43_5) && tip_control_.by_length_word)
         group = Group::ToolLength;
     if (code == Code::G234 && knows_joints_) group = Group::ToolLength;
     if (group == Group::Ignored) {
-        command.has_others = true;  // it may have words of its own
+        command.has_others = true;  // The code may have words.
         return true;
     }
     const Code other = command.group(group);
     if (group == Group::Motion && other != Code::None &&
         (other == Code::G80 || code == Code::G80)) {
-        return other == Code::G80 ? put(group) : true;  // "G0 G80": ends the cycle and moves
+        return other == Code::G80 ? put(group) : true;  // "G0 G80": ends the cycle and moves.
     }
     if (other != Code::None && (other != code || rules_.strict)) {
-        // G53 goes with G0 and G1 of the motion group, and with nothing of its own.
+        // G53 may be combined with G0 and G1 of the motion group, but not with a code of its own
+        // group.
         if (!tolerate(Message::GroupTwice, word.span, {name_of(other), text_of(word, value)})) {
             return false;
         }
@@ -204,7 +208,8 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     const bool foreign = rules_.strict && !is_told && !is_clamp &&
                          (number == 13 || number == 14 || group == MGroup::Kinematics);
     if (group == MGroup::Unknown || foreign) {
-        // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
+        // M100 … M199 are defined by the user on LinuxCNC; without the scripts these codes are
+        // unknown.
         if (is_allowed('M', value)) return true;
         if (is_whole && !rules_.strict && is_harmless_m(number, rules_.dialect)) return true;
         return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
@@ -219,7 +224,7 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
             command.mist_and_flood = true;
             return true;
         }
-        if (group == MGroup::Clamp) {  // of several axes
+        if (group == MGroup::Clamp) {  // M codes of several axes.
             command.clamps.push_back(number);
             return true;
         }
@@ -252,7 +257,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
         if (!word.literal) {
             const std::optional<double> computed = value_of(word);
             if (!computed) return false;
-            if (std::isnan(*computed)) continue;  // vacant: as if the word were not there
+            if (std::isnan(*computed)) continue;  // A vacant value removes the word.
             value = *computed;
         }
         if (std::abs(value) > kLargest) {
@@ -265,7 +270,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
         }
         if (word.letter == 'M') {
             command.has_m = true;
-            takes_e = takes_e || value == 66.0 || value == 67.0 || value == 68.0;  // analogue ports
+            takes_e = takes_e || value == 66.0 || value == 67.0 || value == 68.0;  // Analog ports.
             if (!take_m(word, value, command)) return false;
             continue;
         }

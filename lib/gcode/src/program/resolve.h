@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From what is written to what is meant: values are computed, codes sorted into their groups,
-// words that nobody knows reported.
+// Resolves blocks to commands: evaluates values, sorts codes into groups, reports unknown words.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
@@ -19,27 +18,29 @@
 
 namespace ncsim::gcode {
 
+/// Resolves blocks to commands.
 class Resolver {
 public:
     Resolver(const Rules& rules, const Parameters& parameters, DiagnosticLog& log,
              const InterpreterOptions& options);
 
-    /// Fills `command` from `block`. False after reporting an error.
+    /// Fills `command` from `block`.
+    /// Returns: false after reporting an error.
     bool resolve(const Block& block, Command& command);
 
-    /// The value of one word; nullopt after reporting an error. Vacant values come as kVacant.
+    /// Returns the value of `word`, kVacant for a vacant value; nullopt after reporting an error.
     std::optional<double> value_of(const Word& word);
-    /// The value of an expression of a block, of which `span` is the place. The value decides what
-    /// the program does, so an unknown variable in it is reported.
+    /// Returns the value of the expression `text` at `span`; nullopt after reporting an error. The
+    /// value controls the program, so an unknown variable in `text` is reported.
     std::optional<double> value_of(std::string_view text, SourceSpan span, bool open);
-    /// The same for a value that is only kept. `unknown` becomes the name of an unknown variable it
-    /// depends on, or empty.
+    /// Returns a value that is only stored. `unknown` becomes the name of an unknown variable on
+    /// which the value depends, or empty.
     std::optional<double> value_to_keep(std::string_view text, SourceSpan span, bool open,
                                         std::string& unknown);
     std::optional<double> value_to_keep(const Word& word, std::string& unknown);
-    /// True for words that are declared harmless: "G187", and "O9023", a program of the control.
+    /// True for words declared harmless: "G187", and "O9023", a program of the control.
     bool is_allowed(char letter, double value) const;
-    /// Reports that the program depends on the variable `name`, unless that is empty.
+    /// Reports that the program depends on the variable `name`, unless `name` is empty.
     void report_unknown(std::string_view name, SourceSpan span);
 
 private:
@@ -57,7 +58,7 @@ private:
     bool knows_joints_ = false;
     std::vector<std::pair<char, double>> allow_;
     bool unknown_g_ = false;
-    std::set<std::string, std::less<>> named_;  // unknown variables that were reported
+    std::set<std::string, std::less<>> named_;  // Unknown variables that were reported.
 };
 
 }  // namespace ncsim::gcode

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Execution of a block.
 #include "program/runner.h"
 
 #include "text/number.h"
@@ -72,7 +74,7 @@ void Runner::end_program() {
 bool Runner::step() {
     if (!file().reader.next(block_, log_)) {
         if (frames_.empty()) return false;
-        // A subprogram file that ends without M99 or endsub returns.
+        // A subprogram file without M99 or endsub returns at the end.
         if (rules_.strict && frames_.back().kind == CallKind::OWord) {
             fault(Message::SubEndMissing, {block_.line, 1, 0}, {frames_.back().label});
         }
@@ -80,7 +82,7 @@ bool Runner::step() {
         return true;
     }
     ++result_.lines;
-    // What exceeds the lines there are was read before, by a loop or a call.
+    // Blocks beyond the number of lines were read before, by a loop or a call.
     if (!frames_.empty() || repeated_ > 0) {
         file().reader.keep_lines();
         if (++repeated_ > most_blocks_) {
@@ -89,7 +91,7 @@ bool Runner::step() {
             return false;
         }
     }
-    constexpr std::size_t kLongestStrict = 252;  // of LinuxCNC
+    constexpr std::size_t kLongestStrict = 252;  // Limit of LinuxCNC.
     if (rules_.strict && block_.text.size() > kLongestStrict) {
         fault(Message::LineTooLong, {block_.line, 1, 1});
         ended_ = true;
@@ -130,7 +132,7 @@ bool Runner::step() {
     return true;
 }
 
-/// Executes the first `count` words of the block: those before G65, G66 or G67 are no arguments.
+/// Executes the first `count` words of the block. Words before G65, G66 or G67 are no arguments.
 void Runner::execute_before(std::size_t count) {
     if (count == 0) return;
     Block before = block_;
@@ -162,7 +164,7 @@ void Runner::act_on_words() {
     const std::uint64_t motions = path_.count();
     const int call = command_.group(MGroup::Call);
     if (call != kNone) {
-        // P, L, Q belong to the call; what else the block says is done first.
+        // P, L, Q belong to the call. The rest of the block is executed before the call.
         Command rest = command_;
         rest.present &= ~(!rules_.strict ? letters('P', 'L', 'Q')
                           : call == 98   ? letters('P', 'L')
@@ -184,12 +186,12 @@ void Runner::act_on_words() {
         return;
     }
     if (machine_.ended()) return end_program();
-    // The moves of the macro itself call nothing.
+    // Moves of the macro itself trigger no calls.
     if (!modal_call_.empty() && path_.count() > motions && frames_.size() <= modal_level_)
         macro_call(0);
 }
 
-/// Keeps the first block that controls execute in different ways (Rules).
+/// Records the first block that controls execute in different ways (Rules).
 void Runner::note_control_dependent() {
     if (result_.control_dependent) return;
     const Code one_shot = command_.group(Group::OneShot);
@@ -220,13 +222,13 @@ bool has_point(const Block& block, const Word& word) {
 bool Runner::counts_increments(const Word& word) const {
     if (kLengthLetters.find(word.letter) == std::string_view::npos) return false;
     if (command_.group(Group::OneShot) == Code::G4) return false;
-    // The number of repeats.
+    // K is the number of repeats.
     const Code motion = command_.group(Group::Motion);
     const bool drills = is_cycle(motion == Code::None ? machine_.state().motion : motion);
     return !(word.letter == 'K' && rules_.k_repeats && drills);
 }
 
-/// G64 P0.05 of LinuxCNC; on Fanuc G64 has no P.
+/// Records the largest tolerance of G64, as in G64 P0.05 of LinuxCNC; G64 of Fanuc has no P.
 void Runner::note_blend() {
     if (rules_.macro_b || command_.group(Group::PathMode) != Code::G64 || !command_.has('P'))
         return;
@@ -248,17 +250,17 @@ void Runner::note_points() {
     }
 }
 
-/// Numbers without a point are thousandths of a millimetre or a degree, ten-thousandths of an inch.
+/// Scales numbers without a decimal point by 0.001 mm, 0.001 degrees or 0.0001 inch.
 void Runner::scale_increments() {
     const Code units = command_.group(Group::Units);
     const bool inches =
         units == Code::None ? machine_.state().inches : units == Code::G20 || units == Code::G70;
     const bool pattern =
-        command_.group(Group::HolePattern) != Code::None;  // J and K are angles there
+        command_.group(Group::HolePattern) != Code::None;  // J and K are angles in hole patterns.
     for (const Word& word : block_.words) {
         if (!counts_increments(word) || has_point(block_, word)) continue;
         if (word.comma) {
-            // Each stands once: two are an error.
+            // A block has each comma word at most once; repeated comma words are errors.
             if (word.letter == 'A') {
                 command_.angle *= 1e-3;
             } else {
@@ -272,7 +274,7 @@ void Runner::scale_increments() {
     }
 }
 
-/// A metre without a point is more likely a millimetre in thousandths.
+/// Reports values of 1000 or more without a decimal point, which may be in least increments.
 void Runner::look_for_points() {
     constexpr double kSuspicious = 1000.0;
     for (const char letter : {'X', 'Y', 'Z'}) {
@@ -292,8 +294,8 @@ bool Runner::is_first_text() const {
     return std::ranges::count(blank, '\n') + 1 == block_.line;
 }
 
-/// '%' as the first line opens a program, the next one closes it. Elsewhere it means nothing, and
-/// LinuxCNC refuses it, as it does with text behind it.
+/// A '%' in the first line opens a program, the next '%' closes the program. Any other '%' is
+/// ignored; LinuxCNC refuses it, and a '%' with text behind it.
 bool Runner::percent() {
     if (current_ != 0) return true;
     const std::string_view text = block_.text;
@@ -308,8 +310,7 @@ bool Runner::percent() {
     }
     if (!percent_opened_) return true;
     if (!rules_.strict) {
-        // "% spindle on": a remark. And what closes a program has nothing to close before its first
-        // block.
+        // "% spindle on" is a comment. A '%' before the first block does not close the program.
         if (!bare || !something_read_) return true;
     }
     machine_.flush();
@@ -317,13 +318,14 @@ bool Runner::percent() {
     return true;
 }
 
-/// Assignments of a block take effect together, after its words and their own right sides are read.
+/// Assigns variables. All assignments of a block take effect together, after the words and
+/// right-hand sides of the block are evaluated.
 bool Runner::assign(const Block& block) {
     struct Pending {
         const Assignment* assignment;
         double value;
         double number;
-        std::string unknown;  // the variable that the value depends on
+        std::string unknown;  // The variable on which the value depends.
     };
     std::vector<Pending> pending;
     for (const Assignment& assignment : block.assignments) {
@@ -360,7 +362,8 @@ bool Runner::assign(const Block& block) {
     return true;
 }
 
-/// Sets #`number`, and what the control does with that number. False if there is no such parameter.
+/// Sets #`number` and makes the control act on the value.
+/// Returns: false if there is no such parameter.
 bool Runner::assign_number(const Assignment& assignment, double number, double value,
                            const std::string& unknown) {
     if (!parameters_.set_numbered(number, value, unknown)) return false;
@@ -397,7 +400,7 @@ void Runner::tool_change_in_comment() {
     for (const Comment& comment : block_.comments) {
         const int tool = tool_called_in(comment);
         if (tool < 0) continue;
-        // Before the first tool and the first feed, the operator loads it in either reading.
+        // Before the first tool and the first feed, the operator loads the tool in any case.
         const MachineState& state = machine_.state();
         const bool is_first = state.tool == 0 && state.feed == 0.0;
         log_.add(is_first || state.tool == tool ? Severity::Note : Severity::Warning,

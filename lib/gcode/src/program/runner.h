@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs a program: reads blocks, follows its loops and calls, hands commands to the machine.
+// Runs a program: reads blocks, follows loops and calls, passes commands to Machine.
 //
-// runner.cpp has the course of one block, o_words.cpp the control words of RS274/NGC, macro_b.cpp
-// those of Fanuc Macro B, calls.cpp what both share: subprograms, files, frames.
+// runner.cpp has the execution of a block, o_words.cpp the control words of RS274/NGC, macro_b.cpp
+// the control words of Fanuc Macro B, calls.cpp the common part: subprograms, files, call frames.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
@@ -23,6 +23,7 @@
 #include <string>
 #include <utility>
 
+/// Runs a program.
 namespace ncsim::gcode {
 
 class Runner {
@@ -35,7 +36,7 @@ public:
 private:
     struct OpenFile {
         const SourceFile* source = nullptr;
-        std::unique_ptr<SourceFile> owned;  // of files beside the program
+        std::unique_ptr<SourceFile> owned;  // Set for files other than the main program.
         BlockReader reader;
         std::unique_ptr<ProgramIndex> index;
     };
@@ -43,17 +44,18 @@ private:
     struct Frame {
         CallKind kind = CallKind::OWord;
         std::string label;
-        std::size_t file = 0;  // to go back to
+        std::size_t file = 0;  // File to return to.
         BlockReader::Place back;
-        std::size_t own_file = 0;     // where the subprogram stands
-        BlockReader::Place start;     // to run it again
-        std::uint64_t remaining = 0;  // runs after this one
+        std::size_t own_file = 0;     // File of the subprogram.
+        BlockReader::Place start;     // Start of the subprogram, for repeats.
+        std::uint64_t remaining = 0;  // Runs after the present run.
         bool has_locals = false;
         std::size_t local_count = 0;
         Parameters::Locals locals;
-        std::size_t repeats = 0;                           // depth of repeats_ at the call
-        std::shared_ptr<const Machine::SavedModes> modes;  // of M70 and M73; null: none
-        bool restores = false;                             // M73: at the return
+        std::size_t repeats = 0;  // Size of repeats_ at the call.
+        // Modes saved by M70 and M73; null: none.
+        std::shared_ptr<const Machine::SavedModes> modes;
+        bool restores = false;  // M73: restores the modes at the return.
     };
     struct Repeat {
         std::string label;
@@ -67,7 +69,7 @@ private:
 
     static std::uint64_t line_count(const SourceFile& file);
 
-    // One block
+    // Execution of a block
     bool step();
     bool percent();
     bool is_first_text() const;
@@ -85,7 +87,7 @@ private:
     void note_control_dependent();
     void end_program();
 
-    // Control words. Each may seek, call or return.
+    // Control words. Each function may seek, call or return.
     void o_word();
     bool check_sub(std::size_t i);
     bool check_label(std::size_t i);
@@ -93,7 +95,7 @@ private:
     void o_loop(std::size_t i);
     void o_leave(std::size_t i);
     void o_call();
-    bool macro_word();  // false: the rest of the block is not for us
+    bool macro_word();  // Returns false if the rest of the block is to be skipped.
     void go_to(std::string_view label);
     void macro_call(int g);
 
@@ -135,21 +137,21 @@ private:
     std::size_t current_ = 0;
     std::vector<Frame> frames_;
     std::vector<Repeat> repeats_;
-    /// File and line of each subroutine that was met.
+    /// File and line of each subroutine definition that was reached.
     std::map<std::string, std::pair<std::size_t, std::uint32_t>> subs_;
-    std::set<std::string> called_;  ///< Labels of the subroutines that were called.
-    /// Places of the control structures that were met: subroutine and label, file and line.
+    std::set<std::string> called_;  ///< Labels of the called subroutines.
+    /// File and line of each control structure that was reached, by subroutine and label.
     std::map<std::pair<std::string, std::string>, std::pair<std::size_t, std::uint32_t>> labels_;
-    std::shared_ptr<const Machine::SavedModes> main_modes_;  // of M70 outside of calls
+    std::shared_ptr<const Machine::SavedModes> main_modes_;  // Modes saved by M70 outside of calls.
     Block block_;
     Command command_;
-    std::uint64_t repeated_ = 0;  // blocks since the first jump or call
-    std::uint64_t most_blocks_ =
-        0;  // what `repeated_` may reach: the limit and the lines there are
-    std::uint32_t else_if_line_ = 0;  // an elseif that was jumped to, not run into
-    std::string modal_call_;          // G66: the block to run after each move
-    std::size_t modal_level_ = 0;     // of calls, where G66 stands
-    bool in_main_title_ = false;      // after "O1" of the main program
+    std::uint64_t repeated_ = 0;  // Blocks since the first jump or call.
+    /// Limit of `repeated_`: the option plus the number of lines.
+    std::uint64_t most_blocks_ = 0;
+    std::uint32_t else_if_line_ = 0;  // Line of an elseif that was reached by a jump.
+    std::string modal_call_;          // G66: the block to execute after each move.
+    std::size_t modal_level_ = 0;     // Call level of the G66.
+    bool in_main_title_ = false;      // After "O1" of the main program.
     bool percent_opened_ = false;
     bool something_read_ = false;
     bool hinted_at_points_ = false;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// File names of subprograms.
 #include "ncsim/gcode/subprogram_file.h"
 
 #include <algorithm>
@@ -31,7 +33,7 @@ std::vector<std::string> subprogram_files(std::string_view name) {
     const bool is_number = name.front() == 'O' && !digits.empty() &&
                            digits.find_first_not_of("0123456789") == std::string_view::npos;
     if (is_number) {
-        // Fanuc counts in four digits, Haas in five; some post processors leave out the O.
+        // Fanuc uses four digits, Haas five; some post processors omit the O.
         for (const std::size_t width : {digits.size(), std::size_t{4}, std::size_t{5}}) {
             if (width < digits.size()) continue;
             const std::string padded =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Characters as NC programs use them, whatever the locale.
+// Classes of characters in NC programs, independent of the locale.
 #pragma once
 
 namespace ncsim::gcode {

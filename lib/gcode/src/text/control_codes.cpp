@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Codes that a program uses and a control lacks.
 #include "ncsim/gcode/control_codes.h"
 
 #include "ncsim/gcode/dialect.h"
@@ -24,21 +26,21 @@ constexpr ControlCodes kControls[] = {
 #undef NCSIM_CONTROL
 };
 
-/// Tenths of the number at `text`, which moves behind the number.
+/// Returns ten times the number at the start of `text`, and removes the number from `text`.
 int take_tenths(std::string_view& text) {
     const PlainNumber number = read_plain_number(text.data(), text.data() + text.size());
     text.remove_prefix(static_cast<std::size_t>(number.end - text.data()));
     return static_cast<int>(std::lround(number.value * 10.0));
 }
 
-/// The numbers of one letter, in tenths.
+/// Numbers of a letter's codes, in tenths.
 using CodeSet = std::bitset<11'000>;
 
 struct CodeSets {
     CodeSet g, optional_g, m, optional_m;
 };
 
-/// Reads "0 1 38.2 54-59": a range is one of whole numbers, unless it begins with a decimal.
+/// Reads "0 1 38.2 54-59". A range contains whole numbers unless the first number has a decimal.
 CodeSet read_codes(std::string_view list) {
     CodeSet codes;
     while (!list.empty()) {
@@ -58,7 +60,7 @@ CodeSet read_codes(std::string_view list) {
     return codes;
 }
 
-/// The sets of each control, in the order of the table.
+/// Returns the sets of each control, in the order of the table.
 const std::vector<CodeSets>& code_sets() {
     static const auto sets = [] {
         std::vector<CodeSets> all;
@@ -71,7 +73,7 @@ const std::vector<CodeSets>& code_sets() {
     return sets;
 }
 
-/// True for kinds whose text is not G-code.
+/// True for kinds whose language is not G-code.
 bool is_other_language(Kind kind) {
     switch (kind) {
         case Kind::Heidenhain:
@@ -164,7 +166,7 @@ private:
     }
 
     const ControlCodes& control_;
-    bool arcs_ = false;  // G2 or G3 is the motion mode
+    bool arcs_ = false;  // G2 or G3 is the motion mode.
     std::vector<CodeUse> uses_;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Collects and prints diagnostics.
 #include "ncsim/gcode/diagnostic.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ std::string fill(std::string_view text, std::initializer_list<std::string_view> 
     return out;
 }
 
-/// Bytes of programs may be anything; what we print of them is readable text.
+/// Returns `text` with blanks in place of control characters.
 std::string printable(std::string_view text) {
     std::string out(text);
     std::ranges::replace_if(
@@ -28,7 +30,8 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-/// The name of a file at the beginning of a line.
+/// Returns a file name for the beginning of a line, with "./" before a name that looks like a
+/// command.
 std::string named(std::string_view name) {
     const std::size_t begin = name.find_first_not_of(" \t");
     const std::string_view rest = begin == std::string_view::npos ? "" : name.substr(begin);
@@ -105,7 +108,7 @@ std::string render(const Diagnostic& diagnostic, const SourceFile& file) {
     out += '\n';
     if (span.line == 0 || (!diagnostic.file.empty() && diagnostic.file != file.name)) return out;
 
-    // Lines can be of any length; the part around the caret is what is wanted.
+    // Lines may have any length; only the part around the caret is shown.
     constexpr std::size_t kWidth = 100;
     const std::string_view line = line_text(file, span.line);
     std::size_t column = std::min<std::size_t>(std::max(span.column, 1U) - 1, line.size());

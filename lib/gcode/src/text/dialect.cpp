@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Signs of dialects and of other languages in the text of a program.
 #include "ncsim/gcode/dialect.h"
 
 #include "text/characters.h"
@@ -42,9 +44,10 @@ std::string_view name_of(Kind kind) {
 
 namespace {
 
-constexpr std::size_t kEveryLine = 128'000;  // bytes; posts put their signs at the beginning
+constexpr std::size_t kEveryLine = 128'000;  // Bytes; post processors write signs at the beginning.
 
-/// The characters of a text as bits: a text can only contain what has no bit of its own.
+/// Characters of a text as bits. A text can contain a sign only if the text has all bits of the
+/// sign.
 using Letters = std::uint64_t;
 constexpr Letters bit_of(char c) {
     return Letters{1} << (static_cast<unsigned char>(c) & 63U);
@@ -56,8 +59,9 @@ constexpr Letters letters_of(std::string_view text) {
     return letters;
 }
 
-/// A text that speaks for a conclusion, in upper case, and how much. In code, words start at a
-/// letter that follows no letter; `in_comments` looks at remarks instead.
+/// A text in upper case that supports a conclusion, with a weight. In code, a sign that starts with
+/// a letter must not follow a letter. `in_comments`: the sign is searched in comments instead of
+/// code.
 struct Sign {
     std::string_view text;
     int weight;
@@ -141,7 +145,8 @@ constexpr std::array<KindSigns, 8> kKinds = {{
        {"LBL ", 2, false, "LBL"},
        {"CALL LBL", 4, false, "CALL LBL"},
        {"FN 0", 2, false, "FN 0"}}}},
-    // The letters of DIN/ISO with other meanings: centres of their own (I J), labels (G98 L).
+    // DIN/ISO of Heidenhain uses letters with different meanings: separate centres (I J), labels
+    // (G98 L).
     {Kind::HeidenhainIso,
      4,
      {{{"G71 *", 4, false, "G71 *"},
@@ -225,7 +230,7 @@ constexpr std::array<KindSigns, 8> kKinds = {{
        {"SHEETCAM", 2, true, "SheetCam"}}}},
 }};
 
-// Where these two stand in kKinds.
+// Indices in kKinds.
 constexpr std::size_t kHeidenhain = 0;
 constexpr std::size_t kSiemens = 2;
 static_assert(kKinds[kHeidenhain].kind == Kind::Heidenhain);
@@ -235,7 +240,7 @@ constexpr bool is_capital(char c) {
     return c >= 'A' && c <= 'Z';
 }
 
-/// Whether `what` stands in `text` and is not a piece of a longer word or number.
+/// True if `text` contains `what`, not as a part of a longer word or number.
 bool contains(std::string_view text, std::string_view what) {
     for (std::size_t at = text.find(what); at != std::string_view::npos;
          at = text.find(what, at + 1)) {
@@ -250,7 +255,7 @@ bool contains(std::string_view text, std::string_view what) {
     return false;
 }
 
-/// One line in upper case, taken apart into code and remarks.
+/// A line in upper case, split into code and comments.
 struct SplitLine {
     std::string code, remarks;
     Letters code_letters = 0, remark_letters = 0;
@@ -271,8 +276,8 @@ struct SplitLine {
     }
 };
 
-/// "N10 G1 X1.5 Y-2 F100": words that look alike on all controls, of these letters. What it says of
-/// the axes is added to `letters_seen`.
+/// True if `line` consists of words with letters `plain` that look alike on all controls: "N10 G1
+/// X1.5 Y-2 F100". Adds the letters of the line to `letters_seen`.
 bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
     constexpr Letters kNumbers = letters_of("0123456789.+- \t\r");
     Letters letters = 0;
@@ -286,7 +291,7 @@ bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
                 continue;
             }
             if (c != 'G') return false;
-            // G0 … G3, also with a zero before them
+            // G0 … G3, optionally with a leading zero.
             ++i;
             if (i + 1 < line.size() && line[i] == '0' && is_digit(line[i + 1])) ++i;
             if (i == line.size() || line[i] < '0' || line[i] > '3') return false;
@@ -301,7 +306,7 @@ bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
     return letters != 0 && has_digit;
 }
 
-/// "PART.MPF", "part.spf": main programs and subprograms of SINUMERIK.
+/// True for "PART.MPF", "part.spf": main programs and subprograms of SINUMERIK.
 bool has_siemens_name(std::string_view name) {
     if (name.size() < 4) return false;
     std::string ending(name.substr(name.size() - 4));
@@ -310,7 +315,7 @@ bool has_siemens_name(std::string_view name) {
     return ending == ".MPF" || ending == ".SPF";
 }
 
-/// G20, G21 or G43, which SINUMERIK does not have in its own language.
+/// True if `code` has G20, G21 or G43, which the language of SINUMERIK lacks.
 bool has_iso_code(std::string_view code) {
     for (std::size_t i = 0; i + 2 < code.size(); ++i) {
         const std::string_view word = code.substr(i, 3);
@@ -324,7 +329,8 @@ class Detective {
 public:
     explicit Detective(std::string_view name) : is_named_siemens_(has_siemens_name(name)) {}
 
-    /// `every` line, or only those that are not plain?
+    /// Counts the signs of a line. Lines with only the letters N X Y Z F and G0 … G3, and, unless
+    /// `every`, also A B C I J K R S, contain no signs; such lines only contribute axes.
     void look_at(std::string_view line, std::uint32_t number, bool every) {
         constexpr Letters kPlain = letters_of("NXYZF");
         constexpr Letters kPlainArcs = kPlain | letters_of("ABCIJKRS");
@@ -378,14 +384,14 @@ public:
             findings.evidence = dialects_[best].evidence;
         }
         for (std::size_t i = 0; i < kKinds.size(); ++i) {
-            // What prints pushes material: heaters alone have other machines, too.
+            // Printers extrude (E words); heaters alone also occur on other machines.
             if (kKinds[i].kind == Kind::Printer && !extrudes_) continue;
             if (kinds_[i].weight >= kKinds[i].enough && findings.kind == Kind::Milling) {
                 findings.kind = kKinds[i].kind;
                 findings.kind_evidence = kinds_[i].evidence;
             }
         }
-        // The name decides unless the text is of another control.
+        // The file name decides unless the text has signs of a different control.
         constexpr int kStronger = 4;
         if (findings.kind == Kind::Milling && is_named_siemens_ && !has_iso_codes_ &&
             dialects_[best].weight < kStronger) {
@@ -416,7 +422,7 @@ private:
 
     static void add(Case& which, std::size_t sign, int weight, std::string_view because,
                     std::uint32_t line) {
-        if ((which.seen >> sign & 1U) != 0) return;  // each sign speaks once
+        if ((which.seen >> sign & 1U) != 0) return;  // Each sign counts once.
         which.seen |= std::uint64_t{1} << sign;
         which.weight += weight;
         which.evidence.push_back({std::string(because), line});
@@ -435,7 +441,8 @@ private:
         }
     }
 
-    /// Lathe programs: no Y at all, tools as T0101, constant surface speed, cycles from P to Q.
+    /// Counts signs of lathe programs: no Y, tools such as T0101, constant surface speed, cycles
+    /// from P to Q.
     void look_for_turning(std::uint32_t line) {
         const std::string& code = split_.code;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
@@ -478,7 +485,7 @@ private:
         if (contains(code, "G7")) add(turning_, 5, 3, "diameters (G7)", line);
     }
 
-    /// "12 L X+10 FMAX", "CC X+0 Y+0": lines that begin with a letter that has no number.
+    /// Counts lines with letters without numbers, as in Klartext: "12 L X+10 FMAX", "CC X+0 Y+0".
     void look_for_heidenhain(std::uint32_t line) {
         const std::string& code = split_.code;
         std::size_t at = code.find_first_not_of("0123456789 \t");
@@ -488,18 +495,18 @@ private:
         const std::string_view name = std::string_view(code).substr(at, end - at);
         if (name != "L" && name != "C" && name != "CC") return;
         at = code.find_first_not_of(" \t", end);
-        if (at != std::string::npos && code[at] == 'I') ++at;  // IX+5: a step
+        if (at != std::string::npos && code[at] == 'I') ++at;  // IX+5: an increment.
         if (at == std::string::npos || (code[at] != 'X' && code[at] != 'Y' && code[at] != 'Z'))
             return;
         ++at;
         if (at < code.size() && (code[at] == '+' || code[at] == '-')) ++at;
         if (at >= code.size() || (code[at] != 'Q' && code[at] != '.' && !is_digit(code[at])))
-            return;  // "C X-axis to the left" is prose
+            return;  // "C X-axis to the left" is prose.
         add(kinds_[kHeidenhain], 40, 4, "lines like L X+10 and CC X+10", line);
     }
 
-    /// "G1 X=AC(20)", "CR=5", "R1=10": on Siemens values of more than a number, and of names, stand
-    /// behind "=". Elsewhere only parameters (#1=, #<a>=) and settings ($1=) are written so.
+    /// Counts values after "=", as on Siemens: "G1 X=AC(20)", "CR=5", "R1=10". In other languages
+    /// only parameters (#1=, #<a>=) and settings ($1=) have "=".
     void look_for_values_behind_equals(std::uint32_t line) {
         const std::string& code = split_.code;
         if (code.find('=') == std::string::npos || code.find('$') != std::string::npos) return;
@@ -524,7 +531,7 @@ private:
         }
     }
 
-    /// "CYCLE83(5,0,1,-20)", "POCKET3(…)", "HOLES2(…)", "MSG("…")".
+    /// Counts "CYCLE83(5,0,1,-20)", "POCKET3(…)", "HOLES2(…)", "MSG("…")".
     void look_for_named_cycles(std::uint32_t line) {
         const std::string& code = split_.code;
         const std::size_t last = code.find_last_not_of(" \r");
@@ -547,8 +554,8 @@ private:
         }
     }
 
-    /// The letters, and the digits behind them, that end right before `p`; empty where a parameter
-    /// (#1, #<a>) does.
+    /// Returns the letters and following digits that end right before `p`; empty for parameters
+    /// (#1, #<a>).
     static std::string_view name_before(std::string_view code, std::size_t p) {
         std::size_t end = p;
         while (end > 0 && code[end - 1] == ' ')
@@ -565,7 +572,7 @@ private:
         return code.substr(at, end - at);
     }
 
-    /// Lasers have no Z: they are turned on and off, and their power goes with the moves.
+    /// Counts signs of lasers, which have no Z: switched on and off, power within moves.
     void look_for_power(std::uint32_t line) {
         const std::string& code = split_.code;
         for (const std::string_view on : {"M3", "M4", "M03", "M04"}) {
@@ -576,7 +583,7 @@ private:
             add(power_, 1, 2, "power by M106 and M107", line);
     }
 
-    /// Which axes move, and what else stands beside them.
+    /// Records the axes of a line, and signs in the same line.
     void look_at_axes(Letters words, std::uint32_t line) {
         constexpr Letters kXY = letters_of("XY");
         has_z_ = has_z_ || (words & bit_of('Z')) != 0;
@@ -595,7 +602,7 @@ private:
         return number.end ? number.value : 0.0;
     }
 
-    /// Is this C an axis, or could it be the size of a chamfer?
+    /// Decides whether the C of a line is a rotary axis or may be the size of a chamfer.
     void look_at_c(Letters words) {
         constexpr double kLargestChamfer = 20.0;
         const std::string& code = split_.code;
@@ -603,7 +610,7 @@ private:
         const double size = c == std::string::npos ? 0.0 : number_at(code, c + 1);
         const bool line =
             (words & letters_of("ABZIJKRUVWHLPQTMO")) == 0 && (words & letters_of("XY")) != 0;
-        bool other_code = false;  // than G1, and what stands beside it
+        bool other_code = false;  // A G code other than G1 and modes.
         for (std::size_t g = code.find('G'); g != std::string::npos; g = code.find('G', g + 1)) {
             const double number = number_at(code, g + 1);
             other_code = other_code || (number != 1.0 && number != 17.0 && number != 40.0 &&
@@ -616,7 +623,7 @@ private:
         }
     }
 
-    /// "%", then "O1234": how Fanuc programs begin.
+    /// Counts a header of Fanuc programs: "O1234" near the beginning.
     void look_for_header(std::uint32_t line) {
         const std::string& code = split_.code;
         if (line > 5 || code.size() < 5 || (code[0] != 'O' && code[0] != ':')) return;
@@ -647,7 +654,7 @@ private:
     bool has_plane_ = false;
 };
 
-/// NUL and other control bytes do not come in programs.
+/// True if `text` has too many control bytes for a program.
 bool looks_binary(std::string_view text) {
     const std::string_view head = text.substr(0, 4096);
     const auto odd = std::ranges::count_if(head, [](char c) {

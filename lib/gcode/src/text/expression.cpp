@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A recursive-descent evaluator of expressions.
 #include "text/expression.h"
 
 #include "ncsim/trig/angles.h"
@@ -37,10 +39,10 @@ struct OperatorText {
     Operator op;
     int precedence;
 };
-// "**" before "*": the first that fits is taken.
+// "**" is before "*" because the first match counts.
 constexpr auto kOperators = std::to_array<OperatorText>({
     {"**", Operator::Power, 6},
-    {"^", Operator::Power, 6},  // Carvera's and Mach3's
+    {"^", Operator::Power, 6},  // Carvera and Mach3.
     {"*", Operator::Times, 5},
     {"/", Operator::Divide, 5},
     {"mod", Operator::Modulo, 5},
@@ -57,7 +59,7 @@ constexpr auto kOperators = std::to_array<OperatorText>({
     {"xor", Operator::Xor, 2},
 });
 
-/// Deep nesting is either an attack or a mistake; the limit keeps the stack safe.
+/// Limit of the nesting depth; protects the stack.
 constexpr int kMaxDepth = 100;
 
 class Evaluator {
@@ -154,7 +156,7 @@ private:
         }
         std::optional<double> number = value();
         if (!number) return std::nullopt;
-        // "#[#120]" of a vacant #120 is #0, which is vacant itself.
+        // A vacant #120 makes "#[#120]" #0, which is vacant.
         if (arithmetic_.vacant && std::isnan(*number)) number = 0.0;
         if (const std::optional<double> found = parameters_.numbered(*number)) return found;
         const double shown = std::isnan(*number) ? 0.0 : std::clamp(*number, -1e15, 1e15);
@@ -179,7 +181,7 @@ private:
         return of_one(name, std::isnan(*x) ? 0.0 : *x);
     }
 
-    /// Of a name: whether it was ever set; of a number: whether there is such a parameter.
+    /// EXISTS: 1 if the name was set or the numbered parameter exists, otherwise 0.
     std::optional<double> exists() {
         if (!skip('[') || at_ >= text_.size() || text_[at_] != '#')
             return fail(Message::ExistsArgument);
@@ -199,7 +201,7 @@ private:
         return found ? 1.0 : 0.0;
     }
 
-    /// ATAN[y]/[x] everywhere; ATAN[y,x], ATAN[y] and POW[x,y] on Fanuc's kin.
+    /// ATAN[y]/[x] on all controls; ATAN[y,x], ATAN[y] and POW[x,y] if not strict.
     std::optional<double> of_two(std::string_view name) {
         ++at_;
         const std::optional<double> a = expression(0);
@@ -255,7 +257,7 @@ private:
         return fail(Message::FunctionUnknown, name);
     }
 
-    /// BIN: four bits per decimal digit -> number; BCD: back.
+    /// BIN: converts four bits per decimal digit to a number; BCD: the inverse.
     static double recode(std::string_view name, double x) {
         const double base_in = name == "bin" ? 16.0 : 10.0;
         const double base_out = name == "bin" ? 10.0 : 16.0;
@@ -271,7 +273,7 @@ private:
     }
 
     std::optional<double> apply(Operator op, double a, double b) {
-        // A vacant variable is equal to nothing but another one; elsewhere it counts as 0.
+        // A vacant variable is equal only to a vacant variable; in other operations it counts as 0.
         const bool vacant_a = std::isnan(a);
         const bool vacant_b = std::isnan(b);
         if (vacant_a || vacant_b) {
@@ -280,7 +282,7 @@ private:
             if (vacant_a) a = 0.0;
             if (vacant_b) b = 0.0;
         }
-        // LinuxCNC: TOLERANCE_EQUAL, of EQ and NE alone.
+        // TOLERANCE_EQUAL of LinuxCNC applies to EQ and NE only.
         const double same = arithmetic_.compares_loosely ? 1e-4 : 1e-6;
         const bool is_near = !arithmetic_.compares_loosely && std::abs(a - b) < same;
         switch (op) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What decides which line comes next: O words, and IF, WHILE, GOTO, END of Macro B.
+// Control words: O-words, and IF, WHILE, GOTO, END of Macro B.
 #include "text/characters.h"
 #include "text/line_parser.h"
 #include "text/message.h"
@@ -38,7 +38,7 @@ ControlWord o_command(std::string_view name) {
     return found == kCommands.end() ? ControlWord::None : found->word;
 }
 
-/// Control words behind which LinuxCNC reads nothing: text there is not refused.
+/// True for control words after which LinuxCNC ignores the rest of the line.
 bool is_closing(ControlWord word) {
     switch (word) {
         case ControlWord::OElseIf:
@@ -71,10 +71,10 @@ bool LineParser::read_o_word() {
             ++at_;
         block_.control = {
             ControlWord::ProgramNumber, text_.substr(label, at_ - label), {}, span(start, at_)};
-        return true;  // "OCIRCLE": a program with a name
+        return true;  // "OCIRCLE": a program with a name.
     } else if (text_[start] == ':' && !options_.strict &&
                (at_ >= text_.size() || !is_digit(text_[at_]))) {
-        at_ = text_.size();  // ": G90 …": a remark of other controls
+        at_ = text_.size();  // ": G90 …": a comment on some controls.
         block_.kind = BlockKind::Command;
         report(Message::ConsoleCommand, span(start, at_),
                {line_.substr(0, std::min<std::size_t>(line_.size(), 20))});
@@ -94,7 +94,7 @@ bool LineParser::read_o_word() {
     if (block_.control.word == ControlWord::None) {
         if (!options_.strict && end < text_.size() + 1 && !command.empty() && text_[label] != '[' &&
             text_[label] != '#') {
-            at_ = end;  // "O7997A": a number with a letter
+            at_ = end;  // "O7997A": a number followed by a letter.
             while (at_ < text_.size() && is_digit(text_[at_]))
                 ++at_;
             if (command.size() > 2) at_ = end;
@@ -115,18 +115,19 @@ bool LineParser::read_o_word() {
     }
     block_.control.expression = text_.substr(arguments, at_ - arguments);
     if (block_.control.expression.empty() && at_ < text_.size() && starts_value(text_[at_])) {
-        // "o100 repeat #1" and the like: one value without brackets.
+        // "o100 repeat #1": a value without brackets.
         if (!skip_value()) return false;
         block_.control.expression = text_.substr(arguments, at_ - arguments);
         const ControlWord word = block_.control.word;
         const bool is_condition = word == ControlWord::OIf || word == ControlWord::OElseIf ||
-                                  word == ControlWord::OWhile;  // the runner asks for brackets
+                                  word == ControlWord::OWhile;  // Runner requires the brackets.
         if (options_.strict && !is_condition && !is_closing(word)) {
             report(Message::ConditionBracket, span(arguments, at_), {block_.control.expression});
             return false;
         }
     }
-    // "o1 if [#1] AND [#2]": nothing reads the second half, so that the condition is another one.
+    // "o1 if [#1] AND [#2]": the second half is not read, so the condition would not be the
+    // intended condition.
     const std::string_view rest = text_.substr(at_);
     const bool goes_on =
         std::ranges::any_of(std::array{"and[", "or[", "xor["},
@@ -149,14 +150,14 @@ bool LineParser::reads_macro_word() {
     const std::size_t start = at_;
     const bool is_if = rest.starts_with("if");
     const bool is_do = rest.size() > 2 && rest.starts_with("do") && is_digit(rest[2]);
-    const bool is_short = rest.starts_with("wh[");  // Fanuc reads the first two letters
+    const bool is_short = rest.starts_with("wh[");  // Fanuc reads only the first two letters.
     const bool is_while = rest.starts_with("while") || is_short || is_do;
     if (!is_if && !is_while && !rest.starts_with("goto") &&
         !(rest.starts_with("end") && rest.size() > 3 && is_digit(rest[3]))) {
         return false;
     }
     if (options_.strict || block_.control.word == ControlWord::If) {
-        // Letters that mean nothing to RS274/NGC: the letter before is the culprit there.
+        // RS274/NGC has no such words: the first letter lacks a number.
         report(Message::NumberExpected, span(start, start + 1), {upper_letter(rest[0])});
         return good_ = false, true;
     }
@@ -179,7 +180,7 @@ bool LineParser::reads_macro_word() {
             at_ = then + 4;
             return true;
         } else if (is_if && at_ < text_.size() && text_[at_] == '[' && skip_brackets()) {
-            control.expression = text_.substr(condition, at_ - condition);  // IF[…] M99
+            control.expression = text_.substr(condition, at_ - condition);  // IF[…] M99.
             control.word = ControlWord::If;
             return true;
         } else {

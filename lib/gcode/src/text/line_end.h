@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where lines end: LF, CRLF or CR; a UTF-8 byte order mark is no part of the first line.
+// Line ends: LF, CRLF or CR. A UTF-8 byte order mark is not part of the first line.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,13 @@
 
 namespace ncsim::gcode {
 
+/// End of the first line of a text.
 struct LineEnd {
-    std::size_t length;  ///< Of the line without its end.
-    std::size_t next;    ///< Where the next line starts.
+    std::size_t length;  ///< Length of the line without the line end.
+    std::size_t next;    ///< Start of the next line.
 };
 
+/// Returns the end of the first line of `text`.
 inline LineEnd find_line_end(std::string_view text) {
     const void* lf = std::memchr(text.data(), '\n', text.size());
     const std::size_t length =
@@ -25,6 +27,7 @@ inline LineEnd find_line_end(std::string_view text) {
     return {length, lf ? length + 1 : length};
 }
 
+/// Returns `text` without a leading byte order mark.
 inline std::string_view after_byte_order_mark(std::string_view text) {
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parses a line in place, or from a clean copy.
 #include "text/line_parser.h"
 
 #include "text/characters.h"
@@ -16,8 +18,8 @@ constexpr std::uint32_t column_of(std::size_t index) {
     return static_cast<std::uint32_t>(index + 1);
 }
 
-/// Where the comment that opens at `open` ends: the index of the matching ')', of the first one if
-/// the parentheses do not balance, or npos.
+/// End of the comment that opens at `open`: index of the matching ')'; of the first ')' if the
+/// parentheses do not balance; npos if there is none.
 struct CommentEnd {
     std::size_t close;
     bool nested;
@@ -62,12 +64,12 @@ bool LineParser::read_plain() {
             ++p;
         const PlainNumber number = read_plain_number(p, end);
         if (!number.end) return false;
-        // A blank inside a number ("X1 2.5") is legal and rare: the general reader's.
+        // A blank inside a number ("X1 2.5") is legal and rare; read_general() handles the line.
         const char* next = number.end;
         while (next != end && is_blank(*next))
             ++next;
         if (next != end && (is_digit(*next) || *next == '.')) return false;
-        if (number.end != end && upper(*number.end) == 'E') return false;  // perhaps an exponent
+        if (number.end != end && upper(*number.end) == 'E') return false;  // Possibly an exponent.
         if (letter == 'N') {
             if (!first || number.value < 0.0) return false;
             set_number(number.value);
@@ -190,14 +192,14 @@ bool LineParser::is_console_command() {
     static constexpr std::array<std::string_view, 5> kFanucOutput = {"dprnt", "bprnt", "popen",
                                                                      "pclos", "setvn"};
     const char c = text_[0];
-    // M117 and M118 show the rest of their line on a display.
+    // M117 and M118 show the rest of the line on a display.
     const bool shows = (text_.starts_with("m117") || text_.starts_with("m118")) &&
                        text_.size() > 4 && is_letter(text_[4]);
     const bool fanuc = std::ranges::any_of(
         kFanucOutput, [&](std::string_view name) { return text_.starts_with(name); });
     if (c != '$' && c != '?' && c != '!' && c != '~' && c != '<' && c != '&' && !fanuc && !shows)
         return false;
-    // Text that is shown or printed has no influence on what follows.
+    // Displayed or printed text does not affect the program.
     const bool is_text = (fanuc || shows) && !options_.strict;
     const std::string_view shown = line_.substr(0, std::min<std::size_t>(line_.size(), 20));
     if (is_text) report(Message::ConsoleText, span(0, text_.size()), {shown});

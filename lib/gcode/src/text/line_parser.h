@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two readers for one grammar. Nearly every line of a real program is a row of letters with plain
-// numbers; those are read in place, in one pass. The first thing that is anything else sends
-// the line to the general reader, which works on a clean copy (lower case, no blanks, no comments)
-// with a column for each byte, so that blanks may stand anywhere, as RS274/NGC allows.
+// Parses a line with two readers for the same grammar. Nearly every line of a real program consists
+// of letters with plain numbers; read_plain() parses such a line in place, in a single pass. Any
+// other text makes read_general() parse the line from a clean copy (lower case, no blanks, no
+// comments) with the column of each byte, so blanks may occur anywhere, as RS274/NGC allows.
 #pragma once
 
 #include "ncsim/gcode/block.h"
@@ -19,21 +19,22 @@
 
 namespace ncsim::gcode {
 
-/// Reads one line. Lives as long as the line.
+/// Parses a line. Must not outlive the line.
 class LineParser {
 public:
-    /// `columns`: room for those of the clean copy. Without a log nothing is said.
+    /// `columns`: buffer for the columns of the clean copy. Without `log` faults are not reported.
     LineParser(ParserOptions options, std::vector<std::uint32_t>& columns, std::string_view line,
                Block& block, DiagnosticLog* log)
         : options_(options), columns_(columns), line_(line), block_(block), log_(log) {}
 
-    /// Something was to be said of the line.
+    /// True if the line has a fault.
     bool said_something() const { return said_; }
 
-    /// Words with plain numbers, comments at the end, nothing else; false if there is more.
+    /// Parses words with plain numbers and comments.
+    /// Returns: false if the line has other text.
     bool read_plain();
 
-    /// Everything else. The block points into `clean`, which is written into.
+    /// Parses any line. The block points into `clean`, which receives the clean copy.
     void read_general(std::string& clean);
 
 private:
@@ -49,22 +50,24 @@ private:
     }
     void report(const MessageText& message, SourceSpan span,
                 std::initializer_list<std::string_view> arguments = {});
-    /// For what other controls accept: a warning, and under strict rules an error.
+    /// Reports a fault that other controls accept: a warning, or an error under strict rules.
+    /// Returns: true if it was a warning.
     bool tolerate(const MessageText& message, SourceSpan span,
                   std::initializer_list<std::string_view> arguments = {});
-    /// Of bytes of the clean copy.
+    /// Returns the span of the bytes `first` … `last` - 1 of the clean copy.
     SourceSpan span(std::size_t first, std::size_t last) const;
 
     // line_parser.cpp
     void add_comment(std::size_t open, std::size_t close);
     void add_semicolon_comment(std::size_t at);
-    /// "[VCarve: sign.crv]" at the beginning of a line: a comment for WinCNC, and no word anywhere.
+    /// True for "[VCarve: sign.crv]" at the beginning of a line: a comment for WinCNC.
     bool is_bracket_comment(std::size_t at, std::string_view before) const;
-    /// Fills the clean copy. False if the line must not be executed.
+    /// Fills the clean copy.
+    /// Returns: false if the line must not be executed.
     bool make_clean(std::string& clean);
     bool is_percent();
     bool is_console_command();
-    /// Block delete ('/', "/2") and the line number, in either order.
+    /// Reads block delete ('/', "/2") and the line number, in either order.
     void read_prefix();
 
     // line_words.cpp
@@ -74,24 +77,26 @@ private:
     bool read_checksum();
 
     // line_control.cpp
-    /// "o100 sub", "o<name> call [1]", and the Fanuc program number "O1234".
+    /// Reads "o100 sub", "o<name> call [1]", and the Fanuc program number "O1234".
     bool read_o_word();
-    /// IF, WHILE, GOTO, END n of Fanuc Macro B. True if there was one, read or refused (`good_`).
+    /// Reads IF, WHILE, GOTO, END n of Fanuc Macro B.
+    /// Returns: true if there is such a word, accepted or refused (`good_`).
     bool reads_macro_word();
     std::size_t find_outside_brackets(std::size_t from, std::string_view what) const;
 
     // line_values.cpp
-    /// True, after a report, if the number from `start` to here goes on with an exponent.
+    /// True, after reporting the fault, if the number from `start` to the present position
+    /// continues with an exponent.
     bool has_exponent(std::size_t start);
     bool skip_brackets();
     bool skip_name();
-    /// One value: sign, then a number, a parameter, brackets, or a function of brackets.
+    /// Skips a value: sign, then a number, a parameter, brackets, or a function of brackets.
     bool skip_value();
-    /// Fanuc writes "#1=#2+3*#4" without brackets.
+    /// Skips operations without brackets, as in "#1=#2+3*#4" of Fanuc.
     bool skip_operations();
 
     ParserOptions options_;
-    std::vector<std::uint32_t>& columns_;  // of the clean copy
+    std::vector<std::uint32_t>& columns_;  // Columns of the clean copy.
     std::string_view line_;
     Block& block_;
     DiagnosticLog* log_;

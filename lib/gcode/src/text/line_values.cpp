@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far values reach; what they are worth is the evaluator's (expression.h).
+// Finds the ends of values. Values are evaluated by expression.h.
 #include "text/characters.h"
 #include "text/line_parser.h"
 #include "text/message.h"
@@ -15,7 +15,7 @@ bool LineParser::has_exponent(std::size_t start) {
     std::size_t end = at_;
     const bool follows = end > 0 && end < text_.size() && text_[end] == 'e' &&
                          (is_digit(text_[end - 1]) || text_[end - 1] == '.') &&
-                         columns_[end] == columns_[end - 1] + 1;  // else a word of its own
+                         columns_[end] == columns_[end - 1] + 1;  // Otherwise a separate word E.
     if (!follows) return false;
     if (++end < text_.size() && (text_[end] == '-' || text_[end] == '+')) ++end;
     if (end == text_.size() || !is_digit(text_[end])) return false;

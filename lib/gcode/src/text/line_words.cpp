@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Words, assignments and checksums.
+// Parses words, assignments and checksums.
 #include "text/characters.h"
 #include "text/line_parser.h"
 #include "text/message.h"
@@ -12,7 +12,7 @@ namespace ncsim::gcode {
 
 namespace {
 
-/// True for M66 to M68 and G65, G66, of which E is a word.
+/// True for M66 to M68 and G65, G66, whose blocks may have E words.
 bool takes_e(char letter, double number) {
     return (letter == 'M' && number >= 66.0 && number <= 68.0) ||
            (letter == 'G' && (number == 65.0 || number == 66.0));
@@ -34,7 +34,7 @@ bool LineParser::read_words() {
             ++at_;
             if (!read_word(start, true)) return false;
         } else if (c == '/' && !options_.strict) {
-            block_.block_delete = true;  // Fanuc: in mid-line, for what follows.
+            block_.block_delete = true;  // Fanuc: a slash in mid-line; the whole block is marked.
             ++at_;
         } else if (is_letter(c) || c == '@' || c == '^') {
             if (reads_macro_word()) {
@@ -63,7 +63,7 @@ bool LineParser::read_word(std::size_t start, bool comma) {
     const PlainNumber number = read_plain_number(text_.data() + at_, text_.data() + text_.size());
     if (number.end) {
         at_ = static_cast<std::size_t>(number.end - text_.data());
-        // "M67E2Q3", "G65P1F600E41": no exponents.
+        // "M67E2Q3", "G65P1F600E41" have no exponents.
         const bool has_e = takes_e(letter, number.value) ||
                            std::ranges::any_of(block_.words, [](const Word& word) {
                                return takes_e(word.letter, word.number);
@@ -78,7 +78,7 @@ bool LineParser::read_word(std::size_t start, bool comma) {
         }
         return false;
     }
-    // "X#1-#2": some controls calculate without brackets, too.
+    // "X#1-#2": some controls calculate without brackets.
     const bool goes_on = at_ + 1 < text_.size() &&
                          std::string_view("+-*/").find(text_[at_]) != std::string_view::npos &&
                          starts_value(text_[at_ + 1]);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The names of the rows of diagnostics.def: all that lib/gcode can say.
+// Names of the messages in diagnostics.def.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
 
 namespace ncsim::gcode {
 
+/// The messages of lib/gcode, by name.
 struct Message {
 #define NCSIM_DIAGNOSTIC(name, severity, code, text) \
     static constexpr MessageText name{Severity::severity, code, text};

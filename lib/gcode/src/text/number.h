@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers as NC programs write them: a sign, digits, perhaps a point; "5.", ".5"; no exponent.
+// Numbers of NC programs: a sign, digits, an optional point; "5.", ".5"; no exponent.
 #pragma once
 
 #include <charconv>
@@ -10,12 +10,13 @@
 
 namespace ncsim::gcode {
 
+/// A number and its end in the text.
 struct PlainNumber {
     double value = 0.0;
-    const char* end = nullptr;  ///< Behind the number; nullptr if there is none.
+    const char* end = nullptr;  ///< End of the number; nullptr if there is no number.
 };
 
-/// Reads the number at `p`, correctly rounded; infinity where it is too large for a double.
+/// Reads the number at `p`, correctly rounded; infinity if the number exceeds the range of double.
 inline PlainNumber read_plain_number(const char* p, const char* end) {
     bool negative = false;
     if (p != end && (*p == '-' || *p == '+')) negative = *p++ == '-';
@@ -36,8 +37,9 @@ inline PlainNumber read_plain_number(const char* p, const char* end) {
     }
     if (count == 0) return {};
     double value = 0.0;
-    // Up to 15 digits are exact in a double, and so are powers of ten up to 22: one division
-    // rounds once (Clinger, "How to read floating point numbers accurately", 1990).
+    // Integers up to 15 digits and powers of ten up to 10^22 are exact in double, so a single
+    // division rounds once.
+    // Source: Clinger, "How to read floating point numbers accurately", 1990.
     if (count <= 15) {
         constexpr double kPowers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
@@ -45,7 +47,8 @@ inline PlainNumber read_plain_number(const char* p, const char* end) {
     } else {
         const std::from_chars_result read =
             std::from_chars(first, p, value, std::chars_format::fixed);
-        // 400 digits before the point are more than any number; as many zeros behind it are 0.
+        // Out of range: a number below 1 underflows to 0; any other number exceeds the range of
+        // double.
         if (read.ec == std::errc::result_out_of_range) {
             const char* digit = first;
             while (*digit == '0')

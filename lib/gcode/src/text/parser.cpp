@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads lines, and keeps parsed lines of loops.
 #include "ncsim/gcode/parser.h"
 
 #include "text/line_end.h"
@@ -38,20 +40,20 @@ std::string_view BlockReader::take_line() {
     return rest.substr(0, end.length);
 }
 
-/// The text of a program does not change, so that what was read of it stays right.
+/// Parsed lines. The text of a program is constant, so a parsed line stays valid.
 struct BlockReader::Kept {
-    /// More is written in no loop of a program that somebody wrote.
+    /// Largest total size of kept lines, above the size of loops in real programs.
     static constexpr std::size_t kMostBytes = 131'072;
     struct Line {
         std::string clean;
-        bool is_kept = false;  ///< Else it is read again, into `clean`.
+        bool is_kept = false;  ///< False: the line is parsed again, into `clean`.
         Block block;
         Place after;
     };
     std::unordered_map<std::size_t, Line> lines;
     std::size_t bytes = 0;
 
-    /// Where the line that begins at `start` is kept; nullptr, if there is no room for it.
+    /// Returns the entry of the line that begins at `start`; nullptr if there is no room.
     Line* at(std::size_t start, std::size_t size) {
         if (const auto known = lines.find(start); known != lines.end()) return &known->second;
         if (lines.size() >= kMostKept || bytes + size > kMostBytes) return nullptr;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Text of blocks and motions.
 #include "ncsim/gcode/print.h"
 
 #include <array>
@@ -49,8 +51,8 @@ void print_control(std::string& out, const Control& control) {
     if (is_macro && !control.label.empty()) out.append(" -> ").append(control.label);
 }
 
-// To a picometre, which is finer than any control counts: what offsets and inches leave behind the
-// last digit that was written says nothing.
+// Rounds to a picometre, finer than the resolution of any control, to hide rounding errors of
+// offsets and inches.
 double picometres(double mm) {
     constexpr double kPerMm = 1e9;
     return std::abs(mm) < 1e6 ? std::round(mm * kPerMm) / kPerMm : mm;
@@ -99,7 +101,7 @@ std::string_view name_of(Plane plane) {
 }  // namespace
 
 void print_number(std::string& out, double value) {
-    if (value == 0.0) value = 0.0;  // -0 is 0 to a machinist.
+    if (value == 0.0) value = 0.0;  // -0 is printed as 0.
     std::array<char, 40> text{};
     const bool ordinary = std::abs(value) < 1e15 && (value == 0.0 || std::abs(value) > 1e-9);
     const auto format = ordinary ? std::chars_format::fixed : std::chars_format::scientific;

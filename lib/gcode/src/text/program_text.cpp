@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Classifies a text by counting lines that are blocks of some control.
 #include "ncsim/gcode/program_text.h"
 
 #include "ncsim/gcode/parser.h"
@@ -18,7 +20,7 @@ using Names = std::string_view;
 constexpr std::array kProgramEndings = {".ngc", ".nc",  ".tap", ".cnc", ".gcode",
                                         ".ncc", ".eia", ".mpf", ".spf"};
 
-/// Names of more than one letter that stand in blocks of some control.
+/// Names of more than one letter in blocks of some control.
 constexpr std::array kBlockNames = {
     // Macro B, LinuxCNC
     Names("IF"), Names("THEN"), Names("GOTO"), Names("WHILE"), Names("DO"), Names("END"),
@@ -64,7 +66,8 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\f") + 1 - begin);
 }
 
-/// Value of the whole number at `at`, -1 if it is longer than three digits or no number.
+/// Returns the whole number at `at`; -1 if there is no number or the number has more than three
+/// digits.
 int code_at(std::string_view line, std::size_t at) {
     while (at < line.size() && is_blank(line[at]))
         ++at;
@@ -75,17 +78,17 @@ int code_at(std::string_view line, std::size_t at) {
     return digits == 0 || digits > 3 ? -1 : value;
 }
 
-/// Lines of a text, counted by what they may be.
+/// Numbers of lines of a text, by class.
 struct Lines {
     std::size_t blocks = 0;   ///< Readable as a block of some control.
     std::size_t codes = 0;    ///< Blocks with a G or M code.
-    std::size_t others = 0;   ///< Neither block nor remark.
+    std::size_t others = 0;   ///< Neither a block nor a comment.
     std::size_t columns = 0;  ///< Others with commas, semicolons or tabs between values.
     std::size_t values = 0;   ///< Others with "NAME = value" or "[SECTION]".
-    std::size_t foreign = 0;  ///< Blocks only Klartext or SINUMERIK have.
+    std::size_t foreign = 0;  ///< Blocks that only Klartext or SINUMERIK has.
 };
 
-/// The line in upper case, without remarks in parentheses and behind ';'.
+/// Returns the line in upper case, without comments in parentheses and after ';'.
 std::string code_of(std::string_view line) {
     std::string code;
     int depth = 0;
@@ -98,7 +101,7 @@ std::string code_of(std::string_view line) {
     return code;
 }
 
-/// "L X+10 Y+5 R0 FMAX", "TOOL CALL 5 Z S2000": Klartext, with or without its line number.
+/// True for Klartext, with or without a line number: "L X+10 Y+5 R0 FMAX", "TOOL CALL 5 Z S2000".
 bool is_klartext(std::string_view code) {
     code = trimmed(code);
     code.remove_prefix(std::min(code.find_first_not_of("0123456789"), code.size()));
@@ -121,7 +124,7 @@ bool is_klartext(std::string_view code) {
     return false;
 }
 
-/// "CYCLE83(…)", "R1=5", "G1 X=AC(20)", "%_N_PART_MPF": SINUMERIK.
+/// True for SINUMERIK: "CYCLE83(…)", "R1=5", "G1 X=AC(20)", "%_N_PART_MPF".
 bool is_sinumerik(std::string_view code) {
     constexpr std::array kSigns = {Names("CYCLE"), Names("WORKPIECE"), Names("MCALL"),
                                    Names("GOTOF"), Names("GOTOB"),     Names("TRAORI"),
@@ -131,13 +134,13 @@ bool is_sinumerik(std::string_view code) {
         kSigns, [&](Names sign) { return code.find(sign) != std::string_view::npos; });
 }
 
-/// Reads one line of code as words. Returns false at anything that no block has.
+/// Reads a line of code as words. read() returns false at text that no control accepts.
 class BlockScan {
 public:
     explicit BlockScan(std::string_view code) : code_(code) {}
 
     bool read() {
-        if (code_.starts_with('[')) return false;  // a section of settings
+        if (code_.starts_with('[')) return false;  // A section of settings.
         if (at_ < code_.size() && code_[at_] == '/') skip_digits(++at_);
         while (skip_blanks(), at_ < code_.size()) {
             if (!item()) return false;
@@ -172,13 +175,13 @@ private:
         }
         if (is_digit(c) || c == '.') return lone_number();
         if (c == ',' && at_ + 1 < code_.size() && is_letter(code_[at_ + 1])) return ++at_, true;
-        if (c == '*' && trimmed(code_.substr(at_ + 1)).empty()) return ++at_, true;  // DIN/ISO
+        if (c == '*' && trimmed(code_.substr(at_ + 1)).empty()) return ++at_, true;  // DIN/ISO.
         if (c == '=' && items_ > 0) return ++at_, value(true);
         if ((c == '+' || c == '-' || c == '*' || c == '/') && items_ > 0) return ++at_, true;
         return false;
     }
 
-    /// A word (letter and value), or a name that some control has.
+    /// Reads a word (letter and value), or a name of some control.
     bool name() {
         const std::size_t begin = at_;
         while (at_ < code_.size() && (is_letter(code_[at_]) || code_[at_] == '_'))
@@ -198,7 +201,7 @@ private:
         return value(false);
     }
 
-    /// A number, parameter or expression; `is_assigned`: behind "=".
+    /// Reads a number, parameter or expression. `is_assigned`: the value is after "=".
     bool value(bool is_assigned) {
         skip_blanks();
         if (at_ < code_.size() && code_[at_] == '=') ++at_, is_assigned = true, skip_blanks();
@@ -207,11 +210,11 @@ private:
         if (at_ == code_.size()) return false;
         const char c = code_[at_];
         if (c == '#') return parameter();
-        // "x = [0, 100]" is a list of settings, "#1 = [#2 + 1]" a value.
+        // "x = [0, 100]" is a list of settings; "#1 = [#2 + 1]" is a value.
         if (c == '[') return (!is_assigned || code_.starts_with('#')) && bracket(']');
         if (c == '<') return bracket('>');
         if (c == '"') return text();
-        if (is_letter(c)) return true;  // X=AC(…), a call by name, a Q parameter
+        if (is_letter(c)) return true;  // X=AC(…), a call by name, a Q parameter.
         return number();
     }
 
@@ -225,14 +228,15 @@ private:
         return has_digit && at_ > begin;
     }
 
-    /// A number without a letter: the line number of Klartext, or a value in an expression.
+    /// Reads a number without a letter: the line number of Klartext, or a value in an expression.
     bool lone_number() {
         const bool is_first = items_ == 0;
         ++items_;
         return number() && (is_first || items_ > 2);
     }
 
-    /// "#1", "#<name>", "#[…]"; never "# text" nor "#define".
+    /// Reads "#1", "#<name>", "#[…]".
+    /// Returns: false for "# text" and "#define".
     bool parameter() {
         std::size_t end = code_.find_first_not_of('#', at_);
         if (end == std::string_view::npos) return false;
@@ -301,7 +305,7 @@ void count(std::string_view raw, Lines& lines) {
     if (scan.has_code()) ++lines.codes;
 }
 
-/// Returns the kind that the first characters prove; Program if they prove none.
+/// Returns the kind that the first characters prove; Program: no proof.
 TextKind kind_of_beginning(std::string_view text) {
     if (text.starts_with("#!")) return TextKind::Script;
     const std::string_view first = trimmed(text.substr(0, 4096));
@@ -314,11 +318,11 @@ TextKind kind_of_beginning(std::string_view text) {
     if (start.starts_with('{') || start.starts_with("[{") || start.starts_with("[\n"))
         return TextKind::Data;
     if (start.starts_with("%FS") || start.starts_with("%MO") || start.starts_with("%TF"))
-        return TextKind::Data;  // Gerber
+        return TextKind::Data;  // Gerber.
     return TextKind::Program;
 }
 
-/// Returns the kind that a single line proves; Program if the line proves none.
+/// Returns the kind that a single line proves; Program: no proof.
 TextKind kind_of_line(std::string_view line) {
     const std::string_view start = trimmed(line);
     constexpr std::array kSource = {Names("#include"), Names("#define"),   Names("#ifdef"),
@@ -342,7 +346,7 @@ TextKind kind_of_line(std::string_view line) {
     return TextKind::Program;
 }
 
-/// Control bytes that no text has.
+/// True if `text` has control bytes that do not occur in text.
 bool is_binary(std::string_view text) {
     // Leaders of punched tape, and the ends of files of CP/M.
     constexpr std::string_view kPadding("\0\x1a", 2);
@@ -401,7 +405,7 @@ TextKind kind_of_text(std::string_view head) {
         count(line, lines);
     }
     const std::size_t programs = lines.codes + lines.foreign;
-    // Text behind the program, or remarks without parentheses, may be as long as the program.
+    // Text after the program, or comments without parentheses, may be as long as the program.
     const bool is_program = programs > 0 && 2 * lines.blocks >= lines.others;
     return is_program ? TextKind::Program : kind_of_others(lines);
 }
@@ -416,12 +420,12 @@ bool names_program(std::string_view name) {
 
 namespace {
 
-/// Ends of a program that its blocks contain.
+/// Codes in a text that end or return from a program.
 struct Endings {
     bool returns = false;   ///< M99 outside of subroutines.
     bool ends = false;      ///< M2 or M30 outside of subroutines.
     bool has_subs = false;  ///< "O… sub".
-    bool acts = false;      ///< Words outside of subroutines other than those ends.
+    bool acts = false;      ///< Words outside of subroutines other than M99, M2 and M30.
 };
 
 void look_at(const Block& block, int& depth, Endings& found) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lines of a program.
 #include "ncsim/gcode/source.h"
 
 #include "text/line_end.h"

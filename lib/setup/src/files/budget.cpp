@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Queries of time and memory.
 #include "ncsim/setup/budget.h"
 
 #include <fmt/format.h>
@@ -11,7 +13,7 @@ namespace ncsim::setup {
 
 namespace {
 
-// Of this process, as far as the system tells (Linux); else 0.
+// Returns the memory of this process, on Linux; 0 on further systems.
 std::uint64_t resident_bytes() {
     std::ifstream statm("/proc/self/statm");
     std::uint64_t all = 0;
@@ -20,7 +22,7 @@ std::uint64_t resident_bytes() {
     return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-// Questions between two looks at the system.
+// Calls between two queries of the system.
 constexpr std::uint32_t kPatience = 128;
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names and numbers of coordinate systems.
 #include "ncsim/setup/coordinate_systems.h"
 
 #include <fmt/format.h>

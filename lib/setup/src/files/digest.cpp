@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// SHA-256 by Nettle.
 #include "ncsim/setup/digest.h"
 
 #include <nettle/sha2.h>

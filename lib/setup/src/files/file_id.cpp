@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Identity of files, and resolution of symbolic links.
 #include "ncsim/setup/file_id.h"
 
 #include <fmt/format.h>
@@ -18,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder `path` is in, without links; empty if there is none.
+// Returns the folder of `path` without links; empty if there is none.
 fs::path folder_of(const fs::path& path) {
     const fs::path folder = path.parent_path();
     std::error_code error;
@@ -48,7 +50,7 @@ FileId id_of_new(const std::string& path) {
 }
 
 std::string without_links(const std::string& path) {
-    constexpr int kMostLinks = 40;  // as the kernel
+    constexpr int kMostLinks = 40;  // limit of the kernel
     fs::path at(path);
     for (int links = 0;; ++links) {
         std::error_code error;
@@ -64,7 +66,7 @@ std::string without_links(const std::string& path) {
 }
 
 int descriptor_named(const std::string& path) {
-    // "/proc/self" leads to the process, "/proc/thread-self" further to its thread.
+    // "/proc/self" links to the process, "/proc/thread-self" to a thread of the process.
     const std::string folder = folder_of(path).string();
     if (!folder.starts_with(fmt::format("/proc/{}/", ::getpid())) || !folder.ends_with("/fd"))
         return -1;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reading of files and of the standard input, and conflicts between inputs and outputs.
 #include "ncsim/setup/input.h"
 
 #include <fcntl.h>
@@ -93,7 +95,7 @@ void InputSet::expect(const std::string& path) {
             add(path, id_of(status));
         return;
     }
-    // What cannot be read is told when it is.
+    // A file that cannot be read is reported when it is read.
     if (::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode)) add(path, id_of(status));
 }
 
@@ -133,7 +135,7 @@ std::string InputSet::read(const std::string& path, std::uintmax_t most) {
     const bool is_stream = ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
     if (is_stream && !S_ISDIR(status.st_mode)) {
         const std::lock_guard lock(mutex_);
-        // A file may name anything, and a FIFO without a writer would never answer.
+        // A file may name any path, and reading a FIFO without a writer would never end.
         if (!expected_.contains(path))
             fail(path, "it is no regular file, and only the command line may name such a file");
         if (const auto known = streams_.find(path); known != streams_.end()) return known->second;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Search for programs in folders.
 #include "ncsim/setup/program_folder.h"
 
 #include "ncsim/gcode/program_text.h"
@@ -23,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A regular file, opened for reading; never waits for the other end of a FIFO.
+/// A regular file, opened for reading; opening never waits for the second end of a FIFO.
 class RegularFile {
 public:
     explicit RegularFile(const std::string& path)
@@ -42,7 +44,7 @@ public:
     bool is_regular() const { return is_regular_; }
     std::size_t size() const { return size_; }
 
-    /// Reads at most `most` bytes from `offset` on; nothing after a fault.
+    /// Reads at most `most` bytes from `offset` on; empty after an error.
     std::optional<std::string> read(std::size_t offset, std::size_t most) const {
         std::string bytes(most, '\0');
         std::size_t length = 0;
@@ -83,7 +85,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
     return end == folder.end() && rest != path.end();
 }
 
-/// Returns the reason not to follow `link`; nothing if `link` leads to a regular file of `folder`.
+/// Returns the reason not to follow `link`; empty if `link` leads to a regular file of `folder`.
 std::optional<std::string> why_not_followed(const fs::path& link, const fs::path& folder) {
     std::error_code error;
     const fs::file_status status = fs::status(link, error);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Digests of all files read for a verdict.
 #include "ncsim/setup/recorded_input.h"
 
 #include "ncsim/setup/digest.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Typed access to TOML with error messages.
 #include "files/toml_reader.h"
 
 #include "ncsim/setup/coordinate_systems.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads the TOML files of the program (jobs, machines, holders): every key must be known, every
-// value of its type, and what is wrong is told with file, line and column.
+// Reader of the project's TOML files (jobs, machines, holders). Every key must be known, every
+// value must have its type, and errors are reported with file, line and column.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -19,20 +19,22 @@
 
 namespace ncsim::setup {
 
+/// A TOML document with typed access.
 class TomlReader {
 public:
-    /// Throws std::runtime_error if `text` is no TOML. `name` stands in all messages.
+    /// Parses `text`. `name` is the name in all messages. Throws: std::runtime_error if `text` is
+    /// not TOML.
     TomlReader(std::string name, const std::string& text);
 
     const toml::table& root() const { return root_; }
     const std::string& name() const { return name_; }
 
-    // Each of these throws std::runtime_error where the node is something else. `key` names it in
-    // messages, as "travel.x".
-    /// "mill.toml:12:1".
+    // The following functions throw std::runtime_error if the node has another type. `key` is the
+    // name of the node in messages, such as "travel.x".
+    /// Returns the place of a node: "mill.toml:12:1".
     std::string place_of(const toml::node& node) const;
     [[noreturn]] void fail(const toml::node& node, const std::string& what) const;
-    /// Finite, and no larger than a kilometre in mm.
+    /// Returns a finite number of at most 1e6, a kilometre in mm.
     double number(const toml::node& node, const std::string& key) const;
     double positive(const toml::node& node, const std::string& key) const;
     double not_negative(const toml::node& node, const std::string& key) const;
@@ -48,9 +50,9 @@ public:
 
     using Take = std::function<void(const toml::node&, const std::string& key)>;
     using Keys = std::map<std::string, Take, std::less<>>;
-    /// Hands each key of `in` to its taker, as "where.key"; one that is not known is refused.
+    /// Passes each key of `in` to its function, as "where.key". Unknown keys are refused.
     void each(const toml::table& in, const std::string& where, const Keys& known) const;
-    /// The tables of [[key]].
+    /// Passes each table of [[key]] to `take`.
     void each_of(const toml::node& node, const std::string& key, const Take& take) const;
 
 private:
@@ -58,8 +60,8 @@ private:
     toml::table root_;
 };
 
-/// Origins of coordinate systems in the machine, mm: a table with the keys G54 … G59.3 and
-/// "G54.1 P1" …, numbered as in gcode::MachineState::system.
+/// Reads origins of coordinate systems in machine coordinates, mm: a table with the keys G54 …
+/// G59.3 and "G54.1 P1" …, numbered as in gcode::MachineState::system.
 std::map<int, cda::Vec3> read_offsets(const TomlReader& reader, const toml::node& node,
                                       const std::string& key);
 

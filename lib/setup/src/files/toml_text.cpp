@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Quoted texts of TOML.
 #include "files/toml_text.h"
 
 #include "ncsim/report/json_string.h"
@@ -13,8 +15,8 @@ namespace ncsim::setup {
 
 namespace {
 
-/// Characters that an editor obeys instead of showing them, as UTF-8 and as escapes of TOML:
-/// U+007F, the control characters of Latin-1, and those that turn the direction of writing.
+/// Returns characters that an editor obeys instead of showing, as UTF-8 and as escapes of TOML:
+/// U+007F, the control characters of Latin-1, and characters that change the direction of writing.
 std::vector<std::pair<std::string, std::string>> escapes() {
     std::vector<std::pair<std::string, std::string>> all{{"\x7f", "\\u007F"},
                                                          {"\xd8\x9c", "\\u061C"}};

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writing of TOML.
 #pragma once
 
 #include <string>
 
 namespace ncsim::setup {
 
-/// A text as TOML has it: in quotes, on one line.
+/// Returns a text in TOML form: in quotes, on a single line.
 std::string quoted(const std::string& text);
 
 }  // namespace ncsim::setup

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Segments of shafts and holders in TOML files.
 #include "files/tool_keys.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the TOML files of the program have in common where they speak of tools.
+// Keys of tools that the project's TOML files share.
 #pragma once
 
 #include "ncsim/toolpath/tool_spec.h"
@@ -15,7 +15,7 @@ namespace ncsim::setup {
 
 constexpr std::int64_t kMostTools = 99'999'999;
 
-/// [[28, 15], [28, 40, 10]]: diameter and height, or lower and upper diameter and height; mm.
+/// Reads [[28, 15], [28, 40, 10]]: diameter and height, or lower and upper diameter and height; mm.
 std::vector<toolpath::ToolSegment> read_segments(const TomlReader& reader, const toml::node& node,
                                                  const std::string& key);
 

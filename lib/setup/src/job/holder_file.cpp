@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Holder files, and completion of tools from these files.
 #include "job/holder_file.h"
 
 #include "files/toml_reader.h"
@@ -57,7 +59,7 @@ std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputS
             r.fail(node, fmt::format("tool {} is described twice", spec.number));
         tools.push_back(std::move(spec));
     };
-    // Holders first, wherever they stand.
+    // Holders are read first, wherever they are in the file.
     if (const toml::node* node = r.root().get("holder")) r.each_of(*node, "holder", read_holder);
     r.each(r.root(), "",
            {{"holder", [](const auto&, const auto&) {}},

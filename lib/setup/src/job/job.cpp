@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes jobs of programs, options, job files, tool tables and comments.
 #include "ncsim/setup/job.h"
 
 #include "ncsim/gcode/file_programs.h"
@@ -34,8 +36,8 @@ namespace ncsim::setup {
 
 namespace {
 
-// No control reads a program with NUL bytes in its text; punched tape had them as leader, before
-// the first '%', and there they are harmless.
+// True for binary data. No control reads a program with NUL bytes in its text. Punched tape had NUL
+// bytes as leader, before the first '%', where they are harmless.
 bool is_binary(std::string_view text) {
     const std::size_t begin = text.find_first_not_of('\0');
     if (begin == std::string_view::npos) return !text.empty();
@@ -43,7 +45,7 @@ bool is_binary(std::string_view text) {
     return text.substr(begin, last + 1 - begin).find('\0') != std::string_view::npos;
 }
 
-// A line that begins with this program number: "O1234", "O01234 (DRILL)", ":1234".
+// True if a line begins with the program number `digits`: "O1234", "O01234 (DRILL)", ":1234".
 bool begins_program(std::string_view text, std::string_view digits) {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     const auto is_letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
@@ -58,7 +60,7 @@ bool begins_program(std::string_view text, std::string_view digits) {
                 const std::size_t behind = at + digits.size();
                 const bool ends = behind >= end || !is_digit(text[behind]);
                 const std::size_t word = text.find_first_not_of(" \t", behind);
-                // "O12 sub", "O12 while": LinuxCNC's labels.
+                // "O12 sub", "O12 while": labels of LinuxCNC.
                 const bool is_label = word < end && word + 1 < end && is_letter(text[word]) &&
                                       is_letter(text[word + 1]);
                 if (ends && !is_label) return true;
@@ -69,8 +71,8 @@ bool begins_program(std::string_view text, std::string_view digits) {
     return false;
 }
 
-// The one file of a folder in which the program with this number begins; none where there are two
-// of them, for nobody knows which one the control has.
+// Returns the only file of a folder in which the program with this number begins. Empty if there
+// are several, because the program in the control is unknown.
 std::optional<std::string> file_with_program(const std::filesystem::path& folder,
                                              std::string_view name) {
     constexpr std::size_t kMostFiles = 2000;
@@ -99,8 +101,8 @@ std::optional<std::string> file_with_program(const std::filesystem::path& folder
     return found;
 }
 
-// Subprograms live in files beside the program and where the user says: "O<probe>" in probe.ngc,
-// "M98 P1234" in O1234.nc, or in the file in which O1234 begins, whatever its name.
+// Reads a subprogram in the folder of the program or in the specified folders: "O<probe>" in
+// probe.ngc, "M98 P1234" in O1234.nc, or in the file in which O1234 begins, whatever its name.
 std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesystem::path>& folders,
                                                  std::string_view name, InputSet& inputs) {
     const std::vector<std::string> files = gcode::subprogram_files(name);
@@ -159,7 +161,8 @@ JobFile take_job_file(JobOptions& options, InputSet& inputs) {
     return file;
 }
 
-// CAMotics projects also tell the unit of programs that do not.
+// Reads the tool tables. A CAMotics project may also specify the unit of programs without G20 and
+// G21.
 std::vector<toolpath::ToolFile> read_tables(JobOptions& options, InputSet& inputs) {
     std::vector<toolpath::ToolFile> tables;
     for (const std::string& path : options.tool_tables) {
@@ -184,7 +187,7 @@ std::string text_of(const cda::Box& box) {
 // Adds a doubt if --tool and a description in a file or comment are of different tools.
 void doubt_contradiction(Job& job, const toolpath::ToolEntry& option,
                          const toolpath::ToolEntry& entry) {
-    constexpr double kSame = 1e-3;  // mm; CAM systems round what they print
+    constexpr double kSame = 1e-3;  // mm; CAM systems round printed values
     const toolpath::ToolSpec &a = option.spec, &b = entry.spec;
     const bool has_other_kind = a.kind && b.kind && *a.kind != *b.kind;
     const bool has_other_diameter =
@@ -226,9 +229,10 @@ void doubt_contradiction(Job& job, const std::optional<toolpath::StockEntry>& no
                           noted->span});
 }
 
-// The first of a number counts. A comment that contradicts a table is worth a look: one of both is
-// of another job. What the user says at the command line is meant.
-// A length of a table stays if the command line describes the shape alone.
+// Adds a tool unless its number is known; the first tool of a number counts. Warns if a table and a
+// later source specify different diameters, because either source then belongs to a different job.
+// A tool of the command line causes a doubt instead. The offset of a table is kept if the command
+// line specifies only the shape.
 void add_tool(Job& job, const toolpath::ToolEntry& entry) {
     const auto known = std::ranges::find_if(job.tools, [&entry](const toolpath::ToolEntry& other) {
         return other.spec.number == entry.spec.number;
@@ -239,7 +243,7 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
     }
     if (known->offset == cda::Vec3{}) known->offset = entry.offset;
     if (known->told_by == toolpath::ToldBy::Option) doubt_contradiction(job, *known, entry);
-    constexpr double kSame = 1e-3;  // mm; CAM systems round what they print
+    constexpr double kSame = 1e-3;  // mm; CAM systems round printed values
     if (known->told_by != toolpath::ToldBy::Table || !known->spec.diameter ||
         !entry.spec.diameter || std::abs(*known->spec.diameter - *entry.spec.diameter) <= kSame) {
         return;
@@ -295,7 +299,8 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
     return noted;
 }
 
-/// Chooses one program of the file in `job`. Files of other controls are refused as a whole.
+/// Chooses a program of the file in `job`. A file for a different kind of control is left as a
+/// whole, to be refused.
 void choose_program(Job& job, const JobOptions& options) {
     const gcode::FilePrograms file(job.program, options.block_delete.value_or(false));
     const std::vector<gcode::FileProgram>& programs = file.programs();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reading and writing of job files.
 #include "ncsim/setup/job_file.h"
 
 #include "ncsim/report/file_names.h"
@@ -50,7 +52,7 @@ constexpr std::pair<std::string_view, ToolKind> kKinds[] = {{"flat", ToolKind::F
                                                             {"thread", ToolKind::ThreadMill},
                                                             {"form", ToolKind::Other}};
 
-// The lengths and angles of a tool, by the names they have in the file.
+// Lengths and angles of a tool, by their names in the file.
 struct NamedValue {
     const char* name;
     std::optional<double> ToolSpec::*value;
@@ -68,7 +70,7 @@ constexpr NamedValue kValues[] = {{"diameter", &ToolSpec::diameter},
                                   {"shank_length", &ToolSpec::shank_length},
                                   {"stick_out", &ToolSpec::stick_out}};
 
-// What is above the flutes in steps.
+// Segments above the flutes, by their names in the file.
 struct NamedSegments {
     const char* name;
     std::vector<toolpath::ToolSegment> ToolSpec::*value;
@@ -89,7 +91,7 @@ public:
         const auto optional_flag = [this](std::optional<bool>& into) {
             return [this, &into](const auto& n, const auto& k) { into = r_.yes_or_no(n, k); };
         };
-        // Each of them has to be one of those that are `known`.
+        // Reads a list of words, each of which has to satisfy `known`.
         const auto words = [this](std::vector<std::string>& into, auto known,
                                   const char* expected) {
             return [this, &into, known, expected](const auto& n, const auto& k) {
@@ -160,7 +162,7 @@ public:
     }
 
 private:
-    // The names in a list `assumed`; each has to be one of `known`.
+    // Returns the names in a list `assumed`; each has to be a name of `known`.
     template <class Known>
     std::vector<std::string> assumed_names(const toml::node& node, const std::string& key,
                                            const Known& known) const {
@@ -355,7 +357,7 @@ private:
 
 // --- Writing ---
 
-// As few digits as read back to the same number; always a TOML float.
+// Returns the shortest text that reads back as the same number; always a TOML float.
 std::string number(double value) {
     std::string text = fmt::format("{}", value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
@@ -366,7 +368,7 @@ std::string triple(cda::Vec3 v) {
     return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
 }
 
-// A remark of one line.
+// Returns a comment line.
 std::string remark(const std::string& text) {
     std::string line = report::one_line(text);
     // Comments must be UTF-8, too.
@@ -380,7 +382,7 @@ std::string_view key_of(ToolKind kind) {
         ->first;
 }
 
-// A list of texts; nothing if it is empty.
+// Writes a list of texts, unless it is empty.
 void write_list(std::ostream& out, const char* key, const std::vector<std::string>& words) {
     if (words.empty()) return;
     out << key << " = [";

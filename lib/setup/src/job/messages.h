@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The names of the rows of messages.def.
+// Names of the rows of messages.def.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Project files and the patterns in these files.
 #include "ncsim/setup/project_file.h"
 
 #include "ncsim/setup/program_folder.h"
@@ -78,7 +80,7 @@ private:
         return section;
     }
 
-    // One that could match nothing is a mistake.
+    // Refuses a pattern that cannot match any path.
     void check_pattern(const toml::node& node) const {
         const std::string pattern = r_.text(node, "files");
         const auto is_no_name = [](const std::string& name) {
@@ -115,8 +117,8 @@ private:
     const TomlReader& r_;
 };
 
-// Does the pattern, a row of parts of which some stand for any number of things, match? Wherever
-// such a part may end is kept: no way is tried twice.
+// True if `pattern` matches the sequence `things`. `is_many` marks parts that match any number of
+// things. All possible ends of a part are kept, so no match is tried twice.
 template <class Part, class Thing, class IsMany, class IsLike>
 bool matches_row(const Part& pattern, const Thing& things, IsMany is_many, IsLike is_like) {
     std::vector<bool> reached(things.size() + 1, false);
@@ -141,12 +143,13 @@ bool name_matches(std::string_view pattern, std::string_view name) {
         [](char c, char is) { return c == '?' || c == is; });
 }
 
-// Of a program whose text comes from elsewhere: as if it were here.
+// Returns the path of a program; a program from the standard input counts as a file in the current
+// folder.
 fs::path place_of(const std::string& program) {
     return fs::absolute(program == "-" ? "stdin" : program).lexically_normal();
 }
 
-/// The folder of a program as patterns see it: empty if the program is not below `folder`.
+/// Returns the path of a program relative to `folder`, for patterns.
 std::string seen_below(const fs::path& folder, const std::string& program) {
     return place_of(program).lexically_relative(folder).generic_string();
 }
@@ -214,7 +217,7 @@ std::optional<std::string> find_project_file(const std::string& program) {
     while (true) {
         const fs::path file = folder / kProjectFileName;
         std::error_code ignored;
-        // Also one that leads nowhere: whoever reads it says so.
+        // A dangling link counts, too; reading it reports the error.
         if (fs::symlink_status(file, ignored).type() != fs::file_type::not_found) {
             const bool is_absolute = program != "-" && fs::path(program).is_absolute();
             return is_absolute ? file.string() : file.lexically_relative(here).string();

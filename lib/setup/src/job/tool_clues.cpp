@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Statistics of feed moves and the estimate of a tool.
 #include "ncsim/setup/tool_clues.h"
 
 #include "ncsim/toolpath/machine.h"
@@ -60,7 +62,7 @@ void ToolClues::take(const gcode::Motion& motion, const toolpath::Poses& poses) 
     if (way.y != 0.0 && way.x == 0.0) add_line(1, a.x);
 }
 
-// Of what it covers, across; 0: it goes nowhere.
+// Returns the width of the area of the moves, mm; 0 without motion in the plane.
 double ToolClues::width_mm() const {
     if (tips_.is_empty()) return 0.0;
     const cda::Vec3 size = tips_.size();
@@ -68,7 +70,7 @@ double ToolClues::width_mm() const {
     return narrow > 0.0 ? narrow : std::max(size.x, size.y);
 }
 
-// From one line to the next beside it, mostly; infinite where there are only a few.
+// Returns the median distance of adjacent lines, mm; infinite for few lines.
 double ToolClues::step_mm() const {
     constexpr std::size_t kFew = 6;
     double step = std::numeric_limits<double>::infinity();
@@ -84,8 +86,8 @@ double ToolClues::step_mm() const {
     return step;
 }
 
-// The shortest way between two of the first kMostLines holes, mm; infinite for one hole.
-// Cost: O(n^2) for a column of holes, less where they spread along X.
+// Returns the least distance of two of the first kMostLines holes, mm; infinite for a single hole.
+// Cost: O(n^2) for a column of holes, less if the holes are spread along X.
 double ToolClues::hole_spacing_mm() const {
     double least = std::numeric_limits<double>::infinity();
     for (auto a = holes_.begin(); a != holes_.end(); ++a) {
@@ -100,7 +102,7 @@ double ToolClues::hole_spacing_mm() const {
 }
 
 std::string ToolClues::guess(bool inches) const {
-    constexpr double kSlanting = 0.3;   // of the moves: a surface
+    constexpr double kSlanting = 0.3;   // share of moves from which a surface is assumed
     constexpr double kShallow = 2.0;    // mm
     constexpr double kShortMove = 2.0;  // mm
     const auto share = [this](std::size_t of) {
@@ -112,8 +114,8 @@ std::string ToolClues::guess(bool inches) const {
     const bool engraves = !is_drill && !is_surface && depth < kShallow && moves_ >= 100 &&
                           length_mm_ < kShortMove * static_cast<double>(moves_);
     const char* kind = is_drill ? "drill" : is_surface ? "ball" : engraves ? "v" : "flat";
-    // A surface is milled in lines a tenth of the tool apart, a pocket in two fifths.
-    // Of an engraver only the point counts.
+    // Lines are assumed 0.1 tool diameters apart on a surface, 0.4 in a pocket. For an engraver
+    // only the tip counts.
     double diameter = std::numeric_limits<double>::infinity();
     if (!engraves) {
         diameter = std::min(2.0 * smallest_arc_mm_, step_mm() * (is_surface ? 10.0 : 2.5));

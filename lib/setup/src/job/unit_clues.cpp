@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Signs of inches in tool comments, feeds and coordinates.
 #include "job/unit_clues.h"
 
 #include "ncsim/gcode/parser.h"
@@ -17,7 +19,7 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-// True if `text` has `unit` behind a digit and at most one blank, as in 6MM and 6 mm.
+// True if `text` has `unit` after a digit and at most a blank, as in 6MM and 6 mm.
 bool has_unit(std::string_view text, std::string_view unit) {
     for (std::size_t at = text.find(unit); at != std::string_view::npos;
          at = text.find(unit, at + 1)) {
@@ -32,7 +34,7 @@ bool has_unit(std::string_view text, std::string_view unit) {
     return false;
 }
 
-// True for 1/2, but not for dates and other rows of numbers.
+// True for 1/2, but not for dates and similar rows of numbers.
 bool has_fraction(std::string_view text) {
     for (std::size_t at = text.find('/'); at != std::string_view::npos;
          at = text.find('/', at + 1)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unit of a program without G20 and G21, concluded from its tools and its numbers.
+// Unit of a program without G20 and G21, derived from its tools and its numbers.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -10,9 +10,9 @@
 
 namespace ncsim::setup {
 
-/// Returns: true if the program has neither G20 nor G21, all sizes of its tool comments are in
-/// inches, and its feeds and coordinates are as small as those of programs in inches.
-/// Cost: the text of the tools; if they are in inches, the program is read once.
+/// True if the program has neither G20 nor G21, all sizes of its tool comments are in inches, and
+/// its feeds and coordinates are as small as in programs in inches.
+/// Cost: the text of the tools; if the tools are in inches, a pass over the program.
 bool suggests_inches(const gcode::SourceFile& program,
                      std::span<const toolpath::ToolEntry> tools_of_comments);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Machine files of FreeCAD: JSON with line numbers for messages.
 #include "machines/freecad_machine.h"
 
 #include <fmt/format.h>
@@ -23,7 +25,7 @@ using nlohmann::json;
 
 constexpr double kLargest = 1e6;
 
-// Counts lines as they are read, each character once.
+// Iterator that counts lines; each character is read once.
 class LineCount {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -50,16 +52,16 @@ private:
     std::size_t* line_;
 };
 
-// The line of each key of an object, by "machine: axes: X". Keys of what is in lists count as those
-// of the list, and the first of two counts. Those that are long or deep are of nothing that is
-// read, and no file is to grow by them.
+// Line of each key of an object, by "machine: axes: X". Keys within lists belong to the list, and
+// the first of equal keys counts. Long or deep keys are not recorded, because no reader needs them
+// and they could make the memory grow.
 class KeyLines : public nlohmann::json_sax<json> {
 public:
     explicit KeyLines(const std::string& text) {
         json::sax_parse(LineCount(text.data(), &line_),
                         LineCount(text.data() + text.size(), &line_), this);
     }
-    // Or of the nearest key above.
+    // Returns the line of `path`, or of the nearest key above.
     std::size_t line_of(std::string path) const {
         while (!path.empty()) {
             const auto found = lines_.find(path);
@@ -69,7 +71,7 @@ public:
         }
         return 1;
     }
-    // What did not parse, and where.
+    // Returns the parse error; empty if there is none.
     const std::string& fault() const { return fault_; }
     std::size_t last_line() const { return line_; }
 
@@ -110,18 +112,18 @@ private:
 
     std::size_t line_ = 1;
     std::map<std::string, std::size_t> lines_;
-    std::vector<std::string> open_;  // paths of the objects and lists that are open
+    std::vector<std::string> open_;  // paths of the open objects and lists
     std::string key_;
     std::string fault_;
 };
 
-// What messages need to know of the file.
+// Name and lines of the file, for messages.
 struct Source {
     std::string name;
     KeyLines lines;
 };
 
-// A value and how it is reached, for messages.
+// A value and its path, for messages.
 class Node {
 public:
     Node(const json& value, std::string path, const Source& source)
@@ -156,7 +158,7 @@ public:
         return v;
     }
     const json& value() const { return value_; }
-    // The first of a list, by the name of the list.
+    // Returns the first element of a list, with the path of the list.
     Node first() const { return {value_[0], path_, source_}; }
 
 private:
@@ -169,7 +171,7 @@ struct Axis {
     char letter = 'X';
     bool of_table = true, turns = false;
     std::string parent;
-    std::size_t depth = 0;  // how many carry it
+    std::size_t depth = 0;  // number of axes that carry this axis
     int sequence = 0;
     machine::Joint joint;
     bool is_placed = false;
@@ -219,8 +221,9 @@ void find_depths(std::vector<Axis>& axes, const Node& node) {
     }
 }
 
-// From the part to the tool: of the table what is carried by most first, of the head last; where
-// nobody tells, rotary axes are nearer to the part or to the tool than linear ones.
+// Orders joints from the part to the tool: on the table, axes with most carriers come first; on the
+// head, last. If carriers are unspecified, rotary axes are nearer to the part or to the tool than
+// linear axes.
 machine::Chain chain_of(std::vector<Axis> axes) {
     std::ranges::sort(axes, [](const Axis& a, const Axis& b) {
         if (a.of_table != b.of_table) return a.of_table;

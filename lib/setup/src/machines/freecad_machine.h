@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A machine as the CAM workbench of FreeCAD keeps it (.fcm, JSON).
+// Machines in the format of FreeCAD's CAM workbench (.fcm, JSON).
 #pragma once
 
 #include "ncsim/setup/machine_file.h"
@@ -9,10 +9,11 @@
 
 namespace ncsim::setup {
 
-/// Axes with their roles, parents, joints, limits and rates; the spindle. Which way tables count is
-/// not written there: taken to be the right hand about the axis, and told as a guess; places of
-/// axes that are [0, 0, 0], which is what FreeCAD writes where nobody tells, are not told. Throws
-/// std::runtime_error, naming the file, the line and the key, for what is no such file.
+/// Reads axes with their roles, parents, joints, limits and rates, and the spindle. The format does
+/// not specify the positive direction of tables: it is assumed to be right-handed about the axis,
+/// and recorded as an assumption. A position [0, 0, 0] of an axis counts as unspecified, because
+/// FreeCAD writes it as default. Throws: std::runtime_error with file, line and key for a file of
+/// another format.
 MachineFile read_freecad_machine(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::setup

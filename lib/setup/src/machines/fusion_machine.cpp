@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Machine files of Fusion and HSMWorks (XML).
 #include "machines/fusion_machine.h"
 
 #include "machines/xml_root.h"
@@ -23,7 +25,7 @@ namespace {
 using cda::Vec3;
 using tinyxml2::XMLElement;
 
-// A unit and how many mm, degrees, revolutions in a minute or seconds it has.
+// A unit in terms of mm, degrees, revolutions per minute or seconds.
 struct FusionUnit {
     std::string_view name;
     double size = 1.0;
@@ -79,7 +81,8 @@ private:
         throw std::runtime_error(fmt::format("{}:{}: {}", name_, at->GetLineNum(), what));
     }
 
-    // "-800mm 800mm", "0 0 1": as many numbers as there is room for, each with a unit of those.
+    // Reads exactly as many numbers as `numbers` has elements, each with a unit of `units`: "-800mm
+    // 800mm", "0 0 1".
     void take_numbers(const XMLElement* e, const char* key, std::string_view rest,
                       std::span<const FusionUnit> units, std::span<double> numbers) const {
         constexpr double kMost = 1e7;
@@ -105,7 +108,7 @@ private:
             fail(e, fmt::format("'{}': more than {} numbers", key, numbers.size()));
     }
 
-    // 0: not told.
+    // Reads a number that is not negative. Empty if it is 0 or missing.
     std::optional<double> positive(const XMLElement* e, const char* key,
                                    std::span<const FusionUnit> units) const {
         const char* told = e->Attribute(key);
@@ -180,8 +183,8 @@ private:
         axes_.push_back(axis);
     }
 
-    // From the part to the tool: of the table the last first, of the head as they stand; linear
-    // ones between rotary ones, next to the bed.
+    // Orders joints from the part to the tool: axes of the table in reverse order, axes of the head
+    // in the order of the file; linear axes are next to the bed.
     void finish() {
         std::vector<machine::Joint> joints;
         const auto add = [&joints](const FusionAxis& axis) { joints.push_back(axis.joint); };

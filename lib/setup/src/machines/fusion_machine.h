@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A machine as Fusion and HSMWorks keep it (.machine, XML).
+// Machines in the format of Fusion and HSMWorks (.machine, XML).
 #pragma once
 
 #include "ncsim/setup/machine_file.h"
@@ -9,11 +9,12 @@
 
 namespace ncsim::setup {
 
-/// Axes with ranges and rates, the spindle, the largest feed, the time of a tool change. What is 0
-/// there is not told. Of rotary axes it does not tell which way they count, nor which of two
-/// carries the other: taken to be the right hand, of the part on a table and of the tool on a head,
-/// and the order of the file from the bed on; told as a guess. Throws std::runtime_error, naming
-/// file and line, for what is no such file.
+/// Reads axes with ranges and rates, the spindle, the largest feed, and the time of a tool change.
+/// A value of 0 counts as unspecified. The format specifies neither the positive direction of
+/// rotary axes nor which of two carries the second. Assumed are right-handed rotations, of the part
+/// on a table and of the tool on a head, and the order of the file from the bed on; both are
+/// recorded as assumptions. Throws: std::runtime_error with file and line for a file of another
+/// format.
 MachineFile read_fusion_machine(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::setup

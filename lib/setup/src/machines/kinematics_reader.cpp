@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads presets, links and functions of the control in a machine file.
 #include "machines/kinematics_reader.h"
 
 #include "ncsim/machine/presets.h"
@@ -21,7 +23,7 @@ using gcode::Coordinates;
 constexpr std::size_t kMostLinks = 100;
 constexpr std::string_view kBed = "bed";
 
-// X, Y, Z, A, B or C.
+// Reads X, Y, Z, A, B or C.
 std::optional<char> axis_named(std::string_view name) {
     if (name.size() != 1 || std::string_view("XYZABC").find(name[0]) == std::string_view::npos)
         return std::nullopt;
@@ -32,7 +34,7 @@ bool turns(char letter) {
     return letter <= 'C';
 }
 
-// The number of "M428": those of every control are not free.
+// Reads the number of "M428". Numbers below `first` have a fixed meaning on all controls.
 std::optional<int> m_code_named(std::string_view name, int first) {
     constexpr int kLast = 9999;
     int number = 0;
@@ -44,7 +46,7 @@ std::optional<int> m_code_named(std::string_view name, int first) {
     return is_one ? std::optional(number) : std::nullopt;
 }
 
-// "#c08040"
+// Reads "#c08040".
 std::optional<std::array<std::uint8_t, 3>> colour_named(std::string_view text) {
     if (text.size() != 7 || text[0] != '#') return std::nullopt;
     std::array<std::uint8_t, 3> colour{};
@@ -93,7 +95,7 @@ Coordinates KinematicsReader::tip_or_axes(const toml::node& node, const std::str
 
 void KinematicsReader::take_control(const toml::node& node, const std::string& key) {
     control_node_ = &node;
-    // One of the words that are known, of which not all can be simulated.
+    // Accepts the word `built`; the word `other` is valid but not simulated.
     const auto choose = [this](std::string_view built, std::string_view other, const auto& done) {
         return [this, built, other, done](const toml::node& n, const std::string& k) {
             const std::string word = r_.text(n, k);
@@ -157,7 +159,7 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
           }}});
 }
 
-// { B = 90 }: degrees; axes that are not named stand at 0.
+// Reads { B = 90 }, degrees; unnamed axes are at 0.
 std::array<double, 3> KinematicsReader::angles(const toml::node& node,
                                                const std::string& key) const {
     std::array<double, 3> at{};
@@ -241,7 +243,7 @@ void KinematicsReader::take_clamps(const toml::node& node, const std::string& ke
         if (!letter || !turns(*letter))
             r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
         const toml::array& codes = r_.list(value, whole, 2);
-        constexpr int kFirst = 10;  // those below are of every control
+        constexpr int kFirst = 10;  // smaller numbers have a fixed meaning on all controls
         const auto clamp = m_code_named(r_.text(codes[0], whole), kFirst);
         const auto release = m_code_named(r_.text(codes[1], whole), kFirst);
         if (!clamp || !release || clamp == release || *clamp == 30 || *release == 30)
@@ -341,7 +343,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
         if (told_way && !rotary)
             r_.fail(node, fmt::format("axis {} moves straight: no way", *letter));
         if (told_way) ways_[static_cast<std::size_t>(*letter - 'A')] = *told_way;
-        // Positions have X, Y and Z along the axes of the program.
+        // X, Y and Z of a position are along the axes of the program.
         Vec3 own;
         if (!rotary) own[*letter - 'X'] = 1.0;
         if (!rotary && norm(link.joint->direction - own) > 1e-9)
@@ -368,7 +370,7 @@ const KinematicsReader::Link* KinematicsReader::find(const std::string& name) co
     return found == links_.end() ? nullptr : &*found;
 }
 
-// From a link to the bed.
+// Returns the links from a link to the bed.
 std::vector<const KinematicsReader::Link*> KinematicsReader::way_up(const Name& from) const {
     std::vector<const Link*> way;
     const toml::node* named_at = from.node;
@@ -416,7 +418,7 @@ ToldKinematics KinematicsReader::of_links() const {
     };
     std::vector<const Link*> up = way_up(*part_);
     std::vector<const Link*> down = way_up(*tool_);
-    // What carries both moves neither against the other.
+    // Links that carry both the part and the tool do not move the part relative to the tool.
     while (!up.empty() && !down.empty() && up.back() == down.back()) {
         if (up.back()->joint) {
             r_.fail(*up.back()->node,
@@ -439,7 +441,7 @@ ToldKinematics KinematicsReader::of_links() const {
     return told;
 }
 
-// What presets and links have in common.
+// Sets the values that presets and links share.
 void KinematicsReader::finish(ToldKinematics& told) const {
     told.prefer = prefer_;
     if (assumed_) told.guess = assumed_->name;
@@ -452,7 +454,7 @@ void KinematicsReader::finish(ToldKinematics& told) const {
     }
 }
 
-// From the bed on, each joint as it moves the link.
+// Returns the joints from the bed on, each as a motion of the link.
 machine::Chain KinematicsReader::moved_by(const Name& link) const {
     std::vector<const Link*> carries_part;
     if (part_) carries_part = way_up(*part_);
@@ -462,7 +464,8 @@ machine::Chain KinematicsReader::moved_by(const Name& link) const {
         const Link* moved = *next;
         if (!moved->joint) continue;
         machine::Joint joint = *moved->joint;
-        // Told as the motion of the tool: what carries the part goes the other way.
+        // Joints are given as a motion of the tool; a link that carries the part moves in the
+        // opposite direction.
         if (std::ranges::find(carries_part, moved) != carries_part.end())
             joint.direction = -joint.direction;
         chain.joints.push_back(joint);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a machine file tells of how the machine turns: a preset with its pivots, or links; and of
-// its control.
+// Reader of the kinematics in a machine file: a preset with its pivots, or links; and functions of
+// the control.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
@@ -18,13 +18,14 @@
 
 namespace ncsim::setup {
 
+/// Collects the kinematic keys of a machine file.
 class KinematicsReader {
 public:
-    /// Meshes are read from `folder`.
+    /// Reads meshes from `folder`. Requires: all arguments outlive this object, except `folder`.
     KinematicsReader(const TomlReader& reader, std::string folder, InputSet& inputs)
         : r_(reader), folder_(std::move(folder)), inputs_(inputs) {}
 
-    // Each of these throws std::runtime_error as those of TomlReader do.
+    // The following functions throw std::runtime_error as the functions of TomlReader do.
     void take_preset(const toml::node& node, const std::string& key);
     void take_pivots(const toml::node& node, const std::string& key);
     void take_control(const toml::node& node, const std::string& key);
@@ -33,15 +34,16 @@ public:
     void take_link(const toml::node& node, const std::string& key);
     void take_part(const toml::node& node, const std::string& key);
     void take_spindle_link(const toml::node& node, const std::string& key);
-    /// Of the axis A, B or C.
+    /// Reads { C = "shortest" } for the axes A, B and C.
     void take_ways(const toml::node& node, const std::string& key);
     void take_clamps(const toml::node& node, const std::string& key);
     void take_travel(char letter, const toml::node& node, const std::string& key);
 
-    // When all is read, and belongs together.
+    // Results, after all keys were read. They throw std::runtime_error if keys contradict each
+    // other.
     std::optional<ToldKinematics> kinematics() const;
-    std::vector<MachineBody> bodies() const;       ///< Of links that have a mesh,
-    std::vector<MachineBody> other_links() const;  ///< and of those that have none.
+    std::vector<MachineBody> bodies() const;       ///< Links with a mesh.
+    std::vector<MachineBody> other_links() const;  ///< Links without a mesh.
     std::string part_link() const { return part_ ? part_->name : std::string(); }
     std::string tool_link() const { return tool_ ? tool_->name : std::string(); }
     machine::Chain part_moved_by() const;
@@ -51,7 +53,7 @@ public:
     const gcode::TableOffsets& setting_errors() const { return setting_errors_; }
     const std::array<gcode::RotaryWay, 3>& ways() const { return ways_; }
     const std::vector<gcode::RotaryClamp>& clamps() const { return clamps_; }
-    /// Of X, Y and Z, where links tell it.
+    /// Travels in keys of links; X, Y and Z are used.
     const machine::Travels& travels() const { return travels_; }
 
 private:
@@ -63,7 +65,7 @@ private:
         std::optional<cda::TriangleMesh> mesh;
         std::optional<std::array<std::uint8_t, 3>> colour;
         double clearance_mm = 0.0;
-        double deflection_mm = 0.0;  // of the mesh
+        double deflection_mm = 0.0;  // deflection of the mesh
         std::string assumed{};
         std::string mesh_at;
         bool as_hull = false;
@@ -98,10 +100,10 @@ private:
     gcode::TipControl control_;
     gcode::TableOffsets fixture_offsets_, setting_errors_;
     std::optional<Name> assumed_, along_tool_;
-    std::array<gcode::RotaryWay, 3> ways_{};  // of A, B and C
+    std::array<gcode::RotaryWay, 3> ways_{};  // for A, B and C
     std::vector<gcode::RotaryClamp> clamps_;
     machine::Travels travels_;
-    const toml::node* travels_node_ = nullptr;  // of A, B or C
+    const toml::node* travels_node_ = nullptr;  // for A, B or C
     machine::Prefer prefer_ = machine::Prefer::Shortest;
 };
 

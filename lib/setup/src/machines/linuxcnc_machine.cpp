@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Configurations of LinuxCNC: INI file, HAL files, and subroutines of REMAPs.
 #include "machines/linuxcnc_machine.h"
 
 #include "ncsim/machine/presets.h"
@@ -28,7 +30,7 @@ constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 constexpr double kSecondsPerMinute = 60.0;
 constexpr std::size_t kMostEntries = 100'000;
 
-// A place in a file, and what stands there.
+// A value with its place in a file.
 struct Entry {
     std::string section, key, value;
     std::string file;
@@ -92,7 +94,7 @@ std::vector<Entry> entries_of(const std::string& name, const std::string& text) 
     return entries;
 }
 
-// What HAL sets pins to.
+// Values of pins that HAL files set.
 class Hal {
 public:
     void take(const Entry& at, std::string_view command) {
@@ -108,7 +110,7 @@ public:
         }
     }
 
-    // Of a pin, mm or degrees; 0 where nothing sets it.
+    // Returns the value of a pin, mm or degrees; 0 if it is not set.
     double value(const std::string& pin) const {
         const auto signal = signals_.find(pin);
         auto told = values_.find(signal == signals_.end() ? pin : signal->second);
@@ -150,7 +152,7 @@ public:
     std::optional<double> number(std::string_view section, std::string_view key) const {
         const Entry* entry = find(section, key);
         if (!entry) return std::nullopt;
-        // A remark may stand behind it.
+        // A remark may follow the value.
         const std::string_view value = std::string_view(entry->value);
         const auto number = number_of(trimmed(value.substr(0, value.find_first_of("#;"))));
         if (!number) fail(*entry, fmt::format("{}: expected a number", key));
@@ -159,7 +161,8 @@ public:
     const std::vector<Entry>& entries() const { return entries_; }
     const Hal& hal() const { return hal_; }
 
-    // The text of the subroutine `name` on the paths of the configuration; empty: there is none.
+    // Returns the text of the subroutine `name` on the paths of the configuration; empty if there
+    // is none.
     std::string subroutine(const std::string& name) const {
         const Entry* paths = find("RS274NGC", "SUBROUTINE_PATH");
         std::string_view rest = paths ? std::string_view(paths->value) : ".";
@@ -176,10 +179,10 @@ public:
 
 private:
     void read_hal(const Entry& entry) {
-        // Those of the installation and Tcl scripts tell nothing of a machine.
+        // HAL files of the installation and Tcl scripts do not describe the machine.
         if (entry.value.starts_with("LIB:") || !entry.value.ends_with(".hal")) return;
         const std::string path = seen_in(folder_, entry.value);
-        // What a picture of the machine needs may be missing.
+        // A file for the picture of the machine may be missing.
         if (entry.key == "POSTGUI_HALFILE" && !inputs_.is_there(path)) return;
         const std::string text = inputs_.read(path, kMostSetUpBytes);
         std::size_t line = 0;
@@ -200,7 +203,7 @@ std::vector<machine::Joint> linear() {
     return {joint_of('X', false, kX), joint_of('Y', false, kY), joint_of('Z', false, kZ)};
 }
 
-// `part` from the part on, `head` to the tool.
+// Returns the chain of `part` (from the part on), X, Y, Z, and `head` (to the tool).
 machine::Chain chain_of(std::vector<machine::Joint> part,
                         const std::vector<machine::Joint>& head = {}) {
     for (const machine::Joint& joint : linear())
@@ -209,13 +212,14 @@ machine::Chain chain_of(std::vector<machine::Joint> part,
     return {std::move(part)};
 }
 
-// A place of three pins, such as x-rot-point.
+// Returns a position given by three pins, such as x-rot-point.
 Vec3 place(const Hal& hal, const std::string& kins, const std::string& what) {
     return {hal.value(kins + ".x-" + what), hal.value(kins + ".y-" + what),
             hal.value(kins + ".z-" + what)};
 }
 
-// LinuxCNC tells where C is, and how far the axis of the cradle lies from there.
+// Returns the chain of a tilting table. LinuxCNC specifies the position of C, and the cradle's axis
+// relative to C.
 machine::Chain tilting_table(const Hal& hal, const std::string& kins, char cradle) {
     const Positive sign =
         hal.value(kins + ".conventional-directions") != 0.0 ? Positive::Tool : Positive::Part;
@@ -263,7 +267,8 @@ std::optional<machine::Chain> chain_of(const Configuration& c, const Entry& kine
                      name));
 }
 
-// Which kinematics a subroutine of a REMAP chooses: the number behind the words that do it.
+// Returns the number of the kinematics that a subroutine of a REMAP chooses: the digit after the
+// words that choose it.
 std::optional<std::size_t> choice_in(const std::string& text) {
     std::string dense;
     for (const char c : text) {
@@ -279,7 +284,7 @@ std::optional<std::size_t> choice_in(const std::string& text) {
     return std::nullopt;
 }
 
-// "M428 modalgroup=10 ngc=428remap"
+// Reads a REMAP: "M428 modalgroup=10 ngc=428remap".
 void take_remap(const Configuration& c, const Entry& entry, gcode::TipControl& control) {
     const std::vector<std::string> words = words_of(entry.value);
     if (words.empty() || words[0].size() < 2 || words[0][0] != 'M') return;
@@ -313,7 +318,7 @@ MachineFile read_linuxcnc_machine(const std::string& path, InputSet& inputs) {
             joint.through = unit * joint.through;
         file.kinematics.emplace();
         file.kinematics->chain = std::move(*chain);
-        // What is chosen by 0 is chosen at the start.
+        // Kinematics 0 are active at the start.
         const std::string& words = kinematics->value;
         const bool first_is_tip = words.find("identityfirst") == std::string::npos &&
                                   (words.find("trt") != std::string::npos ||

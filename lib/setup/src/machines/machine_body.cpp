@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions of machine bodies and points of the part for given joints.
 #include "ncsim/setup/machine_body.h"
 
 namespace ncsim::setup {

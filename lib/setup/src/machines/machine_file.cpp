@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads machine files in TOML.
 #include "ncsim/setup/machine_file.h"
 
 #include "ncsim/setup/coordinate_systems.h"
@@ -28,7 +30,7 @@ using verify::MachineDescription;
 
 constexpr int kG54 = 1;
 
-// x, y and z, each read by `take`.
+// Reads x, y and z by `read`.
 template <class Value, class Read>
 void read_axes(const TomlReader& r, const toml::node& node, const std::string& key,
                std::array<std::optional<Value>, 3>& into, const Read& read) {
@@ -66,7 +68,7 @@ verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, Inp
     r.each(r.table(node, key), key,
            {{"name", [&](const auto& n, const auto& k) { fixture.name = r.text(n, k); }},
             {"mesh", take_mesh},
-            {"stl", take_mesh},  // as it was called once
+            {"stl", take_mesh},  // alternative name
             {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
             {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
             {"clearance",
@@ -131,10 +133,10 @@ void read_tool_limits(const TomlReader& r, const toml::node& node, const std::st
     }
 }
 
-// Where a name stands in the file.
+// Names with their places in the file.
 using NamesAt = std::vector<std::pair<const toml::node*, std::string>>;
 
-// [["table", "column"], …]
+// Reads [["table", "column"], …].
 std::vector<verify::NamePair> read_pairs(const TomlReader& r, const toml::node& node,
                                          const std::string& key, NamesAt& names) {
     std::vector<verify::NamePair> pairs;
@@ -149,15 +151,15 @@ std::vector<verify::NamePair> read_pairs(const TomlReader& r, const toml::node& 
     return pairs;
 }
 
-// Who names what is not there ignores nothing; and who names two things by one name, more than was
-// meant.
+// Checks names of pairs: an unknown name would have no effect, and an ambiguous name would affect
+// more than intended.
 void check_names(const TomlReader& r, const NamesAt& names, const MachineFile& file) {
     std::map<std::string, int> count{{"tool", 1}, {"part", 1}};
     for (const auto* links : {&file.bodies, &file.other_links}) {
         for (const MachineBody& link : *links)
             ++count[link.link];
     }
-    // Fixtures may share one.
+    // Fixtures may share a name.
     std::set<std::string> fixtures;
     for (const verify::Fixture& fixture : file.machine.fixtures) {
         if (fixtures.insert(fixture.name).second) ++count[fixture.name];

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Choice of the reader by the name of the file.
 #include "ncsim/setup/machine_formats.h"
 
 #include "machines/freecad_machine.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes machines as text and as machine.toml.
 #include "ncsim/setup/machine_text.h"
 
 #include "ncsim/setup/coordinate_systems.h"
@@ -38,12 +40,14 @@ std::string_view name_of(Coordinates coordinates) {
     return coordinates == Coordinates::Tip ? "tip" : "axes";
 }
 
-// Its letter is told, and no link: it moves none.
+// True for a joint that moves the tip along the tool (U, V, W). Its key is a letter instead of a
+// link, because it moves no link.
 bool is_along_tool(const machine::Joint& joint) {
     return !joint.turns && joint.letter <= 'W';
 }
 
-// The joints that turn before any moves straight carry the part; the nearest to it first.
+// Returns the number of rotary joints before the first linear joint. They carry the part; the
+// nearest to the part is first.
 std::size_t count_of_part(const machine::Chain& chain) {
     const auto straight =
         std::ranges::find_if(chain.joints, [](const machine::Joint& j) { return !j.turns; });
@@ -66,7 +70,7 @@ void add_link(std::string& text, const MachineFile& file, const machine::Joint& 
     if (way != RotaryWay::Linear) text += fmt::format("way = \"{}\"\n", name_of(way));
 }
 
-// One line for each axis that is told.
+// Adds a line for each specified axis.
 template <class Values, class Print>
 void add_axes(std::string& text, std::string_view table, const Values& values, const Print& print) {
     if (std::ranges::none_of(values, [](const auto& v) { return v.has_value(); })) return;
@@ -76,7 +80,7 @@ void add_axes(std::string& text, std::string_view table, const Values& values, c
     }
 }
 
-// Named by one of them.
+// Adds offsets of the table, with a key per number.
 void add_table_offsets(std::vector<std::string>& keys, std::string_view name,
                        const gcode::TableOffsets& offsets) {
     std::string all;
@@ -100,7 +104,7 @@ void add_table_offsets(std::vector<std::string>& keys, std::string_view name,
     if (offsets.moves) keys.push_back(fmt::format("{}_moves = {}", name, *offsets.moves));
 }
 
-// Of the code that names them.
+// Describes the offsets of the table that `code` selects.
 std::string sheet_of(std::string_view code, const gcode::TableOffsets& offsets) {
     std::string text;
     for (const auto& [number, told] : offsets.by_number) {
@@ -190,7 +194,7 @@ std::string machine_sheet(const MachineFile& file) {
                 text += '\n';
                 continue;
             }
-            // As the one that turns is seen from the bed.
+            // The axis as seen from the bed.
             const cda::Vec3 about = carries_part ? -joint.direction : joint.direction;
             text +=
                 fmt::format("turns the {} about {}", carries_part ? "part" : "tool", vector(about));
@@ -238,7 +242,7 @@ std::string not_in_machine_toml(const MachineFile& file) {
 }
 
 std::string machine_toml(const MachineFile& file) {
-    // Keys of their own come first: behind a table they would be part of it.
+    // Keys without a table come first: after a [table] they would belong to that table.
     const verify::MachineDescription& m = file.machine;
     std::string text;
     if (!m.name.empty()) text += fmt::format("name = {}\n", quoted(m.name));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. The elements become links and joints, each joint as its parent has it.
-//  2. From the root on all of them are placed, with all joints at 0.
-//  3. Seen from the spindle nose that is a machine.
+// Machines in URDF, in three steps:
+// 1. The elements become links and joints, each joint in the frame of its parent.
+// 2. All links are placed, from the root on, with all joints at 0.
+// 3. The links are converted to the frame of the spindle nose.
 #include "machines/urdf_machine.h"
 
 #include "ncsim/machine/relative.h"
@@ -35,10 +36,10 @@ using cda::Vec3;
 using machine::Pose;
 using tinyxml2::XMLElement;
 
-constexpr double kMillimetres = 1000.0;  // in a metre
+constexpr double kMillimetres = 1000.0;  // per metre
 constexpr std::size_t kMostLinksOfFile = 100;
 
-// A turn by roll about x, then pitch about y, then yaw about z, all of them fixed.
+// Returns a rotation by roll about x, then pitch about y, then yaw about z, all about fixed axes.
 Pose turned_by(Vec3 roll_pitch_yaw) {
     Pose X;
     for (int axis = 2; axis >= 0; --axis) {
@@ -56,13 +57,13 @@ struct UrdfLink {
     cda::TriangleMesh mesh;  // in its own frame, mm
     double deflection_mm = 0.0;
     std::string assumed;
-    const XMLElement* mesh_at = nullptr;     // the last of them
-    const XMLElement* carried_by = nullptr;  // its joint
+    const XMLElement* mesh_at = nullptr;     // the last mesh
+    const XMLElement* carried_by = nullptr;  // joint that carries the link
     std::size_t parent = 0;
     Pose X_of_parent;
     std::optional<machine::Joint> joint;  // in its own frame
     std::optional<std::pair<double, double>> limits;
-    double rate = 0.0;  // in a minute
+    double rate = 0.0;  // per minute
     bool is_placed = false;
     Pose X_placed;
 };
@@ -106,7 +107,7 @@ private:
         return value;
     }
 
-    // As many as `numbers` has room for, with blanks between them.
+    // Reads exactly as many numbers as `numbers` has elements, separated by blanks.
     void take_numbers(const XMLElement* e, const char* key, std::string_view rest,
                       std::span<double> numbers) const {
         constexpr double kLargestNumber = 1e6;
@@ -141,7 +142,7 @@ private:
         return numbers[0];
     }
 
-    // Of <origin>, mm.
+    // Returns the pose of <origin>, mm.
     Pose origin(const XMLElement* of) const {
         const XMLElement* e = of->FirstChildElement("origin");
         Pose X = turned_by(vector(e, "rpy", {}));
@@ -207,7 +208,8 @@ private:
         return mesh;
     }
 
-    // A file beside this one; of a package, below the folder or beside it.
+    // Returns the path of a file relative to this file. Packages are below this folder or next to
+    // it.
     std::string path_of(const XMLElement* e, std::string_view told) const {
         constexpr std::string_view kPackage = "package://";
         if (!told.starts_with(kPackage)) {
@@ -233,7 +235,7 @@ private:
             fail(e, error.what());
         }
         const Vec3 scale = vector(e, "scale", {1, 1, 1});
-        // Formats with a unit of their own are in mm by now.
+        // Formats with a unit of their own were converted to mm.
         const double unit = file.has_unit ? 1.0 : kMillimetres;
         for (Vec3& p : file.mesh.vertices)
             p = unit * Vec3{scale.x * p.x, scale.y * p.y, scale.z * p.z};
@@ -249,7 +251,7 @@ private:
         return std::move(file.mesh);
     }
 
-    // "A", "joint_a", "C-axis".
+    // Returns the axis named by "A", "joint_a", "C-axis".
     static std::optional<char> letter_of(std::string_view name) {
         const auto letter = [](std::string_view word) -> std::optional<char> {
             if (word.size() != 1) return std::nullopt;
@@ -264,7 +266,7 @@ private:
         const std::size_t last = name.find_last_of(kBetween);
         const auto behind =
             last == std::string_view::npos ? std::nullopt : letter(name.substr(last + 1));
-        // Both would be no name of one axis.
+        // A letter at both ends is ambiguous.
         if (first && behind) return std::nullopt;
         return first ? first : behind;
     }
@@ -311,7 +313,7 @@ private:
         const auto low = number(limit, "lower"), high = number(limit, "upper");
         if (type != "continuous" && low && high) {
             if (*low > *high) fail(limit, "'upper' must be above 'lower'");
-            // Both 0: nobody told.
+            // Limits of 0 and 0 count as unspecified.
             if (*low < *high) link.limits = {unit * *low, unit * *high};
         }
         const auto rate = number(limit, "velocity");
@@ -342,7 +344,8 @@ private:
         link.is_placed = true;
     }
 
-    // From the root on, each joint as it moves the link; M is the frame of the tool.
+    // Returns the joints from the root on, each as a motion of the link. M is the frame of the
+    // tool.
     machine::Chain moved_by(std::size_t number_of_link, const Pose& X_MR) const {
         std::vector<machine::Joint> joints;
         for (std::size_t i = number_of_link;; i = links_[i].parent) {
@@ -362,7 +365,7 @@ private:
         return joint;
     }
 
-    // Directions along an axis are that, whatever rounding made of turns by 1.5707963.
+    // Removes the rounding of rotations by 1.5707963 from directions along an axis.
     static Vec3 exact(Vec3 direction) {
         constexpr double kSame = 1e-6;
         for (int i = 0; i < 3; ++i) {
@@ -376,7 +379,7 @@ private:
     void build(MachineFile& file, std::size_t part, std::size_t tool) {
         const Pose X_MR = machine::inverse(links_[tool].X_placed);
         ToldKinematics told;
-        // Whose positive values move the part along the axis, and not the tool.
+        // Letters of axes whose positive values move the part along the axis, instead of the tool.
         std::string turned_round;
         machine::Chain part_moved_by = moved_by(part, X_MR), tool_moved_by = moved_by(tool, X_MR);
         for (const bool is_part : {true, false}) {
@@ -428,7 +431,8 @@ private:
         file.kinematics = std::move(told);
         file.part_moved_by = std::move(part_moved_by);
         file.tool_moved_by = std::move(tool_moved_by);
-        // Those that are only a place are left out: what is on them is on what carries them.
+        // Links that are only a frame are left out; their children belong to the link that carries
+        // the frame.
         const auto is_frame = [&](std::size_t i) {
             return links_[i].mesh.triangles.empty() && !links_[i].joint &&
                    (i == part || i == tool || (!links_[i].carried_by && links_[i].name == "world"));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parses machine files in XML.
 #include "machines/xml_root.h"
 
 #include <fmt/format.h>

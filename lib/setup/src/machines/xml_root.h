@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How machine files in XML begin.
+// Root element of machine files in XML.
 #pragma once
 
 #include <tinyxml2.h>
@@ -9,9 +9,9 @@
 
 namespace ncsim::setup {
 
-/// Reads `text` into `document`; its root, an element called `tag`. Throws std::runtime_error with
-/// `name` (of the file) and line, and `what` was expected beside the tag, if anything is to be
-/// said.
+/// Parses `text` into `document` and returns the root, an element `tag`. `name` is the name of the
+/// file, and `what` further describes the expected root in messages. Throws: std::runtime_error
+/// with file and line.
 const tinyxml2::XMLElement* xml_root(tinyxml2::XMLDocument& document, const std::string& text,
                                      const std::string& name, const std::string& tag,
                                      const std::string& what = {});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Meshes in STL and binary glTF, and checks of closed surfaces.
 #include "ncsim/setup/mesh_file.h"
 
 #include "ncsim/cda/check.h"
@@ -41,7 +43,7 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
     return word;
 }
 
-// Binary files may begin with "solid", too: the number of triangles tells.
+// Reads binary STL. Binary files may begin with "solid", too, so the number of triangles decides.
 std::optional<std::vector<Vec3>> read_binary(std::string_view bytes) {
     if (bytes.size() < kHead) return std::nullopt;
     const std::size_t count = word_at(bytes, kHead - 4);
@@ -87,7 +89,7 @@ bool is_gltf(std::string_view bytes) {
     return bytes.starts_with("glTF");
 }
 
-// Rotation, scale and shear, then a translation.
+// A linear map (rotation, scale and shear) followed by a translation.
 struct Placing {
     std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
     Vec3 shift;
@@ -122,7 +124,7 @@ Placing placing_of(const tinygltf::Node& node) {
     return placing;
 }
 
-// Numbers from the buffers of a file that may say anything.
+// Access to numbers in the buffers of a file, which may contain any offsets.
 class Accessed {
 public:
     Accessed(const tinygltf::Model& model, int number) {
@@ -193,7 +195,7 @@ void add_mesh(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
             Vec3 p{positions.real(i, 0), positions.real(i, 1), positions.real(i, 2)};
             for (auto placing = placings.rbegin(); placing != placings.rend(); ++placing)
                 p = (*placing)(p);
-            // Metres, y up.
+            // glTF uses metres, with y up.
             corners.push_back(1000.0 * Vec3{p.x, 0.0 - p.z, p.y});
         };
         if (primitive.indices >= 0) {
@@ -209,7 +211,7 @@ void add_mesh(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
 
 void add_node(const tinygltf::Model& model, int number, std::vector<Placing>& placings,
               std::vector<Vec3>& corners) {
-    constexpr std::size_t kDeepest = 64;  // files may refer in circles
+    constexpr std::size_t kDeepest = 64;  // files may contain circular references
     if (number < 0 || static_cast<std::size_t>(number) >= model.nodes.size() ||
         placings.size() >= kDeepest) {
         throw Refused{"its nodes are no tree"};
@@ -225,11 +227,11 @@ void add_node(const tinygltf::Model& model, int number, std::vector<Placing>& pl
 
 std::vector<Vec3> read_gltf(std::string_view bytes) {
     tinygltf::TinyGLTF loader;
-    // Textures are nobody's business here.
+    // Textures are ignored.
     loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
                              const unsigned char*, int, void*) { return true; },
                           nullptr);
-    // All is in the one file: what it names elsewhere is not read.
+    // References to further files are not followed.
     tinygltf::FsCallbacks no_files{};
     no_files.FileExists = [](const std::string&, void*) { return false; };
     no_files.ExpandFilePath = [](const std::string& path, void*) { return path; };
@@ -243,7 +245,7 @@ std::vector<Vec3> read_gltf(std::string_view bytes) {
     if (!loader.LoadBinaryFromMemory(&model, &error, &warning,
                                      reinterpret_cast<const unsigned char*>(bytes.data()),
                                      static_cast<unsigned int>(bytes.size()))) {
-        // It quotes the file.
+        // The message of tinygltf may quote the file.
         std::string reason =
             "no binary glTF that can be read: " + error.substr(0, error.find('\n'));
         std::ranges::replace_if(
@@ -264,7 +266,8 @@ std::vector<Vec3> read_gltf(std::string_view bytes) {
 
 // --- Surfaces ----------------------------------------------------------------------------------
 
-// How often each directed edge stands more often than its opposite.
+// Returns the number of edges that occur in one direction more often than in the opposite
+// direction.
 std::size_t open_edges(const cda::TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
     for (const auto& t : mesh.triangles) {
@@ -309,8 +312,8 @@ std::vector<Vec3> corners_in(std::string_view bytes) {
     return std::move(*corners);
 }
 
-// The text behind the mark that writers of meshes leave in headers, comments and extras: STL, STEP,
-// glTF and VRML; empty if there is none.
+// Returns the text after the mark that writers of meshes leave in headers, comments and extras of
+// STL, STEP, glTF and VRML; empty if there is none.
 std::string assumptions_in(std::string_view bytes) {
     constexpr std::size_t kLongest = 400;
     const std::size_t at = bytes.find(cda::kAssumedMark);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the keys of a mesh.
 #include "meshes/mesh_keys.h"
 
 #include "ncsim/setup/input.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The keys of a mesh in machine files, the same for links and fixtures.
+// Keys of a mesh in machine files, for links and fixtures.
 #pragma once
 
 #include "ncsim/setup/mesh_file.h"
@@ -12,22 +12,24 @@
 
 namespace ncsim::setup {
 
+/// Collects the keys of a mesh.
 class MeshKeys {
 public:
-    /// Files are named as seen from `folder`. All must outlive it.
+    /// Reads files relative to `folder`. Requires: all arguments outlive this object.
     MeshKeys(const TomlReader& reader, const std::string& folder, InputSet& inputs)
         : r_(reader), folder_(folder), inputs_(inputs) {}
 
-    // Each of these throws std::runtime_error as those of TomlReader do.
+    // The following functions throw std::runtime_error as the functions of TomlReader do.
     void take_mesh(const toml::node& node, const std::string& key);
     void take_scale(const toml::node& node, const std::string& key);
     void take_hull(const toml::node& node, const std::string& key);
-    /// In mm, when all keys are read; nothing where no mesh is told. Files that tell no unit are in
-    /// mm where no scale is told; one that would be a few millimetres in all is refused then: it is
-    /// in metres, and as it stands nothing would ever meet it.
+    /// Returns the mesh in mm, after all keys were read; empty if no mesh is specified. A file
+    /// without unit and without scale is in mm. If it would then be shorter than 5 mm, it is
+    /// refused, because it is probably in metres, and such a small body would never collide.
     std::optional<SurfaceFile> finish();
-    /// Where the mesh is told, and whether its hull is to stand for it; after finish().
+    /// Returns the place of the key `mesh`. Requires: finish() was called.
     std::string place() const { return mesh_at_ ? r_.place_of(*mesh_at_) : std::string(); }
+    /// True if the convex hull replaces the mesh.
     bool as_hull() const { return as_hull_; }
 
 private:

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads OBJ files.
 #include "meshes/obj_mesh.h"
 
 #include "meshes/polygons.h"
@@ -18,7 +20,7 @@ namespace {
 
 constexpr std::string_view kObjBlanks = " \t\r";
 
-// The next word of a line; empty at its end.
+// Returns the next word of a line; empty at the end.
 std::string_view next_word(std::string_view& line) {
     const std::size_t begin = line.find_first_not_of(kObjBlanks);
     if (begin == std::string_view::npos) {
@@ -83,7 +85,7 @@ std::vector<cda::Vec3> read_obj(std::string_view bytes) {
             for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
                 const auto told = number_in<std::int64_t>(word.substr(0, word.find('/')));
                 const auto count = static_cast<std::int64_t>(polygons.points.size());
-                // From 1 on; or backwards from the last one, which is -1.
+                // Numbers count from 1, or backwards from the last point, which is -1.
                 if (!told || *told == 0 || *told > count || *told < -count)
                     refuse("a face names a point that does not stand before it");
                 face.push_back(static_cast<std::uint32_t>(*told > 0 ? *told - 1 : count + *told));

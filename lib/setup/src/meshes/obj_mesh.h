@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes in Wavefront's OBJ (Appendix B1 of the Advanced Visualizer manual, 1995): points and
-// faces; all else is passed over, but for what is no polygon.
+// Meshes in Wavefront OBJ: points and faces. Further statements are ignored, except for curves and
+// surfaces, which are refused. Source: Appendix B1 of the Advanced Visualizer manual, 1995.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -11,9 +11,9 @@
 
 namespace ncsim::setup {
 
-/// Does it begin with a word of this format?
+/// True if the text begins with a word of this format.
 bool is_obj(std::string_view bytes);
-/// Three corners for each triangle, as they are. Throws Refused, with the line.
+/// Returns three corners per triangle, in the units of the file. Throws: Refused, with the line.
 std::vector<cda::Vec3> read_obj(std::string_view bytes);
 
 }  // namespace ncsim::setup

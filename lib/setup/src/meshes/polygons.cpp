@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Division of polygons into triangles.
 #include "meshes/polygons.h"
 
 #include "ncsim/cda/boundary.h"
@@ -13,7 +15,7 @@ namespace {
 
 using cda::Vec3;
 
-// Newell's: of twice the area's length.
+// Returns Newell's normal, whose length is twice the area.
 Vec3 normal_of(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& face) {
     Vec3 sum;
     const Vec3 origin = points[face[0]];
@@ -25,7 +27,7 @@ Vec3 normal_of(const std::vector<Vec3>& points, const std::vector<std::uint32_t>
 }  // namespace
 
 std::vector<Vec3> corners_of(const Polygons& polygons) {
-    // Farther out doubles have no room for what is computed of them.
+    // Beyond this, doubles are too coarse for the computations.
     constexpr double kFarthest = 1e9;
     for (const Vec3& p : polygons.points) {
         if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons as files tell them, as triangles.
+// Polygons of mesh files, and their division into triangles.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -11,19 +11,21 @@
 
 namespace ncsim::setup {
 
-/// Why a mesh is not taken.
+/// Reason why a mesh is refused.
 struct Refused {
     std::string reason;
 };
 
+/// Faces of a mesh file.
 struct Polygons {
     std::vector<cda::Vec3> points;
-    /// Each counter-clockwise seen from outside, by numbers of points.
+    /// Point indices of each face, counter-clockwise seen from outside.
     std::vector<std::vector<std::uint32_t>> faces;
 };
 
-/// Three corners for each triangle. Faces need not be convex; those of fewer than three corners, or
-/// without area, are left out. Throws Refused if a point is no place, or a face names none.
+/// Returns three corners per triangle. Faces need not be convex; faces with fewer than three
+/// corners, or without area, are left out. Throws: Refused if a point is too far out, or a face has
+/// an invalid index.
 std::vector<cda::Vec3> corners_of(const Polygons& polygons);
 
 }  // namespace ncsim::setup

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs ncsim-step and reads its result.
 #include "meshes/step_file.h"
 
 #include <fmt/format.h>
@@ -30,14 +32,14 @@ namespace {
 
 using cda::Vec3;
 
-// What a file may cost: more than any part needs, less than a machine that others use too bears.
+// Limits for ncsim-step: more than any part needs, and bearable on a shared computer.
 constexpr rlim_t kMostSeconds = 600, kMostBytes = rlim_t{8'000'000'000};
 
 [[noreturn]] void refuse(const std::string& why) {
     throw std::runtime_error(why);
 }
 
-// Beside the program that runs, or where its package puts it.
+// Returns the path of ncsim-step: next to the running program, or in the package's libexec.
 std::optional<std::string> reader() {
     std::error_code error;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -69,8 +71,8 @@ std::string all_of(std::FILE* file) {
     return bytes;
 }
 
-// Runs it with `in` as its standard input, `out` as its standard output. Only what may be called
-// after fork() is called there.
+// Runs `program` with `in` as its standard input and `out` as its standard output. After fork(),
+// only functions that are allowed there are called.
 int run(const std::string& program, const std::string& argument, std::FILE* in, std::FILE* out) {
     std::string first = program, second = argument;
     std::array<char*, 3> words{first.data(), second.data(), nullptr};
@@ -79,7 +81,7 @@ int run(const std::string& program, const std::string& argument, std::FILE* in, 
     if (child < 0) refuse(fmt::format("cannot run ncsim-step: {}", std::strerror(errno)));
     if (child == 0) {
 #ifdef __linux__
-        // Nobody waits for it any more when who does is killed.
+        // Kills ncsim-step if the waiting process is killed.
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
         if (::getppid() != parent) ::_exit(127);
@@ -101,7 +103,7 @@ int run(const std::string& program, const std::string& argument, std::FILE* in, 
     return status;
 }
 
-// Lines of a head, then bytes.
+// Reader of the result: lines of a head, then bytes.
 class Reading {
 public:
     explicit Reading(std::string_view text) : text_(text) {}
@@ -137,7 +139,7 @@ private:
 StepSurface surface_in(std::string_view text) {
     Reading reading(text);
     if (reading.line() != "NCSIM-STEP 1") refuse("ncsim-step is of another version");
-    reading.line();  // the unit; lengths are in mm by now
+    reading.line();  // the unit; lengths are in mm already
     reading.count("solids");
     const std::size_t vertices = reading.count("vertices");
     const std::size_t triangles = reading.count("triangles");
@@ -175,7 +177,7 @@ StepSurface read_step(const std::string& bytes, double deflection_mm) {
             "it is STEP, which this ncsim cannot read: there is no ncsim-step, which is made "
             "where CMake finds OpenCASCADE; STL and binary glTF can be read");
     }
-    // A file that ends too soon would be read as far as it goes.
+    // An incomplete file would be read up to its end.
     if (bytes.find("END-ISO-10303-21") == std::string::npos)
         refuse("it is STEP that does not end: END-ISO-10303-21 is missing");
     const File in = temporary(), out = temporary();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// STEP as triangles. ncsim-step reads it, a program of its own: OpenCASCADE is 80 MB that nobody
-// else needs, and what brings it down is a message here.
+// STEP files as triangles. A separate program, ncsim-step, reads STEP: OpenCASCADE has 80 MB, which
+// no further part needs, and a crash of OpenCASCADE becomes a message.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -12,16 +12,17 @@
 
 namespace ncsim::setup {
 
+/// Triangles of a STEP file.
 struct StepSurface {
     cda::TriangleMesh mesh;               ///< mm; `face` counts the faces of all solids.
-    std::vector<std::string> face_names;  ///< Empty: it has none.
+    std::vector<std::string> face_names;  ///< Empty for faces without a name.
 };
 
-/// Does it begin as STEP does?
+/// True if the text begins as a STEP file does.
 bool is_step(std::string_view bytes);
 
-/// Triangles within `deflection_mm` of its surfaces. Throws std::runtime_error that says why not:
-/// no ncsim-step is there, it is no STEP, has no solid, or was too much.
+/// Returns triangles within `deflection_mm` of the surfaces. Throws: std::runtime_error with the
+/// reason: ncsim-step is missing, the file is invalid or has no solid, or a limit was exceeded.
 StepSurface read_step(const std::string& bytes, double deflection_mm);
 
 }  // namespace ncsim::setup

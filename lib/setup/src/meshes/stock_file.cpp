@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Stock from surfaces and from .ncstock files.
 #include "ncsim/setup/stock_file.h"
 
 #include "ncsim/report/plain_text.h"
@@ -42,7 +44,7 @@ cda::Shape read_saved(const toolpath::StockFile& file, cda::Placement placement,
     return cda::placed(shape, placement);
 }
 
-// `deflection_mm` becomes that of the file.
+// Reads a closed surface. `deflection_mm` is set to the value of the file.
 cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& placement,
                         InputSet& inputs, double& deflection_mm) {
     SurfaceFile surface = read_surface_file(file.path, inputs);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The text becomes nodes of few kinds, which may stand under several others (USE); then the tree is
-// walked, and each shape placed. Both are bounded: by depth, and by how much comes out of it.
+// Meshes in VRML97. The text becomes nodes of few kinds, which may occur under several parents
+// (USE). Then the tree is traversed, and each shape placed. Both steps are bounded, by depth and by
+// the size of the result.
 #include "meshes/vrml_mesh.h"
 
 #include "ncsim/trig/angles.h"
@@ -31,7 +32,7 @@ using cda::Vec3;
 constexpr int kDeepestNode = 64;
 constexpr std::size_t kMostCorners = 30'000'000, kMostVisits = 100'000;
 
-// Linear, then a shift.
+// A linear map followed by a translation.
 struct Affine {
     std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
     Vec3 shift;
@@ -77,17 +78,17 @@ using VrmlNodePointer = std::shared_ptr<const VrmlNode>;
 
 struct VrmlNode {
     Affine placing;
-    std::vector<VrmlNodePointer> children;  // those that are seen
+    std::vector<VrmlNodePointer> children;  // visible children
     Polygons faces;
 };
 
-// What a name stands for while the text is read: a node, or the points of one.
+// Meaning of a name while the text is read: a node, or the points of a node.
 struct VrmlNamed {
     VrmlNodePointer node;
     std::shared_ptr<const std::vector<Vec3>> points;
 };
 
-// Nodes without a body to meet.
+// Names of nodes without a body for collisions.
 const std::set<std::string, std::less<>>& without_body() {
     static const std::set<std::string, std::less<>> names{"Appearance",
                                                           "AudioClip",
@@ -157,7 +158,7 @@ private:
     }
     static bool is_bracket(char c) { return c == '{' || c == '}' || c == '[' || c == ']'; }
 
-    // A word, a bracket, a string with its quotes; empty at the end.
+    // Returns the next word, bracket, or string with its quotes; empty at the end.
     std::string_view next() {
         while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '#')) {
             if (text_[at_] == '#') {
@@ -232,7 +233,7 @@ private:
             some_word();
     }
 
-    // To the bracket that closes the one that was read.
+    // Skips to the bracket that closes the last opening bracket.
     void skip_to_end() {
         for (std::size_t open = 1; open > 0;) {
             const std::string_view word = some_word();
@@ -241,7 +242,7 @@ private:
         }
     }
 
-    // What stands behind the name of a field: up to the next name, or the end of the node.
+    // Skips the value of a field: up to the next name, or the end of the node.
     void skip_value() {
         for (;;) {
             const std::string_view word = peek();
@@ -256,7 +257,8 @@ private:
         }
     }
 
-    // Each field by `take`, which tells whether it knows it; up to the end of the node.
+    // Passes each field to `take`, up to the end of the node. `take` returns false for unknown
+    // fields, which are skipped.
     template <class Take>
     void fields(const Take& take) {
         expect("{");
@@ -273,7 +275,7 @@ private:
         }
     }
 
-    // One node, or several in brackets.
+    // Reads a node, or several nodes in brackets.
     template <class Take>
     void nodes(const Take& take) {
         std::string_view word = some_word();
@@ -285,7 +287,7 @@ private:
             take(node(word));
     }
 
-    // `word` is the first of it.
+    // Reads a node; `word` is its first word.
     VrmlNamed node(std::string_view word) {
         if (word == "NULL") return {};
         if (word == "USE") {
@@ -301,7 +303,7 @@ private:
         if (++depth_ > kDeepestNode) refuse("nodes stand too deep in each other");
         VrmlNamed made = body_of(std::string(word));
         --depth_;
-        // A name that nobody may use has to be known, too: it stands for nothing to be seen.
+        // A name of an invisible node has to be known, too.
         if (!name.empty()) named_[name] = made;
         return made;
     }
@@ -318,7 +320,7 @@ private:
         if (type == "Box") return {box(), nullptr};
         if (type == "Coordinate") return {nullptr, points()};
         if (!without_body().contains(type)) {
-            // It may be anything.
+            // The type may be any text.
             std::string shown = type.substr(0, 40);
             std::ranges::replace_if(
                 shown, [](char c) { return c < ' ' || c > '~'; }, '?');
@@ -478,7 +480,7 @@ private:
     std::map<std::string, VrmlNamed, std::less<>> named_;
 };
 
-// Few lines may stand for very many shapes (USE in USE).
+// Collects the corners of all shapes. A short file may contain very many shapes (USE within USE).
 class CornerCollector {
 public:
     void visit(const VrmlNode& node, const Affine& above) {

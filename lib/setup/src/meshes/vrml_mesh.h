@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes in VRML97 (ISO/IEC 14772-1:1997): IndexedFaceSet and Box where Transforms bring them, DEF
-// and USE. What else has a shape is refused, for a shape that is left out would be one that nothing
-// meets.
+// Meshes in VRML97: IndexedFaceSet and Box, placed by Transforms, with DEF and USE. Further shapes
+// are refused, because a shape that is left out would never collide. Source: ISO/IEC 14772-1:1997.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -12,8 +11,9 @@
 
 namespace ncsim::setup {
 
+/// True if the text begins as a VRML file does.
 bool is_vrml(std::string_view bytes);
-/// Three corners for each triangle, as they are. Throws Refused, with the line.
+/// Returns three corners per triangle, in the units of the file. Throws: Refused, with the line.
 std::vector<cda::Vec3> read_vrml(std::string_view bytes);
 
 }  // namespace ncsim::setup

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boxes around the path of a motion: extremes of arcs and spirals, control points of splines,
+// sampled joints.
 #include "ncsim/toolpath/extent.h"
 
 #include "ncsim/machine/inverse.h"
@@ -17,8 +20,8 @@ using gcode::Position;
 
 namespace {
 
-// How much farther than at right angles to its axis a coordinate of a spiral is farthest out, in
-// degrees. `radius`: at right angles; `growth`: that of the radius a radian.
+// Returns by how many degrees beyond 90 a coordinate of a spiral is farthest out, relative to its
+// axis. `radius` is the radius at 90 degrees, `growth` the growth of the radius per radian.
 double spiral_lead(double radius, double growth) {
     // r' cos d = r sin d, thus cot d = radius / growth + d =: x + d, for d up to a quarter turn.
     // The cotangent is convex: Newton's steps from below stay below.
@@ -34,14 +37,15 @@ double spiral_lead(double radius, double growth) {
     return std::copysign(d * kRadian, growth);
 }
 
-// Where a coordinate of an arc is farthest out: at right angles to its axis, on a spiral near by.
+// Adds the points of an arc at which a coordinate is farthest out: at right angles to the
+// coordinate's axis, on a spiral close to there.
 void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
     const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
     const double beyond = growth == 0.0 ? 0.0 : 90.0;
     for (double q = std::ceil((low - beyond) / 90.0) * 90.0; q <= high + beyond; q += 90.0) {
-        // Radii grow or shrink all the way: the first and the last turn are farthest out.
+        // Radii grow or shrink monotonically, so the first and the last turn are farthest out.
         if (q > low + 450.0 && q < high - 450.0) q = std::floor((high - 450.0) / 90.0) * 90.0;
         const double radius = p.start_radius + (q - p.start_degrees) * growth;
         const double at = q + spiral_lead(radius, growth * 180.0 / std::numbers::pi);
@@ -50,7 +54,8 @@ void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
     }
 }
 
-// Of an arc in a tilted plane: balls about its middle at its start and its end hold it.
+// Adds balls about the centre of an arc in a tilted plane, at its start and its end; the balls
+// contain the arc.
 void add_balls(cda::Box& box, const gcode::Arc& arc) {
     const gcode::Arc own = gcode::in_own_frame(arc);
     const Polar p = polar(own);
@@ -86,7 +91,7 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
         machine::Values now = values_of(at);
         for (const machine::Joint& joint : poses.chain()->joints) {
             const std::size_t letter = *machine::index_of(joint.letter);
-            if (letter >= 6) now[letter] = 0.0;  // X, Y and Z move the tip by it
+            if (letter >= 6) now[letter] = 0.0;  // X, Y and Z make the motion of U, V and W
         }
         const auto values = machine::values_for(*poses.chain(), poses.at(at).translation, now);
         if (!values) return {};
@@ -119,6 +124,7 @@ cda::Box extent_of_axes(const gcode::Motion& motion) {
     return box;
 }
 
+// Returns the motion with U, V and W at 0; an arc of U, V or W becomes a line.
 gcode::Motion without_second_axes(const gcode::Motion& motion) {
     gcode::Motion first = motion;
     const auto still = [](Position& p) { p.u = p.v = p.w = gcode::Length(); };

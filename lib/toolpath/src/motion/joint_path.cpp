@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joint positions and speeds along straight moves and arcs, and division of motions into these.
 #include "ncsim/toolpath/joint_path.h"
 
 #include "ncsim/machine/inverse.h"
@@ -24,17 +26,18 @@ struct JointPath::Course {
         : machine(&kinematics), poses(&kinematics, motion) {}
 
     const Kinematics* machine;
-    Poses poses;          // and with them the chain in W
-    bool solves = false;  // X, Y and Z follow from where the tip is
+    Poses poses;          // contains the chain in W
+    bool solves = false;  // whether X, Y and Z follow from the tip
     double length_mm = 0.0;
     Position from, to;
     const gcode::Arc* arc = nullptr;
     Polar polar;
-    // Of the tip, where it is told, else of X, Y and Z, for the whole: derivatives.
+    // Bounds on derivatives over the whole motion: of the tip under tip control, otherwise of X, Y
+    // and Z.
     double speed = 0.0, bend = 0.0;
-    // Of the chain, next to the part and next to the tool; both are joints that turn.
+    // Rotary joints of the chain next to the part and next to the tool.
     Chain part_side, tool_side;
-    bool is_simple = true;  // nothing turns between X, Y and Z
+    bool is_simple = true;  // no rotary joint between X, Y and Z
 
     Position at(double t) const { return arc ? on_arc(*arc, polar, t) : between(from, to, t); }
 };
@@ -45,7 +48,7 @@ double size_of(gcode::Length from, gcode::Length to) {
     return std::abs((to - from).mm());
 }
 
-// All linear axes that run in step with an arc, each as if it were another direction.
+// Sums the ways of all linear axes, as if each were a direction of its own.
 double steady_way(const Position& from, const Position& to) {
     return size_of(from.x, to.x) + size_of(from.y, to.y) + size_of(from.z, to.z) +
            size_of(from.u, to.u) + size_of(from.v, to.v) + size_of(from.w, to.w);
@@ -74,7 +77,7 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
         c.speed = norm(c.poses.steady_place(c.to) - c.poses.steady_place(c.from));
     }
     if (c.solves) {
-        // What U, V and W move the tip by turns with the axes.
+        // The shift of the tip by U, V and W rotates with the axes.
         const SecondAxes second = second_axes(chain, motion);
         const auto turn = [](gcode::Angle a, gcode::Angle b) {
             return trig::kRadiansPerDegree * std::abs((b - a).degrees());
@@ -86,7 +89,7 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
     }
     bool has_moved = false, has_turned = false;
     for (const machine::Joint& joint : chain.joints) {
-        if (*machine::index_of(joint.letter) >= 6) continue;  // none of the machine's
+        if (*machine::index_of(joint.letter) >= 6) continue;  // U, V and W
         if (!joint.turns) {
             c.is_simple &= !has_turned;
             has_moved = true;
@@ -140,7 +143,8 @@ std::optional<Ball> JointPath::tip(double t0, double t1) const {
 //
 //     L(t) · (x u + y v + z w + R(t) o) = p(t)   so   x u + y v + z w = L(t)⁻¹ p(t) - R(t) o
 //
-// and u, v, w are at right angles: each of x, y and z goes no faster than both terms together.
+// The directions u, v, w are perpendicular, so the speed of each of x, y and z is at most the sum
+// of both terms' speeds.
 std::optional<Going> JointPath::going(double t0, const Values& from, double t1,
                                       const Values& to) const {
     const Course& c = *course_;
@@ -157,7 +161,7 @@ std::optional<Going> JointPath::going(double t0, const Values& from, double t1,
         return going;
     }
     if (!c.is_simple) return std::nullopt;
-    // Angles alone count here, and those of the program are those of the machine.
+    // Only angles count here; the angles of the program are the angles of the machine.
     const Ball of_part = moved(machine::seen_from(c.part_side, {}), going, *tip);
     const Ball of_tool = moved(c.tool_side, going, {});
     going.all_speed = of_part.speed + of_tool.speed;
@@ -183,7 +187,7 @@ Legs legs_of(const gcode::Motion& motion, const RapidPath& rapid) {
     } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
         add(*arc);
     } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
-        // Chords as those of SamplingOptions: told, not proved between the places that are asked.
+        // Chords as in sample(): tested at sample points, not proved between them.
         constexpr double kChord = 0.005;
         const SplineCurve curve(*spline);
         if (!curve.is_sound()) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Poses of the default machine and of specified machines.
 #include "ncsim/toolpath/machine.h"
 
 #include "ncsim/machine/presets.h"

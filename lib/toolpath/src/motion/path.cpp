@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Arcs in polar coordinates, shifts by U, V and W, and B-splines.
 #include "motion/path.h"
 
 #include "ncsim/trig/angles.h"
@@ -14,7 +16,7 @@ using gcode::Position;
 
 namespace {
 
-// The two axes of the plane of an arc, as members of Position.
+// The two axes of an arc's plane, as members of Position.
 struct ArcAxes {
     Length Position::*first;
     Length Position::*second;
@@ -60,7 +62,8 @@ Polar polar(const gcode::Arc& told) {
     p.start_radius = std::sqrt(x0 * x0 + y0 * y0);
     p.end_radius = std::sqrt(x1 * x1 + y1 * y1);
     p.start_degrees = trig::angle_of(x0, y0);
-    // Equal ends are a full circle; below this the two angles are equal but for rounding.
+    // Equal ends are a full circle. Angles that differ by less than this are equal except for
+    // rounding.
     constexpr double kNoAngle = 1e-10;
     double sweep = trig::angle_of(x1, y1) - p.start_degrees;
     if (arc.turns >= 0) {
@@ -96,7 +99,8 @@ SecondAxes second_axes(const machine::Chain& chain, const gcode::Motion& motion)
     if (!from || !to) return second;
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     const bool on_arc = arc && arc->plane >= gcode::Plane::UV;
-    // Other axes may turn between them: they are not at right angles.
+    // Rotary axes between U, V and W may rotate them, so their directions are not perpendicular in
+    // general.
     bool is_along = !on_arc;
     for (const auto axis : {&Position::u, &Position::v, &Position::w}) {
         const double a = (from->*axis).mm(), b = (to->*axis).mm();
@@ -130,8 +134,8 @@ std::vector<double> SplineCurve::breaks() const {
     return all;
 }
 
-// De Boor's algorithm in homogeneous coordinates (Piegl and Tiller, The NURBS Book, 2nd ed. 1997,
-// algorithm A4.1).
+// Evaluates the curve with De Boor's algorithm in homogeneous coordinates. Source: Piegl and
+// Tiller, The NURBS Book, 2nd ed. 1997, algorithm A4.1.
 Position SplineCurve::at(double u) const {
     if (u <= first()) return m_.from;
     if (u >= last()) return m_.to;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the axes are along a motion.
+// Axis positions along arcs and splines.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -15,36 +15,46 @@ inline double lerp(double a, double b, double t) {
     return a + t * (b - a);
 }
 
-/// An arc in polar coordinates about its centre: radius and angle run from start to end in step.
+/// An arc in polar coordinates about its centre; radius and angle change linearly from start to
+/// end. mm.
 struct Polar {
     double centre_1 = 0, centre_2 = 0;
     double start_degrees = 0, sweep_degrees = 0;
     double start_radius = 0, end_radius = 0;
 };
 
+/// Converts an arc to polar coordinates, in the arc's own frame if its plane is tilted.
 Polar polar(const gcode::Arc& arc);
-/// t from 0 to 1; the ends come out exactly. `p`: its polar().
+/// Returns the position at `t` from 0 to 1; t = 0 and t = 1 give the ends exactly. `p` is
+/// polar(`arc`).
 gcode::Position on_arc(const gcode::Arc& arc, const Polar& p, double t);
 
-/// What U, V and W do to the tip where X, Y and Z do not tell it themselves (Poses::shift()).
+/// Bounds on the shift of the tip by U, V and W where X, Y and Z do not include it
+/// (Poses::shift()).
 struct SecondAxes {
-    double reach_mm = 0.0;   ///< They move it no farther, at any time of the motion.
-    double way_mm = 0.0;     ///< How far they go themselves, seen from what they are on.
-    bool along_tool = true;  ///< All the way: turns of the tool about itself change nothing.
+    /// Largest distance by which the axes shift the tip, at any time of the motion.
+    double reach_mm = 0.0;
+    double way_mm = 0.0;  ///< Length of the axes' own path, seen from the bodies that carry them.
+    /// True if the shift is always along the tool, so rotations about the tool axis do not change
+    /// it.
+    bool along_tool = true;
 };
+/// Returns the bounds for `motion` on the machine `chain`.
 SecondAxes second_axes(const machine::Chain& chain, const gcode::Motion& motion);
 
 /// A rational B-spline.
 class SplineCurve {
 public:
-    /// `motion` must outlive it.
+    /// Requires: `motion` outlives this object.
     explicit SplineCurve(const gcode::Spline& motion) : m_(motion), degree_(motion.order - 1) {}
 
+    /// True if order, control points and knots form a valid curve.
     bool is_sound() const;
     double first() const { return m_.knots[static_cast<std::size_t>(degree_)]; }
     double last() const { return m_.knots[m_.control_points.size()]; }
-    /// Parameters at which the curve may have a corner, from the first to the last.
+    /// Returns the parameters at which the curve may have a corner, from the first to the last.
     std::vector<double> breaks() const;
+    /// Returns the position at parameter `u`.
     gcode::Position at(double u) const;
 
 private:

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Divides motions into steps with bounds: chords of arcs and splines, rotations about rotary axes
+// of the default machine and of specified machines.
 #include "ncsim/toolpath/sampler.h"
 
 #include "ncsim/toolpath/extent.h"
@@ -25,12 +28,12 @@ using trig::kRadiansPerDegree;
 
 // --- Steps --------------------------------------------------------------------------------
 
-// A motion as a whole: what the bounds of its steps are made of.
+// Values of a whole motion, from which the bounds of its steps follow.
 struct Course {
-    double sweep_rad = 0.0;  // of an arc
-    double radius_mm = 0.0;  // the largest
+    double sweep_rad = 0.0;  // angle of an arc
+    double radius_mm = 0.0;  // largest radius
     double radius_change_mm = 0.0;
-    double way_mm = 0.0;  // of the tip where nothing turns
+    double way_mm = 0.0;  // length of the tip's path without rotations
     Turning turning;
 
     Turning step(double steps) const {
@@ -45,7 +48,8 @@ struct Course {
     }
 };
 
-// The fewest steps from `low` on that are enough, if more always are.
+// Returns the fewest steps, from `low` to `most`, for which `enough` is true. Requires: if n steps
+// are enough, so are more.
 template <typename Enough>
 std::uint32_t fewest(std::uint32_t low, std::uint32_t most, const Enough& enough) {
     std::uint32_t high = low;
@@ -62,8 +66,9 @@ std::uint32_t fewest(std::uint32_t low, std::uint32_t most, const Enough& enough
     return high;
 }
 
-// An arc never becomes one chord, whatever the tolerance: three make a full circle a body. Nor does
-// a turn, even where nothing is to be cut: whoever draws the path sees where the tool goes.
+// Returns the least number of steps. An arc has at least two chords, whatever the tolerance, and a
+// full circle three, so that the circle has an area. A rotation has steps of at most 5 degrees,
+// even where nothing is cut, because pictures of the path show the tool's positions.
 std::uint32_t least_steps(const Course& c, const SamplingOptions& o) {
     constexpr double kLongestTurn = 5.0 * kRadiansPerDegree;
     const double thirds = std::ceil(c.sweep_rad / (2 * std::numbers::pi / 3));
@@ -74,9 +79,9 @@ std::uint32_t least_steps(const Course& c, const SamplingOptions& o) {
     return std::min(low, std::max(1U, o.max_steps));
 }
 
-// The turns of a helix are divided alike, and as a circle of its radius: then the chords of one
-// turn stand above those of the last, and a shank as thick as its cutter meets no cusps between
-// them.
+// Divides the turns of a helix equally, like a circle of the same radius. Then the chords of each
+// turn lie above those of the preceding turn, and a shank as thick as its cutter meets no cusps
+// between the turns.
 std::uint32_t whole_turns(const Course& c, std::uint32_t steps, const SamplingOptions& o) {
     const double turns = std::round(c.sweep_rad / (2 * std::numbers::pi));
     constexpr double kRounding = 1e-9;
@@ -86,8 +91,8 @@ std::uint32_t whole_turns(const Course& c, std::uint32_t steps, const SamplingOp
     return even <= o.max_steps ? static_cast<std::uint32_t>(even) : steps;
 }
 
-// What a step costs in the part: hulls meet the more of it and of each other the longer they are,
-// and each has its facets.
+// Returns the cost of a step in the simulation. Longer hulls meet more of the part and of each
+// other, and each hull has its facets.
 double cost_of(const ToolExtent& tool) {
     double sum = 0.0;
     for (const PieceExtent& piece : tool.pieces)
@@ -117,7 +122,7 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
     const auto pose = [&](std::uint32_t i, std::uint32_t steps) {
         return poses.at(position_at(i == steps ? 1.0 : static_cast<double>(i) / steps));
     };
-    // Of the step in which most is gained; none that is more than `limit` is looked for.
+    // Returns the gain of the step with the largest gain. Stops at a gain above `limit`.
     const auto gained = [&](const Turning& turning, const ToolExtent& slabs, std::uint32_t steps,
                             double limit) {
         double worst = 0.0;
@@ -129,7 +134,7 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
         }
         return worst;
     };
-    // First what can be told of all steps at once, which are the more for it.
+    // First, bounds that hold for all steps at once determine a least number of steps.
     std::uint32_t steps =
         fewest(least_steps(course, options), options.max_steps, [&](std::uint32_t n) {
             const Turning t = course.step(n);
@@ -147,7 +152,8 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
         };
         std::uint32_t best = fewest_in(tool);
         double least = best * cost_of(tool);
-        // Shorter slabs, in fewer steps, where that is what decides.
+        // Shorter slabs need fewer steps if the gain decides. They are used while the total cost
+        // falls.
         for (double slab = longest_straight(tool) / 2; best > steps && slab >= 2 * radius_of(tool);
              slab /= 2) {
             const ToolExtent slabs = in_slabs(tool, slab);
@@ -186,18 +192,19 @@ Cosines cosines(Angle a, Angle b) {
     const double high = std::max(a.degrees(), b.degrees());
     const double at_low = std::abs(trig::sin_cos(low).cos);
     const double at_high = std::abs(trig::sin_cos(high).cos);
-    const auto passes = [&](double degrees) {  // or any of its distance of half turns
+    const auto passes = [&](double degrees) {  // or `degrees` plus a multiple of 180
         return std::floor((high - degrees) / 180.0) >= std::ceil((low - degrees) / 180.0);
     };
     return {passes(90.0) ? 0.0 : std::min(at_low, at_high),
             passes(0.0) ? 1.0 : std::max(at_low, at_high)};
 }
 
-// The line through the origin about which a motion turns, if it is one.
+// Returns the direction of the line through the origin about which a motion rotates. Empty if not
+// exactly a single rotary axis moves.
 std::optional<Vec3> turning_axis(const Position& from, const Position& to) {
     const bool a = from.a != to.a, b = from.b != to.b, c = from.c != to.c;
     if (a + b + c != 1) return {};
-    // A point on it, turned by what comes after it in pose_at().
+    // A point on the axis, rotated by the axes that follow in pose_at().
     Position at;
     at.*(a ? &Position::x : b ? &Position::y : &Position::z) = Length::from_mm(1.0);
     if (a) at.b = from.b;
@@ -209,10 +216,10 @@ double distance_from(const std::optional<Vec3>& axis, Vec3 p) {
     return norm(axis ? p - dot(p, *axis) * *axis : p);
 }
 
-// A tool about to leave the pose it has here: its axis turns by no more than `tilt_rad`, and its
-// tip goes no farther than `way_mm`. A place within `radius_mm` of its axis is at a height above
-// the tip at which a disc of that radius reaches the box: how high that can be. A disc across the
-// axis a at the height z is, along X, between T + z a - r and T + z a + r, r² = radius² (1 - a²).
+// Returns a bound on the height above the tip, along the tool axis, of a place in the box `place`
+// within `radius_mm` of the tool axis. The tool is near the pose X_WT: its axis deviates by at most
+// `tilt_rad`, and its tip by at most `way_mm`. At height z, a disc across the axis a extends along
+// X from T + z a - r to T + z a + r, with r² = radius² (1 - a²).
 double highest_beside(const Pose& X_WT, double tilt_rad, double way_mm, double radius_mm,
                       const cda::Box& place) {
     double highest = Turning::kInf;
@@ -230,8 +237,8 @@ double highest_beside(const Pose& X_WT, double tilt_rad, double way_mm, double r
     return highest;
 }
 
-// The same, whatever the tool does in a motion in which its axis and its tip keep to speeds that
-// make such ways of the whole: at any time one end is no farther away than half of them.
+// Returns the same bound for a whole motion. `tilt_rad` and `way_mm` are the lengths of the paths
+// of axis and tip; at any time, the nearer end of the motion is at most half of these away.
 double highest_beside(const Pose& start, const Pose& end, double tilt_rad, double way_mm,
                       double radius_mm, const cda::Box& place) {
     return std::max(highest_beside(start, tilt_rad / 2, way_mm / 2, radius_mm, place),
@@ -246,9 +253,10 @@ std::array<Vec3, 8> corners_of(const cda::Box& box) {
     return corners;
 }
 
-// Of a whole motion with such ends; its tip is never farther from the axis than at its ends by more
-// than `bulge_mm`, and as low as `lowest_mm()`, which is only asked of motions that turn. `way_mm`:
-// of the tip where nothing turns. The tool is nowhere thicker than `radius_mm`.
+// Returns the rotation of a whole motion of the default machine. Between the ends, the tip is at
+// most `bulge_mm` farther from the axis than at the ends, and not lower than `lowest_mm()`, which
+// is only called for rotary moves. `way_mm` is the length of the tip's path without rotations,
+// `radius_mm` the largest radius of the tool.
 template <class Lowest>
 Turning turning_of(const Position& from, const Position& to, const Lowest& lowest_mm,
                    double bulge_mm, double way_mm, double radius_mm,
@@ -261,7 +269,8 @@ Turning turning_of(const Position& from, const Position& to, const Lowest& lowes
     const double a = radians(from.a, to.a), b = radians(from.b, to.b), c = radians(from.c, to.c);
     t.turn_rad = a + b + c;
     if (t.turn_rad == 0.0) return t;
-    // The tool's axis is at right angles to X, at most so far from Y, and so far from Z.
+    // The tool axis is at right angles to X. `from_y` and `from_z` bound the sine of its angle to Y
+    // and Z.
     const Cosines of_a = cosines(from.a, to.a), of_b = cosines(from.b, to.b);
     const double from_y = of_a.largest;
     const double upright = of_a.least * of_b.least;
@@ -276,7 +285,8 @@ Turning turning_of(const Position& from, const Position& to, const Lowest& lowes
     t.tip_mm = bulge_mm + std::max(distance_from(axis, start.translation),
                                    distance_from(axis, end.translation));
     if (!place || place->is_empty()) return t;
-    // Heights along the tool's axis: of the places from the origin, less the tip's, which is Z.
+    // Heights along the tool axis: heights of the places above the origin, less the height of the
+    // tip, which is Z.
     t.place_mm = 0.0;
     double highest = 0.0, farthest = 0.0;
     double at_ends = -Turning::kInf;
@@ -298,16 +308,16 @@ Turning turning_of(const Position& from, const Position& to, const Lowest& lowes
     return t;
 }
 
-// --- Machines that somebody told ----------------------------------------------------------------
+// --- Specified machines ----------------------------------------------------------------------
 
-// A joint that turns in a motion, as the others stand at its start.
+// A rotary joint that moves in a motion, with the remaining joints at the start of the motion.
 struct Turned {
     Vec3 direction, through;  // in W
     double radians = 0.0;
 };
 
-// Where the tip is, seen from between two joints, all the way: within `radius` mm of a point that
-// goes from one place to the other.
+// Position of the tip during the whole motion, seen from between two joints: within `radius` mm of
+// a point that moves from `from` to `to`.
 struct Reach {
     Vec3 from, to;
     double radius = 0.0;
@@ -318,8 +328,9 @@ double distance_from_line(Vec3 p, Vec3 through, Vec3 direction) {
     return norm(out - dot(out, direction) * direction);
 }
 
-// The joints are followed from the tool to the part; `bulge_mm` as above, `way_mm` that of the tip
-// against what does not turn.
+// Returns the rotation of a whole motion of a specified machine, following the joints from the tool
+// to the part. `bulge_mm` has the meaning above; `way_mm` is the length of the tip's path relative
+// to bodies that do not rotate.
 Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge_mm, double way_mm,
                    double radius_mm, const std::optional<cda::Box>& place) {
     const machine::Chain& chain = *poses.chain();
@@ -333,14 +344,15 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
     };
     Turning t;
     Reach tip{{}, {}, bulge_mm};
-    Vec3 axis{0, 0, 1};        // of the tool at the start of the motion
-    double ways = 0.0;         // of all that moves straight
-    bool is_one_block = true;  // nothing turns between them
+    Vec3 axis{0, 0, 1};        // tool axis at the start of the motion
+    double ways = 0.0;         // sum over linear joints
+    bool is_one_block = true;  // no rotary joint between linear joints that move
     bool has_turned = false, has_moved = false;
     bool is_alone = true;
     double distance = 0.0;
     std::vector<Turned> turning;  // from the tool to the part
-    bool head_turns = false;      // something moves straight before something that turns
+    // Whether a linear joint moves between a rotary joint that moves and the part.
+    bool head_turns = false;
     for (std::size_t i = chain.joints.size(); i-- > 0;) {
         const machine::Joint& joint = chain.joints[i];
         const double a = of(v0, joint), b = of(v1, joint);
@@ -370,7 +382,7 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
             std::ranges::for_each(turning, carry);
             continue;
         }
-        // How far the tool's axis is from that of the joint, as the sine of the angle.
+        // Sine of the angle between the tool axis and the joint's axis.
         const double lean = std::min(1.0, norm(cross(n, axis)) + t.tilt_rad);
         const bool spins =
             poses.of_tip() && second.along_tool && norm(cross(n, axis)) + t.tilt_rad == 0.0;
@@ -378,7 +390,8 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
         t.tilt_rad += radians * lean;
         if (!spins) t.turn_rad += radians;
         axis = machine::turned(joint, a, axis);
-        // The point of its axis that is next to the tip. About one alone, the axis itself counts.
+        // The point of the joint's axis nearest to the tip. If only a single joint rotates, the
+        // distance from its axis counts.
         const Vec3 middle = 0.5 * (tip.from + tip.to);
         const Vec3 through = joint.through + dot(middle - joint.through, n) * n;
         const bool first = turning.empty();
@@ -397,13 +410,14 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
         std::ranges::for_each(turning, carry);
         turning.push_back({n, through, radians});
     }
-    // The speeds of three axes add up to no more than √3 times that of all.
+    // The speeds of three axes add up to at most √3 times their common speed, which is at most 2.
     const double moved = is_one_block ? way_mm : std::max(ways, 2 * way_mm);
-    // Of the tip in W.
+    // Length of the tip's path in W.
     double tip_way = moved;
     const Pose start = poses.at(from), end = poses.at(to);
     if (poses.of_tip()) {
-        // It turns about where X, Y and Z tell, and its tip is as far from there as U, V and W say.
+        // The tool rotates about the programmed point X, Y, Z. U, V and W determine the distance of
+        // the tip from that point.
         t.tip_mm = second.reach_mm;
         t.lean = 1.0;
         t.moved_mm = second.way_mm;
@@ -419,8 +433,8 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
     }
     if (t.turn_rad == 0.0 || !place || place->is_empty()) return t;
     if (!poses.of_tip() && !head_turns) {
-        // Of the places from the first axis; those of the others are so far from it, there and
-        // back.
+        // Distances of the places from the first axis. The distances between the axes are added,
+        // there and back.
         const Turned& outer = turning.back();
         t.place_mm = 0.0;
         for (const Vec3 corner : corners_of(*place)) {
@@ -431,7 +445,7 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
         for (std::size_t i = 1; i < turning.size(); ++i)
             t.place_mm += 2 * norm(turning[i].through - turning[i - 1].through);
     }
-    // Heights along the tool's axis above the tip, from the nearer end of the motion.
+    // Heights of the places above the tip, along the tool axis, from the nearer end of the motion.
     t.top_mm = -Turning::kInf;
     for (const Pose& X_WT : {start, end}) {
         for (const Vec3 corner : corners_of(*place)) {
@@ -521,7 +535,7 @@ Samples sample_spline(const gcode::Motion& motion, const gcode::Spline& m, const
     const std::vector<double> breaks = curve.breaks();
     for (std::size_t i = breaks.size(); i-- > 1;)
         pending.push_back({breaks[i - 1], breaks[i], 0});
-    constexpr int kMinDepth = 2;  // an S has its middle on its chord
+    constexpr int kMinDepth = 2;  // the middle of an S lies on its chord
     constexpr int kMaxDepth = 20;
     double worst = 0.0;
     while (!pending.empty()) {
@@ -560,7 +574,7 @@ std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses,
     } else {
         return std::nullopt;
     }
-    // At any time one of the ends is no farther away than half of all it does.
+    // At any time, the nearer end is at most half of the total path away.
     const Turning& t = c.turning;
     const double moved = poses.of_tip() ? c.way_mm + t.moved_mm : std::max(c.way_mm, t.moved_mm);
     const double way = moved + t.turn_rad * t.tip_mm;

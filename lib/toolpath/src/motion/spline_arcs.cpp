@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Approximation of splines by biarcs, with bisection until the tolerance is met.
 #include "ncsim/toolpath/spline_arcs.h"
 
 #include "ncsim/toolpath/pose.h"
@@ -22,7 +24,7 @@ using cda::norm;
 using cda::normalized;
 using cda::Vec3;
 
-// Of an arc with a larger radius nobody can tell that it is none, mm.
+// Radius, mm, above which an arc counts as a line.
 constexpr double kStraight = 1e5;
 
 Vec3 to_the_left(Vec3 v) {
@@ -31,7 +33,7 @@ Vec3 to_the_left(Vec3 v) {
 
 using Biarc = std::array<SplinePiece, 2>;
 
-// A point of the curve, and where it goes from there or comes from.
+// A point of the curve and the curve's direction there.
 struct Place {
     double u;
     Vec3 at, direction;
@@ -56,8 +58,9 @@ public:
 private:
     Vec3 at(double u) const { return linear_axes(curve_.at(u)); }
 
-    // Looking to one side of `u`, where it has no corner for so far: by differences that are right
-    // for polynomials of degree 4.
+    // Returns the point at `u` and the direction towards the side of `aside`; the curve has no
+    // corner between `u` and u + `aside`. The differences are exact for polynomials of degree 4.
+    // Empty if the curve stands still there.
     std::optional<Place> place(double u, double aside) const {
         const double step = 1e-3 * aside;
         const Vec3 d = -25.0 * at(u) + 48.0 * at(u + step) - 36.0 * at(u + 2.0 * step) +
@@ -82,7 +85,7 @@ private:
         return between && fit(from, *between, depth + 1) && fit(*between, to, depth + 1);
     }
 
-    // Both arcs leave their ends as far along the directions there.
+    // Returns two arcs with a common tangent. The tangents at both ends have the same length.
     static std::optional<Biarc> biarc(const Place& from, const Place& to) {
         const Vec3 chord = to.at - from.at;
         const double square = dot(chord, chord);
@@ -101,12 +104,12 @@ private:
         return Biarc{*first, *second};
     }
 
-    // That goes by `direction` in `end`, which is one of its ends.
+    // Returns the line or arc with the direction `direction` at `end`, which is `from` or `to`.
     static std::optional<SplinePiece> arc(Vec3 from, Vec3 to, Vec3 direction, Vec3 end) {
         SplinePiece piece{from, to, {}, 0.0, 0.0, true};
         const Vec3 chord = to - from, left = to_the_left(direction);
         const double square = dot(chord, chord);
-        // Of the end of an arc the other one is on the same side of the tangent.
+        // Both ends of an arc are on the same side of the tangent at the first end.
         const double aside = dot(left, end == from ? chord : -chord);
         if (!(square > 0.0) || square >= 2.0 * kStraight * std::abs(aside)) {
             return dot(chord, direction) > 0.0 ? std::optional(piece) : std::nullopt;
@@ -138,7 +141,7 @@ private:
             const Vec3 middle = 0.5 * (piece.from + piece.to) - piece.centre, v = p - piece.centre;
             const Vec3 half = piece.from - piece.centre;
             const double least = dot(half, middle) / norm(middle);
-            // Beyond its ends it is not.
+            // Beyond its ends, the distance from the nearer end counts.
             if (dot(v, middle) / norm(middle) >= least - 1e-3 * piece.radius)
                 return std::abs(norm(v) - piece.radius);
         } else if (const double square = dot(chord, chord); square > 0.0) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Hulls of a tool between two poses, and bounds of these hulls.
 #include "ncsim/toolpath/trace.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ using cda::Vec3;
 
 namespace {
 
-// Orientations kept: programs with a tilted tool alternate between a few.
+// Number of cached orientations. Programs with a tilted tool alternate between few orientations.
 constexpr std::size_t kCachedOrientations = 8;
 constexpr double kAll = std::numeric_limits<double>::infinity();
 
@@ -21,8 +23,8 @@ std::int64_t top_of(const std::vector<LatticePoint>& points) {
     return std::ranges::max(points, {}, &LatticePoint::z).z;
 }
 
-// From which height on, in units, do all edges of the polytope go straight up? Its upper end, if
-// none do.
+// Returns the height, in units, above which all edges of the polytope are vertical. The upper end
+// if there is no such height.
 std::int64_t straight_from(const std::vector<LatticePoint>& points) {
     const std::int64_t top = top_of(points);
     std::int64_t next = std::numeric_limits<std::int64_t>::min();
@@ -40,7 +42,8 @@ std::int64_t straight_from(const std::vector<LatticePoint>& points) {
     return ring_at(next) == ring_at(top) ? next : top;
 }
 
-// How far a tool reaches along its axis whose tip is at `tip`: the less, the deeper.
+// Returns the height of the lower end along the tool axis, with the tip at `tip`. The value
+// decreases with depth.
 std::int32_t depth(const Vec3& axis, const LatticePoint& tip, double low) {
     constexpr double kMost = std::numeric_limits<std::int32_t>::max();
     const Vec3 at{static_cast<double>(tip.x), static_cast<double>(tip.y),
@@ -89,7 +92,7 @@ std::vector<LatticePoint> Cutter::turned(const Rotation& rows, std::size_t piece
     const PieceExtent& extent = extent_.pieces[piece];
     const double most =
         kept.high_mm < extent.high_mm ? std::ceil(kept.high_mm / lattice_.unit_mm) : kAll;
-    // What begins where it is a cylinder already has the corners of the upper end at both ends.
+    // A slab that begins within the cylinder has the corners of the upper end at both ends.
     const bool is_above = kept.low_mm > extent.low_mm;
     const double least = std::ceil(kept.low_mm / lattice_.unit_mm);
     const std::int64_t top = tops_[piece];
@@ -189,9 +192,9 @@ void Cutter::cover(std::span<const LatticePoint> turn, const Pose& X_WA, cda::Or
     }
 }
 
-// The cylinder around all corners up to `end`, turned: along a unit direction it reaches its radius
-// times the sine, and its ends times the cosine, of the angle to the axis. A unit more for the
-// rounding of the turned corners; in lattice units, as the cells' own bounds are.
+// The cylinder around all corners up to `end`, rotated. Along a unit direction, it reaches its
+// radius times the sine, and its ends times the cosine, of the angle to the axis. A unit is added
+// for the rounding of rotated corners. In lattice units, like the cells' own bounds.
 Cutter::Reach Cutter::reach(const Rotation& rows, double end) const {
     Reach reach;
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bounds on the hulls of a rotating tool, as derived in the header, and division of tools into
+// slabs.
 #include "ncsim/toolpath/turning.h"
 
 #include <algorithm>
@@ -11,32 +14,34 @@ using cda::Vec3;
 namespace {
 
 constexpr double kMargin = 1.0;   // mm
-constexpr double kOverlap = 0.1;  // mm, of slabs: their ends lie within their neighbours
+constexpr double kOverlap = 0.1;  // mm, by which slabs overlap their neighbours
 
-// Not std::hypot, whose last bit is the library's own affair.
+// Avoids std::hypot, because the last bit of its result depends on the library.
 double length_of(double a, double b) {
     return std::sqrt(a * a + b * b);
 }
 
-// What is between two heights, no farther from the axis than the radius; or all of that.
+// A body of revolution between two heights with a largest radius; or the cylinder of these
+// dimensions.
 struct Body {
     double low_mm, high_mm, radius_mm;
     bool is_cylinder;
 };
 
-// Of a cylinder whose axis leans from one direction to another at the distance s <= 1, and on its
-// way bends by so much: see "Of a cylinder" in the header.
+// Returns the gain of a cylinder whose axis rotates from one direction to another at the distance s
+// <= 1 and bends by `bend` on the way. See "Cylinders" in the header.
 double gained_by_cylinder(double s, double bend, double height, double across) {
-    const double kTurned = 0.051 * s + bend / 32;  // t (1-t) times what the axis leans from m
-    const double leans = 0.53 * s + bend / 8;      // the largest of that
+    const double kTurned = 0.051 * s + bend / 32;  // t (1-t) times the angle between axis and m
+    const double leans = 0.53 * s + bend / 8;      // largest angle between axis and m
     const double beyond_side = s * (height / 4 + kTurned * across);
-    const double apart = s * (across + leans * height);  // z1 and z2, if it is beyond an end
+    // Largest |z1 - z2| if the point is beyond an end.
+    const double apart = s * (across + leans * height);
     const double beyond_end = s * (across / 4 + kTurned * std::min(height, apart));
     const double aside = 0.149 * s * apart + s * kTurned * across;
     return std::max(beyond_side, length_of(beyond_end, aside));
 }
 
-// What the hull gains where the motion is taken to be straight: of first order in the angle.
+// Returns the gain of the hull for a straight motion. The gain is of first order in the angle.
 double gained_at_first(const Pose& X_WA, const Pose& X_WB, double bend, const Body& body) {
     const auto axis_of = [](const Pose& pose) {
         return Vec3{pose.rows[0].z, pose.rows[1].z, pose.rows[2].z};
@@ -66,14 +71,15 @@ double reach_of(const PieceExtent& piece) {
     return length_of(piece.radius_mm, std::max(std::abs(piece.low_mm), std::abs(piece.high_mm)));
 }
 
-// Of the ball that rolls around the core, the largest that fits.
+// Returns the radius of the ball that rolls around the core.
 double ball_of(const PieceExtent& piece) {
     return std::max(piece.core_low_mm - piece.low_mm, piece.radius_mm - piece.core_radius_mm);
 }
 
-// Acceleration of a point of the axis of the body: in the frame that turns by Ω it is still but
-// for the motion of the tip, so it is at most Ω² times the distance from the axis that turns, and
-// twice Ω times the speed in that frame. `place_mm`: that distance, if it is known to be less.
+// Returns a bound on the acceleration of a point of the body's axis. In the frame that rotates by Ω
+// the point moves only with the tip. So the acceleration is at most Ω² times the distance from the
+// rotary axis, plus 2 Ω times the speed in that frame. `place_mm` is a further bound on that
+// distance.
 double bend_of_axis(const Turning& t, const Body& body, double place_mm) {
     const double from_tip = std::max(std::abs(body.low_mm), std::abs(body.high_mm));
     const double distance = std::min(t.tip_mm + t.lean * from_tip, place_mm);
@@ -81,25 +87,28 @@ double bend_of_axis(const Turning& t, const Body& body, double place_mm) {
 }
 
 double missed_mm(const Turning& t, const PieceExtent& piece) {
-    // A point of the tool that is at a place that matters is never farther away than by its way.
+    // A point of the tool that reaches a place that matters is at most the length of its path away
+    // from that place.
     const double place = t.place_mm + t.moved_mm;
     const double distance = std::min(t.tip_mm + reach_of(piece), place);
     const double as_it_turns = t.turn_rad * t.turn_rad * distance + 2 * t.turn_rad * t.moved_mm;
-    // Or without its turning about itself: the axis, and a disc across it that leans with it.
+    // Alternatively, without rotation about the tool's own axis: a point of the axis, and a disc
+    // across the axis that leans with the axis.
     const double r = piece.radius_mm;
     const double as_it_leans = bend_of_axis(t, {piece.low_mm, piece.high_mm, r, false}, place + r) +
                                r * (t.tilt_bend_rad + t.tilt_rad * t.tilt_rad);
     return std::min(as_it_turns, as_it_leans) / 8;
 }
 
-// What the hull of a body gains that a ball rolls around, and with it the hull of all of that.
+// Returns the gain of the hull of a body, and of the hull of the body with a ball of radius
+// `ball_mm` rolled around.
 double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const Body& body,
                  double ball_mm) {
     const double first = gained_at_first(X_WA, X_WB, t.tilt_bend_rad, body);
     const double leans = body.radius_mm * t.tilt_bend_rad;
     const double anywhere = first + (bend_of_axis(t, body, Turning::kInf) + leans) / 8;
-    // The point of the tool that is nearest to a place that matters is at most what is gained
-    // farther away than this. So the gain g is at most first + (b + Ω² g)/8.
+    // The tool's point nearest to a place that matters is at most the gain g farther away than that
+    // place. So g ≤ first + (b + Ω² g)/8.
     const double share = t.turn_rad * t.turn_rad / 8;
     if (share >= 0.5 || t.place_mm == Turning::kInf) return anywhere;
     const double place = t.place_mm + body.radius_mm + ball_mm + t.moved_mm + t.chord_mm;
@@ -112,8 +121,8 @@ double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const Pie
     const Body core{piece.core_low_mm, piece.core_high_mm, piece.core_radius_mm,
                     piece.is_core_cylinder};
     const double rolled = gained_mm(X_WA, X_WB, t, core, ball);
-    // What is above all places that matter by more than it gains gains nothing there. A place that
-    // it gains is no farther from the tool than that.
+    // A piece that is above all places that matter by more than its gain has no gain there, because
+    // a gained place is at most the gain away from the tool.
     const auto highest = [&](double gained) {
         const double gain = gained + t.chord_mm;
         return gain <= Turning::kBeside ? t.top_mm + gain : Turning::kInf;
@@ -142,7 +151,7 @@ PieceExtent extent_of(const ToolPiece& piece) {
     if (profile.size() < 2) return e;
     const ProfilePoint& last = profile.back();
     const ProfilePoint& before = profile[profile.size() - 2];
-    // The arc of a corner reaches no farther up than its radius: heights do not fall.
+    // The arc of a corner reaches at most its radius up, because heights do not decrease.
     if (before.radius == last.radius && last.fillet == 0.0)
         e.straight_mm = std::min(e.high_mm, before.height + before.fillet);
     if (profile.size() != 2) return e;
@@ -152,8 +161,8 @@ PieceExtent extent_of(const ToolPiece& piece) {
     const double opening = above.radius - below.radius;
     if (opening < 0.0 || rise <= 0.0) return e;
     e.is_core_cylinder = opening == 0.0 && below.fillet == 0.0 && above.fillet == 0.0;
-    // The ball touches the wall at right angles: on a cone higher up than its centre is, so that of
-    // the centres some lie above the upper end.
+    // The ball touches the wall at right angles. On a cone the contact is above the ball's centre,
+    // so some of the centres lie above the upper end.
     const double f = below.fillet;
     if (f <= 0.0 || (above.fillet != 0.0 && (above.fillet != f || opening != 0.0))) return e;
     const double slant = length_of(rise, opening);
@@ -220,14 +229,15 @@ ToolExtent in_slabs(const ToolExtent& tool, double slab_mm) {
             const bool is_last = i + 1 == slabs.size();
             const double above = is_last ? Turning::kInf : piece.high_mm - e.high_mm;
             if (i > 0) {
-                // A ball as large as fits above and below; where the tool ends, it is cut off.
+                // Largest ball that fits above and below. At the upper end of the tool the ball is
+                // cut off.
                 const double ball =
                     std::min({piece.radius_mm, e.low_mm - piece.straight_mm, above});
                 e.core_radius_mm = piece.radius_mm - ball;
                 e.is_core_cylinder = true;
                 e.open_above = is_last;
             } else {
-                // As the whole piece is rounded, if that fits.
+                // Rounded like the whole piece, if that fits.
                 const double ball = piece.radius_mm - piece.core_radius_mm;
                 e.open_above = false;
                 if (piece.open_above && ball <= above && piece.core_low_mm <= e.high_mm) {

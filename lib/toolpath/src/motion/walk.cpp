@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Traversal of motions: steps of single motions, combined cells for whole turns and for straight
+// runs.
 #include "ncsim/toolpath/walk.h"
 
 #include "ncsim/cda/int128.h"
@@ -21,7 +24,8 @@ namespace {
 constexpr std::array<Length Position::*, 3> kFirst{&Position::x, &Position::y, &Position::z};
 constexpr std::array<Length Position::*, 3> kSecond{&Position::u, &Position::v, &Position::w};
 
-// Where a linear axis is after `time`, moving at `rate` until it is there. Exactly there then.
+// Returns the position of a linear axis after `time`, moving at `rate` until it arrives; then
+// exactly `to`.
 Length axis_at(Length from, Length to, double rate, double time) {
     const double distance = std::abs((to - from).mm());
     if (rate * time >= distance) return to;
@@ -34,7 +38,8 @@ cda::Box grown(cda::Box box, double by_mm) {
     return box;
 }
 
-// A cylinder that ends below in a disc, a quarter circle or a cone, at the tip; else nothing.
+// Returns the sweep of a cylinder whose lower end is a disc, a quarter circle or a cone; empty for
+// other shapes.
 std::optional<cda::RoundSweep> round_of(const ToolPiece& piece) {
     const std::vector<ProfilePoint>& p = piece.profile;
     if (p.size() < 2 || p.size() > 3) return std::nullopt;
@@ -63,7 +68,7 @@ std::optional<cda::RoundSweep> round_of(const ToolPiece& piece) {
     return sweep;
 }
 
-// Of all that cuts; nothing, if one of its pieces is none of these.
+// Returns a sweep per cutting piece; empty if a cutting piece has an unsupported shape.
 std::vector<cda::RoundSweep> round_of(const Tool& tool) {
     std::vector<cda::RoundSweep> all;
     for (const ToolPiece& piece : tool.pieces) {
@@ -75,7 +80,7 @@ std::vector<cda::RoundSweep> round_of(const Tool& tool) {
     return all;
 }
 
-// Is b on the way from a to c? Exactly.
+// True if b is on the way from a to c, exactly.
 bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
                 const cda::LatticePoint& c) {
     const cda::LatticePoint u = b - a, v = c - b;
@@ -85,8 +90,8 @@ bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
            product(u.x, v.x) + product(u.y, v.y) + product(u.z, v.z) > 0;
 }
 
-// Are the walls of a hull that went so far exact? Their normals may be rounded; then the hulls of
-// its steps differ from it by that.
+// True if the walls of `hull` are exactly parallel to `way`. Otherwise their normals were rounded,
+// and the hulls of the steps differ from `hull` by the rounding.
 bool goes_exactly_along(const cda::Cell& hull, const cda::LatticePoint& way) {
     const auto first = hull.planes.begin() + static_cast<std::ptrdiff_t>(hull.normals->size());
     return std::all_of(first, hull.planes.end(), [&](const cda::Plane& wall) {
@@ -108,7 +113,7 @@ const Linear* straight_upright(const gcode::Motion& motion) {
 
 std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
     if (!path.dog_leg) return {rapid};
-    // When each axis arrives.
+    // Times at which the axes arrive.
     std::vector<double> times;
     for (std::size_t i = 0; i < 3; ++i) {
         for (const auto axis : {kFirst[i], kSecond[i]}) {
@@ -153,8 +158,8 @@ Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccurac
       watch_(watch),
       told_(std::move(told)),
       place_(stock) {
-    // What steps gain less than they may, facets may be left out for: whole numbers of steps leave
-    // more than the least share, as a rule.
+    // Facets may be left out for the part of the allowed gain that steps do not use. Because the
+    // number of steps is an integer, more than the least share remains, as a rule.
     constexpr double kLeast = 0.02, kMost = 0.3;
     gain_mm_ = sampling.rotation_gain_mm;
     slack_mm_ = kMost * gain_mm_;
@@ -165,7 +170,7 @@ Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccurac
 const Cutter& Walk::add_tool(int number, const Tool& tool) {
     const auto found = tools_.find(number);
     if (found != tools_.end()) return found->second.cutter;
-    // Tools of one shape have one polytope, which takes milliseconds to find.
+    // Tools of the same shape share a polytope, which takes milliseconds to find.
     const auto same = std::ranges::find_if(
         tools_, [&](const auto& known) { return known.second.pieces == tool.pieces; });
     Cutter cutter = same != tools_.end() ? same->second.cutter : Cutter(tool, lattice_, accuracy_);
@@ -184,7 +189,8 @@ const Cutter* Walk::cutter(int number) const {
     return found == tools_.end() ? nullptr : &found->second.cutter;
 }
 
-// The same box without what it takes to find how far the tool reaches, which is known.
+// Returns cutter.bounds() of two poses of the same orientation, with the reach computed once per
+// orientation.
 cda::Box Walk::Known::bounds(const Pose& X_WA, const Pose& X_WB) {
     if (rows != X_WA.rows) {
         rows = X_WA.rows;
@@ -193,7 +199,7 @@ cda::Box Walk::Known::bounds(const Pose& X_WA, const Pose& X_WB) {
     return cutter.bounds(X_WA, X_WB, reach);
 }
 
-// Into cells_ or sweeps_: what may meet the stock.
+// Fills cells_ or sweeps_ with the parts of the step that may meet the stock.
 void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                  const Liberties& liberties) {
     Cutter& cutter = tool.cutter;
@@ -231,7 +237,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     step({X_WT, X_WT, cells_, {}, {}, sweeps_, is_near_, {}, {}});
 }
 
-// Does all it does in this motion stay out of what is wanted?
+// True if the whole tool stays away from the wanted place during the motion.
 bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
                      const Pose& X_WA, const Pose& X_WB) const {
     double reach = 0.0;
@@ -243,9 +249,9 @@ bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses
     return strays && !wanted_->overlaps(grown(tool.cutter.bounds(X_WA, X_WB), *strays));
 }
 
-// Does a straight move go on as the one before did, on the lattice, no farther than the tool is
-// wide: nobody can tell more exactly where it cut? Where it does not, straight_ is what those
-// before it took together.
+// Continues the run if a straight move continues the preceding move's line on the lattice, within
+// the tool's diameter; the place of the cuts cannot be determined more exactly. Otherwise ends the
+// run, and straight_ gets the cells of the run as a whole.
 void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
                  cda::Origin origin) {
     if (!covers_ || leaves_round_ || motion.kind != gcode::MoveKind::Feed) return end_run();
@@ -260,7 +266,7 @@ void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, con
     }
     run_.ends.push_back(to);
     run_.steps.push_back({origin, 1.0, cells_.empty() ? cda::Box{} : cells_[0].bounds});
-    // What did not meet the stock has no number; whether it is wanted or not.
+    // A move that did not meet the stock has no origin, whether the stock is wanted there or not.
     if (is_near_ && tool.cutter.meets(stock_, X_WA, X_WB)) run_.origin = origin;
 }
 
@@ -281,7 +287,7 @@ void Walk::end_run() {
     std::erase_if(straight_, [&](const cda::Cell& c) {
         return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, way);
     });
-    // Of several pieces nobody knows by the place which was there first.
+    // With several pieces, the place does not determine which move removed the material first.
     if (straight_.size() != 1 || run.tool->cutter.pieces() != 1) return;
     const auto length = [&](const cda::LatticePoint& end) {
         return norm(lattice_.to_mm(end - run.start));
@@ -292,10 +298,10 @@ void Walk::end_run() {
         std::make_shared<const cda::StraightSteps>(cda::StraightSteps{way, std::move(run.steps)});
 }
 
-// Is the motion an arc about a middle that the tool may have within it all the way? Then it goes on
-// with the one before, if that was about the same.
+// True if the motion is an arc about a centre that may stay within the tool throughout. Continues
+// the preceding arc if both have the same centre.
 bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
-    // Centres that are programmed one by one differ in their last digits.
+    // Centres that are programmed separately differ in their last digits.
     constexpr double kSame = 0.01;
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     const bool is_level = arc && arc->plane == gcode::Plane::XY && !arc->tilted;
@@ -311,7 +317,8 @@ bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
     return true;
 }
 
-// A step of an arc; where it ends a whole turn, covering_ is what that took in any case.
+// Adds a step of an arc. If the step ends a whole turn, covering_ gets the volume that the turn
+// certainly removed.
 void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
     constexpr std::size_t kMost = 1000;  // steps of a turn
     const cda::LatticePoint from = lattice_.round(X_WA.translation);
@@ -326,7 +333,8 @@ void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::
     if (X_WA.rows != X_WB.rows || to.x != way[0].x || to.y != way[0].y) return;
     cutter.cover(way, X_WB, origin, covering_);
     way = {to};
-    // Wherever they are wanted or not: that there is one may end a step that is not near.
+    // Cells outside the wanted place are kept: the existence of a cell can decide about a step that
+    // is not near.
     std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
 
@@ -362,7 +370,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         }
     }
     const ToolExtent& followed = tool.followed;
-    // The bounds are those of round tools, whose hulls are so near to the ones that are made.
+    // The bounds hold for round tools. The hulls of the polytopes deviate from the round tools by
+    // this margin.
     const cda::Box place =
         grown(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
 
@@ -370,7 +379,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     const auto walk = [&](const gcode::Motion& part) {
         Samples samples = sample(part, followed, sampling_, place, told_.get());
         Liberties liberties = liberties_of(samples.turning);
-        // A rapid move is followed exactly, so that it meets nothing where a cut has been.
+        // A rapid move is followed without slack, so it does not meet material where a cut has
+        // been.
         if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
             liberties.slack_mm = std::clamp(gain_mm_ - samples.bounds.gained_mm, 0.0, slack_mm_);
             samples.bounds.gained_mm += liberties.slack_mm;
@@ -380,7 +390,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         for (std::size_t i = 1; i < samples.poses.size(); ++i) {
             const Pose& X_WA = samples.poses[i - 1];
             const Pose& X_WB = samples.poses[i];
-            // A tool that does not move cuts nothing it has not cut on its way here.
+            // A tool at rest removes no more than the preceding step removed.
             if (X_WA == X_WB) continue;
             trace(tool, X_WA, X_WB, origin, liberties);
             if (goes_round) close_round(cutter, X_WA, X_WB, origin);

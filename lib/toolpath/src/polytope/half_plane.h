@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vectors of the half-plane in which profiles are drawn: distance from the axis and height, in
-// lattice units; and how such numbers become integers.
+// Vectors of the half-plane of profiles: distance from the axis and height, in lattice units; and
+// rounding of such numbers to integers.
 #pragma once
 
 #include <cmath>
@@ -9,6 +9,7 @@
 
 namespace ncsim::toolpath {
 
+/// Distance from the axis and height, in lattice units.
 struct HalfPlaneVec {
     double r = 0.0, h = 0.0;
     friend HalfPlaneVec operator+(HalfPlaneVec a, HalfPlaneVec b) { return {a.r + b.r, a.h + b.h}; }
@@ -33,7 +34,8 @@ inline HalfPlaneVec unit(HalfPlaneVec a) {
     return n > 0 ? (1 / n) * a : a;
 }
 
-/// Numbers that are integers but for the rounding of a division or a sine stay what they are.
+/// Tolerance of the rounding: numbers that are integers except for the rounding of a division or a
+/// sine keep their value.
 inline constexpr double kIntegerGuard = 1e-7;
 inline std::int64_t round_up(double v) {
     return static_cast<std::int64_t>(std::ceil(v - kIntegerGuard));

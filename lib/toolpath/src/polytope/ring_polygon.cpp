@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lattice polygons around circles, and coarser polygons with parallel sides.
 #include "polytope/ring_polygon.h"
 
 #include "ncsim/trig/angles.h"
@@ -16,7 +18,7 @@ namespace {
 
 using Corners = std::vector<std::pair<std::int64_t, std::int64_t>>;
 
-// All four quadrants from the corners of the first.
+// Returns the corners of all four quadrants from the corners of the first.
 Corners turned_thrice(const Corners& first) {
     Corners corners;
     corners.reserve(4 * first.size());
@@ -30,9 +32,9 @@ Corners turned_thrice(const Corners& first) {
     return corners;
 }
 
-// Distances of the nearest side and of the farthest corner from the origin.
+// Measures the distances of the nearest side and of the farthest corner from the origin.
 void measure(RingPolygon& polygon) {
-    // Far more than the rounding of these sums, far less than what anybody measures.
+    // Far more than the rounding of these sums, far less than any measurable length.
     constexpr double kSlack = 1e-14;
     polygon.inner = std::numeric_limits<double>::infinity();
     polygon.outer = 0.0;
@@ -49,7 +51,8 @@ void measure(RingPolygon& polygon) {
     }
 }
 
-// Where sides are a few units long, rounding bends them both ways.
+// True if no corner is straight or reflex. Rounding makes corners reflex if sides are a few units
+// long.
 bool is_strictly_convex(const Corners& corners) {
     const std::size_t n = corners.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -72,14 +75,15 @@ std::vector<double> corner_cosines(int sides) {
     return cosines;
 }
 
-// In each quadrant both coordinates are rounded away from the axes (circumscribed) or towards them
+// Rounds both coordinates, in each quadrant, away from the axes (circumscribed) or towards the axes
 // (inscribed), which can only enlarge (shrink) the polygon.
 RingPolygon ring_polygon(std::int64_t b, const std::vector<double>& cosines, Side side) {
     const std::size_t quadrant = cosines.size();
     const double radius = side != Side::Inscribed ? 1.0 / cosines[0] : 1.0;
     Corners first;
     for (std::size_t j = 0; j < quadrant; ++j) {
-        // cos(90° - a) for the sine: both diagonals of a quadrant are mirrors, to the last bit.
+        // cos(90° - a) instead of the sine makes both diagonals of a quadrant exact mirrors, to the
+        // last bit.
         const double x = static_cast<double>(b) * (cosines[j] * radius);
         const double y = static_cast<double>(b) * (cosines[quadrant - 1 - j] * radius);
         first.emplace_back(side != Side::Inscribed ? round_up(x) : round_down(x),
@@ -93,8 +97,8 @@ RingPolygon ring_polygon(std::int64_t b, const std::vector<double>& cosines, Sid
     return polygon;
 }
 
-// The chain of the sides from the normal x to the normal y goes as far to the left as up, since
-// the diagonal is a mirror: so the side at x is as far from the origin as the one at y.
+// The chain of sides from the normal x to the normal y extends as far to the left as up, because
+// the diagonal is a mirror. So the sides at x and at y are equally far from the origin.
 std::vector<RingPolygon> with_coarser(RingPolygon finest) {
     const std::size_t quadrant = finest.corners.size() / 4;
     const Corners corners = finest.corners;

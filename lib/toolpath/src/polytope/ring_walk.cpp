@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outline. Circumscribed: what has to hold the round section of a ring is the circle within its
-// polygon, so the radii of these circles, over heights, have to lie on or outside the profile.
-// Around a rounded corner they go from tangent to tangent of its arc; how far along one tangent is
-// limited by the corners of the polygon, which stand farther out. A radius has to be a
-// multiple of the polygon's, which costs nothing, since the height is free. Inscribed: the tangents
-// are those of a smaller arc about the same centre, and the corners do not stand out of the arc.
-//
-// Which polygon comes next is a choice: fine ones reach farther, coarse ones have fewer facets. All
-// walks that nobody beats in both, facets and how far they have turned, go on to the next ring.
+// Search for the stack of rings with the fewest facets that approximates a profile.
 #include "polytope/ring_walk.h"
 
 #include "ncsim/cda/lattice.h"
@@ -29,12 +21,12 @@ namespace {
 using Vec = HalfPlaneVec;
 
 constexpr double kUpright = 1e-9;
-// A unit, by which heights are rounded, and more than doubles are wrong.
+// A unit, by which heights are rounded, plus the rounding of doubles.
 constexpr double kAlmost = 1 + 1e-6;
-constexpr int kMaxRings = 512;  // of one rounded corner
+constexpr int kMaxRings = 512;  // per rounded corner
 
-// A rounded corner: the disc of radius rho about `centre` touches the line along d1 in `start` and
-// the line along d2 in `end`.
+// A rounded corner: the disc of radius rho about `centre` touches the line along d1 at `start` and
+// the line along d2 at `end`.
 struct Fillet {
     Vec centre, start, end, d1, d2;
     double rho = 0.0;
@@ -54,7 +46,7 @@ Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
     return f;
 }
 
-// In lattice units.
+// Converts the profile's points to lattice units.
 std::vector<Vec> corners_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
     std::vector<Vec> points;
     points.reserve(profile.size());
@@ -63,7 +55,7 @@ std::vector<Vec> corners_of(const std::vector<ProfilePoint>& profile, double uni
     return points;
 }
 
-// Where discs close the profile, its lines come from the axis.
+// Neighbours of a corner. Discs close the profile, so its first and last lines start on the axis.
 Vec before(const std::vector<Vec>& points, std::size_t i) {
     return i > 0 ? points[i - 1] : Vec{0, points[i].h};
 }
@@ -86,19 +78,32 @@ double turned(const Fillet& f, Vec d) {
     return trig::angle_of(dot(f.d1, d), cross(f.d1, d));
 }
 
-// A walk up to one of its rings.
+// A walk up to a ring.
 struct Step {
     Ring ring;
-    int before = -1;  // the step under it
+    int before = -1;  // index of the step below
     int facets = 0, corners = 0;
     double error = 0.0;
-    // Where it is, and on which tangent it goes on (circumscribed); how far around the arc
-    // (inscribed).
+    // Circumscribed: current point, and tangent to continue on. Inscribed: `turned` is the angle
+    // reached on the arc.
     Vec at, d;
     double turned = 0.0;
     bool has_ring = false;
 };
 
+// Search for the stack of rings with the fewest facets along a profile.
+//
+// Circumscribed: the polygon of a ring holds the round section if the polygon's inner circle does,
+// so the radii of the inner circles, over the heights, have to lie on or outside the profile.
+// Around a rounded corner the radii lead from tangent to tangent of the arc. How far a ring may lie
+// along a tangent is limited by the corners of the polygon, which lie farther out. A radius has to
+// be a multiple of the polygon's radius; this costs nothing, because the height is free. Inscribed:
+// the tangents touch a smaller arc about the same centre, and the corners do not lie outside the
+// arc.
+//
+// The polygon of the next ring is a choice: fine polygons reach farther, coarse polygons have fewer
+// facets. A walk is kept for the next ring unless a second walk is at least equal in both the
+// number of facets and the angle reached.
 class Walks {
 public:
     Walks(const std::vector<RingPolygon>& family, Side side, const Play& play, int most_corners)
@@ -126,7 +131,7 @@ public:
             const Vec from = before(points, i);
             const Vec to = after(points, i);
             const Fillet f = fillet_of(from, points[i], to, profile[i].fillet / unit_mm);
-            // Rounding what is straight leaves it straight.
+            // Rounding a straight corner leaves it straight.
             constexpr double kLeastTurn = 1e-6;  // degrees
             if (f.rho <= 0 || !(f.turn_degrees > kLeastTurn)) {
                 add_corner(points[i], from, to, i + 1 == points.size());
@@ -154,7 +159,8 @@ private:
     const Step& at(int i) const { return steps_[static_cast<std::size_t>(i)]; }
     bool outside() const { return side_ != Side::Inscribed; }
 
-    // Of the circle that has to be right: within the polygon when it stands outside, else around.
+    // Returns the radius of the circle that must be correct: outside, the polygon's inner circle;
+    // inside, the outer circle.
     double radius_of(std::size_t polygon) const {
         return outside() ? family_[polygon].inner : family_[polygon].outer;
     }
@@ -163,10 +169,11 @@ private:
         return outside() ? round_up(radius / b) : std::max<std::int64_t>(0, round_down(radius / b));
     }
 
-    // The height of a ring on top of a narrower one, moved down (up) by less than the second
-    // number, such that normals of the facets between them have kNormalBits. For a side (x, y) of
-    // the polygon, with the area A of its triangle about the axis doubled, a strip k multiples wide
-    // and h high has the normal (y h, -x h, A k): what h and k have in common is divided out.
+    // Returns the height of a ring on top of a narrower ring, moved down (up) by less than the
+    // second returned number, so that the normals of the facets between both rings have
+    // kNormalBits. Let (x, y) be a side of the polygon and A twice the area of the side's triangle
+    // about the axis. A strip k multiples wide and h high has the normal (y h, -x h, A k), divided
+    // by the common factor of h and k.
     std::pair<std::int64_t, std::int64_t> exact_height(const Step& under, std::int64_t scale,
                                                        std::int64_t height, bool up) const {
         const std::int64_t wide = scale - under.ring.scale;
@@ -185,7 +192,8 @@ private:
         return {height, 1};
     }
 
-    // Heights go outwards: down on the lower side of the tool, up at its upper end.
+    // Adds a ring. Its height is rounded outwards: down on the lower side of the tool, up at the
+    // upper end.
     int add(int before, std::size_t polygon, std::int64_t scale, double height, bool upper_end,
             double error) {
         const Step& under = at(before);
@@ -208,14 +216,14 @@ private:
         return static_cast<int>(steps_.size()) - 1;
     }
 
-    // What is upright keeps its polygon, so that it is one cylinder.
+    // True if the polygon may follow. An upright part keeps its polygon, so that it is a cylinder.
     bool may_follow(int before, std::size_t polygon, bool upright) const {
         const Step& under = at(before);
         return !upright || !under.has_ring || under.ring.scale == 0 ||
                under.ring.polygon == polygon;
     }
 
-    // Of all that end here with the same polygon the cheapest.
+    // Keeps the cheapest walk of all walks that end here with the same polygon.
     void arrive(std::vector<int>& there, int step) const {
         if (at(step).corners > most_corners_) return;
         for (int& other : there) {
@@ -229,8 +237,9 @@ private:
         there.push_back(step);
     }
 
-    // A rim between a cone and a disc: moved to the lattice for the disc, it would draw the cone
-    // in, so that is led to where it is moved the other way. The same where two cones meet.
+    // Adds a corner without rounding. A rim between a cone and a disc gets two rings: rounding the
+    // rim for the disc would move the cone inwards, so the cone leads to the height rounded the
+    // opposite way. The same holds where two cones meet.
     void add_corner(Vec p, Vec before, Vec after, bool upper_end) {
         constexpr std::size_t kFinest = 0;
         const std::int64_t scale = scale_of(p.r, kFinest);
@@ -246,7 +255,7 @@ private:
             if (scale != 0 && !may_follow(under, kFinest, upright)) continue;
             const bool is_rim = outside() && is_both;
             const bool is_upper = upper_end && !is_rim;
-            // Inscribed, an upper end that is moved down would let the cone out.
+            // Inscribed, an upper end that is rounded down would let the cone protrude.
             const bool up = is_upper == outside();
             const auto [height, step] =
                 is_upper ? std::pair{up ? round_up(p.h) : round_down(p.h), std::int64_t{1}}
@@ -259,7 +268,7 @@ private:
         here_ = std::move(there);
     }
 
-    // Walks that go on around the same arc: those that no other beats.
+    // Walks that continue around the same arc and that no second walk beats.
     struct Front {
         std::vector<int> steps;
         bool admit(const Walks& walks, int step) {
@@ -282,7 +291,8 @@ private:
         }
     };
 
-    // Rings at the same place of different polygons. A copy stands for what comes from below.
+    // Walks around a rounded corner, with rings of all polygons at each place. A copy of the step
+    // below is the start.
     template <class Next>
     void walk(const Fillet& f, const Next& next) {
         std::vector<int> there;
@@ -310,13 +320,14 @@ private:
         here_ = std::move(there);
     }
 
-    // How far the farthest corners of a ring stand from the arc.
+    // Returns how far the farthest corners of a ring lie outside the arc.
     double beyond(const Fillet& f, Vec p, std::size_t polygon) const {
         const double stretched = p.r * (family_[polygon].outer / family_[polygon].inner);
         return norm(Vec{stretched, p.h} - f.centre) - f.rho;
     }
 
-    // As far along the tangent as the corners of the ring may stand out, but not beyond the end.
+    // Adds a ring on the tangent, as far along as the ring's corners may lie outside, but not
+    // beyond the end.
     void follow_tangent(const Fillet& f, int step, std::size_t polygon, Front& coming) {
         const Vec from = at(step).at;
         const Vec d = at(step).d;
@@ -328,16 +339,16 @@ private:
         std::int64_t scale = 0;
         Vec p;
         if (upright) {
-            // There is one radius only, so the height is free.
+            // There is a single radius only, so the height is free.
             scale = scale_of(from.r, polygon);
             p.r = static_cast<double>(scale) * b;
             const double x = p.r * stretch - f.centre.r;
             if (x >= reach) return;
             p.h = f.centre.h + std::sqrt(reach * reach - x * x);
-            // Nor beyond the end, which is not upright.
+            // The end line, which is not upright, also limits the height.
             p.h = std::min(p.h, f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h);
         } else {
-            // (from + t d, stretched) stands at `reach` from the centre.
+            // The point from + t d, stretched, is at the distance `reach` from the centre.
             const Vec u{from.r * stretch - f.centre.r, from.h - f.centre.h};
             const Vec v{d.r * stretch, d.h};
             const double half = dot(u, v) / dot(v, v);
@@ -354,10 +365,11 @@ private:
             p.h = from.h + (p.r - from.r) / d.r * d.h;
         }
         p.h = outside() ? outward(p.h, d) : inward(p.h, f);
-        // Not beyond where the tangent touches the arc: no step.
+        // A ring that is not beyond the tangent's contact with the arc makes no progress.
         if (dot(p - f.centre, d) <= 0) return;
         Vec next = tangent_from(f, p);
-        if (inset_ > 0 && turned(f, next) >= f.turn_degrees) next = unit(f.end - p);  // is nearer
+        // The end is nearer.
+        if (inset_ > 0 && turned(f, next) >= f.turn_degrees) next = unit(f.end - p);
         const double degrees = turned(f, next);
         if (degrees <= at(step).turned || degrees >= f.turn_degrees) return;
         const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
@@ -379,15 +391,17 @@ private:
         return static_cast<double>(height > f.centre.h ? round_down(height) : round_up(height));
     }
 
-    // Where the line from a point meets that along which the profile goes on.
+    // Returns the intersection of the line from a point and the line on which the profile
+    // continues.
     static Vec way_to_end(const Fillet& f, Vec from, Vec d) {
         return from + (cross(f.end - from, f.d2) / cross(d, f.d2)) * d;
     }
 
-    // Of the arc whose tangents the facets are.
+    // Returns the radius of the arc that the facets touch.
     double touched_radius(const Fillet& f) const { return std::max(f.rho - inset_, 0.5 * f.rho); }
 
-    // Requires a point that is not within the circle to be touched.
+    // Returns the tangent direction at `p` of the arc to touch. Requires: `p` is not within the
+    // arc's circle.
     Vec tangent_from(const Fillet& f, Vec p) const {
         const double rho = touched_radius(f);
         const Vec w = p - f.centre;
@@ -396,7 +410,7 @@ private:
         return (1 / squared) * (-length * w + rho * left_of(w));
     }
 
-    // To the lattice, and not inside of a line that a point lies on.
+    // Rounds a height to the lattice, outwards of the line that the point lies on.
     static double outward(double height, Vec line) {
         return static_cast<double>(line.r > kUpright ? round_down(height) : round_up(height));
     }
@@ -410,14 +424,14 @@ private:
         });
     }
 
-    // The last corner must not lie inside the line along d2: where the tool gets narrower it
-    // stands on that line, farther out, else on the tangent, farther on.
+    // Ends the arc. The last corner must not lie inside the line along d2: where the tool gets
+    // narrower, the corner lies on that line, farther out; otherwise on the tangent, farther on.
     void end_tangents(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
         const Vec from = at(step).at;
         Vec d = at(step).d;
         Vec meeting = way_to_end(f, from, d);
-        // The tangent of a smaller arc may go on inside of what follows: not beyond where that
-        // begins.
+        // The tangent of a smaller arc may lie inside the line that follows. The start of that line
+        // is then the limit.
         if (inset_ > 0 && dot(meeting - f.end, f.d2) > 0) {
             meeting = f.end;
             d = unit(f.end - from);
@@ -434,14 +448,15 @@ private:
         } else if (std::abs(d.r) <= kUpright) {
             return;
         } else {
-            // Once more where its height, moved outwards for the one line, is inside of the other.
+            // Repeated while the height, rounded outwards for the first line, is inside the second
+            // line.
             scale = scale_of(meeting.r, polygon) - 1;
             do {
                 p.r = static_cast<double>(++scale) * b;
                 p.h = outward(from.h + (p.r - from.r) / d.r * d.h, d);
             } while (f.d2.r < -kUpright && cross(f.d2, p - f.end) > 0);
-            // As wide as what goes on upright, it may end where that begins: its upper end may be
-            // that of the tool.
+            // A ring as wide as an upright part that follows may end at the start of that part,
+            // because the upper end of that part may be the upper end of the tool.
             if (std::abs(f.d2.r) <= kUpright) p.h = std::min(p.h, f.end.h);
         }
         if (!may_follow(step, polygon, std::abs(d.r) <= kUpright)) return;
@@ -463,7 +478,7 @@ private:
         });
     }
 
-    // Back along d1, so that the lower end stays where it is.
+    // Starts the arc back along d1, so that the lower end keeps its height.
     void begin_arc(const Fillet& f, int step, std::size_t polygon, Front& coming) {
         constexpr double kBegun = 1e-12;
         const std::int64_t scale = scale_of(f.start.r, polygon);
@@ -478,7 +493,7 @@ private:
         const double within = cross(f.d1, side - f.start);
         if (within + 2 > tolerance_) return;
         const int ring = add(step, polygon, scale, height, f.start.h > f.centre.h, within + 2);
-        // Small arcs may be lost as a whole.
+        // Small arcs may be skipped completely.
         const bool is_near = within <= f.rho - touched_radius(f);
         const Vec d = is_near ? tangent_from(f, side) : unit(f.end - side);
         go_on(ring, side, d, std::max(kBegun, turned(f, d)));
@@ -497,7 +512,7 @@ private:
         const double height = inward(upright ? f.end.h : f.centre.h + (upper ? rise : -rise), f);
         const Vec from = at(step).at;
         const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
-        // How far the facets between both rings are from the arc over them.
+        // Distance of the facets between both rings from the arc.
         const double depth = f.rho - cross(from - f.centre, unit(side - from));
         const double error = std::max(depth, std::abs(f.end.r - side.r)) + 2;
         if (error > tolerance_) return;
@@ -509,14 +524,14 @@ private:
     Side side_;
     int most_corners_;
     double tolerance_;
-    double inset_;              // how far within the arc facets may lie
-    double excess_;             // how far beyond it corners may
-    std::int64_t most_common_;  // heights are moved by less for normals that fit
-    // Of the finest polygon: of its sides, along an axis; of doubled areas of their triangles
-    // about its middle.
+    double inset_;              // largest depth of facets within the arc
+    double excess_;             // largest distance of corners outside the arc
+    std::int64_t most_common_;  // heights are moved by less to get normals that fit
+    // For the finest polygon: largest component of a side; largest doubled area of a side's
+    // triangle about the centre.
     std::int64_t longest_ = 1, widest_ = 1;
     std::vector<Step> steps_;
-    std::vector<int> here_;  // the walks that go on
+    std::vector<int> here_;  // walks to continue
 };
 
 }  // namespace
@@ -528,9 +543,9 @@ std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<Ri
 
 double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,
                    const std::vector<Ring>& rings, double unit_mm) {
-    constexpr std::size_t kAround = 16;                // of an eighth: the others are its mirrors
-    constexpr int kAlong = 64;                         // of each arc
-    std::vector<std::array<double, kAround>> reaches;  // of the polygons
+    constexpr std::size_t kAround = 16;  // samples of an eighth; the rest is symmetric
+    constexpr int kAlong = 64;           // samples of each arc
+    std::vector<std::array<double, kAround>> reaches;  // reaches of the polygons by direction
     for (const RingPolygon& polygon : family) {
         auto& reach = reaches.emplace_back();
         for (std::size_t i = 0; i < kAround; ++i) {

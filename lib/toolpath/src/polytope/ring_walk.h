@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A profile becomes a stack of rings: multiples of the polygons of one family at integer heights,
-// with as few facets between them as a tolerance allows.
+// Approximation of a profile by a stack of rings: multiples of the polygons of a family at integer
+// heights, with as few facets between them as the tolerance allows.
 #pragma once
 
 #include "ncsim/toolpath/tool.h"
@@ -14,35 +14,39 @@
 
 namespace ncsim::toolpath {
 
+/// A horizontal section of the polytope.
 struct Ring {
-    std::size_t polygon = 0;  ///< of the family
-    std::int64_t scale = 0;   ///< 0: a tip
+    std::size_t polygon = 0;  ///< index in the family
+    std::int64_t scale = 0;   ///< multiple of the polygon; 0 for a tip
     std::int64_t height = 0;
 };
 
+/// Rings of a polytope, with its cost and error.
 struct RingStack {
-    std::vector<Ring> rings;  ///< upwards
-    int facets = 0;           ///< Of the strips between them.
+    std::vector<Ring> rings;  ///< from below upwards
+    int facets = 0;           ///< Number of facets of the strips between the rings.
     int corners = 0;
-    double error = 0.0;  ///< In lattice units: bound on the distance between both surfaces.
+    double error = 0.0;  ///< Bound on the distance between both surfaces, in lattice units.
 };
 
-/// How far facets around rounded corners may lie within the tool, and corners stand out of it, in
-/// lattice units. Circumscribed: {0, tolerance}; inscribed: {tolerance, 0}.
+/// Largest depth of facets within the tool, and largest distance of corners outside, around rounded
+/// corners, in lattice units. Circumscribed: {0, tolerance}; inscribed: {tolerance, 0}.
 struct Play {
     double within = 0.0, beyond = 0.0;
 };
 
-/// The stack of rings with the fewest facets that keeps to `play` on rounded corners of the
-/// profile, where there is one of no more corners than `most_corners`. Rings at corners that are
-/// not rounded are of the finest polygon, and have the error that they have; so has what is
-/// upright. Deterministic. O(rings · (polygons · choices)²), where choices are few.
+/// Returns the stack of rings with the fewest facets that keeps to `play` on rounded corners of the
+/// profile. Empty if no such stack has at most `most_corners` corners. Rings at corners without
+/// rounding, and upright parts, use the finest polygon and have its error. Deterministic.
+///
+/// Cost: O(rings · (polygons · choices)²), where choices are few.
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
                                     Side side, double unit_mm, const Play& play, int most_corners);
 
-/// How much farther than the round tool the polytope reaches, in lattice units, on average over the
-/// lower sides of rounded corners, weighted by the fourth power of the normal's cosine against the
-/// axis: gentle slopes are what such tools finish. Averages of a grid of normals. O(rings).
+/// Returns how much farther the polytope reaches than the round tool, in lattice units, on average
+/// over the lower sides of rounded corners, weighted by the fourth power of the cosine between
+/// normal and axis, because rounded tools finish gentle slopes. The average is taken over a grid of
+/// normals. Cost: O(rings).
 double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,
                    const std::vector<Ring>& rings, double unit_mm);
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outline:
-//  1. Polygons with integer corners around (or in) the circle of integer radius b, and coarser ones
-//  with parallel sides: ring_polygon.h.
-//  2. Every ring of the polytope is a multiple of one of them at an integer height. Strips between
-//  two rings then are trapezoids with parallel sides, exactly flat, and triangles. Which ring
-//  follows which: ring_walk.h.
-//  3. The number of sides and b are chosen for the fewest facets within the tolerance: here.
+// Approximation of round tools by polytopes. Each ring of a polytope is a multiple of a polygon
+// with integer corners around (or in) the circle of integer radius b, at an integer height; so the
+// strips between two rings are exactly planar trapezoids with parallel sides, and triangles.
+// Polygons: ring_polygon.h; sequence of rings: ring_walk.h. This file chooses the number of sides
+// and b for the fewest facets within the tolerance.
 #include "ncsim/toolpath/tool_polytope.h"
 
 #include "polytope/half_plane.h"
@@ -28,8 +26,8 @@ using cda::LatticePoint;
 
 constexpr int kMinSides = 16;
 constexpr int kMaxSides = 1024;
-// A tool of more corners would take hours to move, and nobody needs it: a ball of 100 mm within 10
-// µm.
+// A tool with more corners would take hours to move. Finer tools are not needed: a ball of 100 mm
+// is within 10 µm.
 constexpr int kMaxCorners = 8192;
 
 double largest_radius(const ToolPiece& piece) {
@@ -44,21 +42,22 @@ bool has_fillet(const ToolPiece& piece) {
                        [](const ProfilePoint& p) { return p.fillet > 0; });
 }
 
-// Radii worth trying for the base polygon, for a tool of `radius` units. Where all rings are
-// equal (or points) the radius itself; else its divisors of a size at which neither the rounding of
-// the polygon nor the coarse radii weigh much; where it has none, those that nearly divide it.
+// Radii worth trying for the base polygon, for a tool of `radius` units. If all rings are equal (or
+// points), the radius itself. Otherwise its divisors of a size at which both the rounding of the
+// polygon and the coarse steps of radii are small; without such divisors, numbers that nearly
+// divide the radius.
 struct BaseCandidates {
     std::vector<std::int64_t> first;
     std::vector<std::int64_t> more;  // near divisors of all sizes
 };
 
-// Of a piece with a cone, and one radius but for tips: the largest divisor of the radius for which
-// facets of cones have normals of kNormalBits (exact_height in ring_walk.cpp), so that they meet in
-// their corners exactly. Where there is none that is fine enough, one that divides it but for nine
-// units at most; the radius if that is not to be had, either.
+// Returns the base radius for a piece with a cone and a single radius besides tips: the largest
+// divisor of the radius for which facets of cones have normals of kNormalBits (exact_height in
+// ring_walk.cpp) and so meet exactly in their corners. If no divisor is fine enough, a number that
+// divides the radius up to a rest of at most nine units; failing that, the radius itself.
 std::int64_t base_of_cone(const ToolPiece& piece, std::int64_t radius, Side side) {
     bool has_cone = false;
-    double slope = 1.0;  // of a cone, at least that of its facets' other component
+    double slope = 1.0;  // height over width of a cone, at least 1
     for (std::size_t i = 1; i < piece.profile.size(); ++i) {
         const double wide = piece.profile[i].radius - piece.profile[i - 1].radius;
         const double high = piece.profile[i].height - piece.profile[i - 1].height;
@@ -67,7 +66,7 @@ std::int64_t base_of_cone(const ToolPiece& piece, std::int64_t radius, Side side
         slope = std::max(slope, high / wide);
     }
     if (!has_cone) return radius;
-    constexpr double kLongestSide = 0.4;  // of kMinSides, in radii
+    constexpr double kLongestSide = 0.4;  // for kMinSides, in radii
     constexpr std::int64_t kFineEnough = 1000;
     const auto most = static_cast<std::int64_t>(
         std::sqrt(std::ldexp(1.0, cda::kNormalBits) / (kLongestSide * slope)));
@@ -99,7 +98,7 @@ BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, doub
     constexpr std::int64_t kFarthest = std::numeric_limits<std::int64_t>::max();
     BaseCandidates candidates;
     std::pair<std::int64_t, std::int64_t> nearest{kFarthest, 1};
-    // Of each size, from `begin` to a third more, one is enough to choose from.
+    // A single candidate per size class, from `begin` to a third more, is enough.
     std::pair<std::int64_t, std::int64_t> nearest_here{kFarthest, 1};
     std::int64_t begin = low;
     const auto end_size = [&] {
@@ -130,13 +129,13 @@ std::vector<LatticePoint> points_of(const std::vector<RingPolygon>& family,
     for (const Ring& ring : rings) {
         for (const auto& [x, y] : family[ring.polygon].corners) {
             points.push_back({ring.scale * x, ring.scale * y, ring.height});
-            if (ring.scale == 0) break;  // a tip is one point
+            if (ring.scale == 0) break;  // a tip is a single point
         }
     }
     return points;
 }
 
-// The cheapest stack of rings that is known.
+// The cheapest known stack of rings.
 struct Choice {
     std::vector<RingPolygon> family;
     RingStack stack;
@@ -145,7 +144,7 @@ struct Choice {
     int sides() const { return family.front().sides; }
 };
 
-// Tries polygons of all numbers of sides and of some radii.
+// Search over the numbers of sides and over some radii of the base polygon.
 class Search {
 public:
     Search(const ToolPiece& piece, std::int64_t radius, double unit_mm, Side side)
@@ -161,10 +160,10 @@ public:
         thin_out(candidates_.more, kEnough);
     }
 
-    // Within `tolerance` (lattice units), or as near to it as may be.
+    // Returns the best choice within `tolerance` (lattice units), or as near to it as possible.
     Choice operator()(double tolerance) {
         tolerance_ = std::max(tolerance, least_tolerance());
-        // What is too fine for the lattice, or would take too many corners, is tried with less.
+        // A tolerance too fine for the lattice, or for the number of corners, is increased.
         constexpr double kCoarser = 1.2;
         constexpr std::size_t kFew = 4;
         for (;; tolerance_ *= kCoarser) {
@@ -173,7 +172,7 @@ public:
                 thin_out(candidates_.more, kFew);
             }
             try_all(candidates_.first);
-            // All divisors of the largest radius may be too coarse for the others.
+            // All divisors of the largest radius may be too coarse for the remaining radii.
             if (!is_met()) try_all(candidates_.more);
             if (best_.is_there() && (is_met() || !is_rounded_)) break;
             if (tolerance_ > radius_) break;
@@ -184,7 +183,7 @@ public:
     }
 
 private:
-    // Heights are free, so that a choice of some sizes is enough.
+    // Keeps some of the radii; this is enough because heights are free.
     static void thin_out(std::vector<std::int64_t>& radii, std::size_t enough) {
         while (radii.size() > enough) {
             std::size_t kept = 0;
@@ -199,11 +198,12 @@ private:
     int cost(const RingStack& stack) const { return is_rounded_ ? stack.facets : stack.corners; }
 
     void try_all(const std::vector<std::int64_t>& radii) {
-        // Where there are many more sides than are needed, strips are too narrow.
+        // With many more sides than necessary, strips become too narrow.
         const int most =
             is_rounded_ ? std::min(kMaxSides, 2 * least_sides() + kMinSides) : kMaxSides;
         for (int sides = kMinSides; sides <= most; sides += step_after(sides)) {
-            // With that many sides, even one ring more than the tips is dearer than the best.
+            // With so many sides, even a single ring besides the tips costs more than the best
+            // stack.
             if (is_met() && (is_rounded_ ? 1 : 2) * sides > cost(best_.stack)) break;
             const std::vector<double> cosines = corner_cosines(sides);
             for (const std::int64_t b : radii) {
@@ -222,14 +222,14 @@ private:
         }
     }
 
-    // Where there are many, those that can be halved several times are enough.
+    // Large numbers of sides: those that can be halved several times are enough.
     int step_after(int sides) const {
         if (!is_rounded_ || sides < 64) return 4;
         return sides < 128 ? 8 : 16;
     }
 
-    // What would take all corners if rings were as far apart, and had as few sides, as each alone
-    // may.
+    // Returns the tolerance that would need all corners if each ring had the largest distance and
+    // the fewest sides that it may have alone.
     double least_tolerance() const {
         double tolerance = 1.0;
         for (const ProfilePoint& p : piece_.profile) {
@@ -240,7 +240,7 @@ private:
         return tolerance;
     }
 
-    // r(1/cos x - 1) ~ r x²/2 with x = 180°/k.
+    // Returns the least number of sides, from r(1/cos x - 1) ~ r x²/2 with x = 180°/k.
     int least_sides() const {
         const double sides = std::numbers::pi / std::sqrt(2 * tolerance_ / radius_);
         return static_cast<int>(std::min<double>(kMaxSides, std::ceil(sides)));
@@ -255,7 +255,7 @@ private:
         if (is_better) best_ = {std::move(family), std::move(stack)};
     }
 
-    // The strips as wide as each other: the smallest error that costs no more.
+    // Makes the strips equally wide: searches the smallest error at the same cost.
     void even_out() {
         constexpr int kHalvings = 8;
         double low = 0.0;
@@ -271,8 +271,9 @@ private:
         }
     }
 
-    // Over squares on a sphere, the corners of which stand out by a third of how deep the squares
-    // lie from corner to middle, the polytope reaches as far as the ball on average.
+    // Returns the play for `tolerance`. Fair: if the corners of square facets on a sphere lie
+    // outside by a third of the facets' depth from corner to middle, the polytope reaches as far as
+    // the ball on average.
     Play play(double tolerance) const {
         switch (side_) {
             case Side::Circumscribed: return {0.0, tolerance};
@@ -282,9 +283,9 @@ private:
         return {tolerance, 0.5 * tolerance};
     }
 
-    // Which share of the depth of its facets the corners of a fair tool stand out: the bias grows
-    // with that. Radii and heights come in steps, so other depths may hit better, some with more
-    // facets.
+    // Balances a fair tool: searches the share of the facets' depth by which the corners lie
+    // outside; the bias grows with this share. Radii and heights come in steps, so further depths
+    // are tried, which may need more facets.
     void balance() {
         constexpr double kShallower = 0.97;
         constexpr int kDepths = 8;
@@ -292,15 +293,16 @@ private:
         double depth = 1.5 * best_.stack.error;
         double bias = std::abs(bias_of(best_.stack, depth));
         for (int i = 0; i < kDepths; ++i, depth *= kShallower) {
-            // A thirtieth more is as good.
+            // A thirtieth more facets counts as equal.
             if (is_balanced(bias) && best_.stack.facets <= few + few / 32) break;
             balance(depth, few + few / 4, bias);
         }
     }
 
-    // A part that is cut by passes without a distance between them would end where the corners
-    // reach. As far apart as they are, ridges are left between, since facets meet in edges: for
-    // passes of a tenth to twice the tool's radius, measured, a fifth of the depth more or less.
+    // Returns the bias of a stack. Passes without a distance between them would cut the part where
+    // the corners reach. Real passes leave ridges between them, because facets meet in edges. For
+    // passes at a distance of 0.1 to 2 tool radii, the measured effect is about a fifth of the
+    // depth.
     double bias_of(const RingStack& stack, double depth) const {
         constexpr double kRidges = 0.2;
         return mean_excess(piece_, best_.family, stack.rings, unit_mm_) - kRidges * depth;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Stock options, the stock's shape, and derivation of a stock from cutting moves.
 #include "ncsim/toolpath/stock.h"
 
 #include "ncsim/cda/hull.h"
@@ -16,8 +18,8 @@ namespace ncsim::toolpath {
 
 namespace {
 
-// Exactly `count` numbers, three at most, between separators. With `unit` they are lengths that may
-// have units, in mm; those without one are times `unit`.
+// Reads exactly `count` numbers, three at most, between separators. With `unit`, the numbers are
+// lengths in mm that may have units; a length without unit is multiplied by `unit`.
 std::optional<cda::Vec3> numbers(std::string_view s, char separator, int count,
                                  std::optional<double> unit) {
     using text::Unit;
@@ -46,7 +48,7 @@ std::optional<cda::Vec3> parse_triple(std::string_view text) {
 std::optional<Stock> parse_stock_option(std::string_view option, std::string& message) {
     const std::string upper = text::upper(text::trimmed(option));
     std::string_view s = upper;
-    // The unit behind the last number is that of all that have none.
+    // The unit after the last number is the unit of all numbers without unit.
     double scale = 1.0;
     for (const std::string_view unit : {"IN", "INCH", "INCHES", "\""}) {
         if (s.size() > unit.size() && s.substr(s.size() - unit.size()) == unit) scale = 25.4;
@@ -124,7 +126,7 @@ cda::Shape stock_shape(const Stock& stock, double tolerance_mm) {
     const cda::LatticePoint min = lattice.round(stock.box.min);
     const cda::LatticePoint max = lattice.round(stock.box.max);
     if (!stock.is_round) return {lattice, cda::box_cell(min, max, lattice), {}};
-    // A multiple of four sides, four of them in the sides of the box.
+    // The number of sides is a multiple of four; four sides lie in the sides of the box.
     const int along = stock.axis;
     const int across = (along + 1) % 3, up = (along + 2) % 3;
     const double radius = 0.5 * stock.box.size()[across];
@@ -159,7 +161,7 @@ double margin(double size) {
     return std::max(kLeastMargin, kMarginShare * size);
 }
 
-// Whole millimetres.
+// Widens the box along an axis by the margin, to whole millimetres.
 void widen(cda::Box& box, int axis) {
     const double m = margin(box.size()[axis]);
     box.min[axis] = std::floor(box.min[axis] - m);

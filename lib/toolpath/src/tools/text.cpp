@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers with units, words and quotes in comments and options.
 #include "tools/text.h"
 
 #include <array>
@@ -64,7 +66,7 @@ struct Plain {
     std::size_t end = 0;
 };
 
-// Digits with at most one point, at least one digit.
+// Reads digits with at most one point and at least one digit.
 std::optional<Plain> plain_at(std::string_view s, std::size_t at) {
     std::size_t end = at;
     bool point = false;
@@ -154,7 +156,7 @@ std::string quoted(std::string_view s) {
 
 std::string number(double value) {
     std::array<char, 32> buffer{};
-    // To a nanometre: what a length in mm can mean; -0 and rounding dust disappear.
+    // Rounded to 1e-6, a nanometre in mm; this removes -0 and rounding errors.
     const double rounded = std::round(value * 1e6) / 1e6 + 0.0;
     const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded);
     return {buffer.data(), written.ptr};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reading numbers and names out of comments and options. Bytes outside ASCII are letters that
-// mean nothing.
+// Reads numbers and names in comments and options. Bytes outside ASCII count as letters without
+// meaning.
 #pragma once
 
 #include <optional>
@@ -16,28 +16,29 @@ bool is_letter(char c);
 std::string upper(std::string_view s);
 std::string_view trimmed(std::string_view s);
 std::vector<std::string_view> split(std::string_view s, char separator);
-/// `needle` as a word of its own: neither side touches a letter.
+/// True if `needle` occurs as a word of its own, without adjacent letters.
 bool has_word(std::string_view s, std::string_view needle);
+/// Returns the position of that word from `from` on; npos if there is none.
 std::size_t find_word(std::string_view s, std::string_view needle, std::size_t from = 0);
 
-/// A number and, where they stand behind it, its unit.
+/// A number with its unit, if given.
 enum class Unit : unsigned char { None, Millimetre, Inch, Degree };
 struct Quantity {
     double value = 0.0;
     Unit unit = Unit::None;
-    bool is_fraction = false;  // 1/4, 1-1/2: inches, whatever the program's unit is
-    std::size_t begin = 0;     // of the number
-    std::size_t end = 0;       // behind the unit
+    bool is_fraction = false;  // 1/4, 1-1/2: inches, whatever the program's unit
+    std::size_t begin = 0;     // start of the number
+    std::size_t end = 0;       // end of the unit
 };
 /// Reads `12`, `.5`, `5.`, `-3`, `1/4`, `1-1/2` at `at`, then blanks and a unit.
 std::optional<Quantity> quantity_at(std::string_view upper_text, std::size_t at);
-/// Finite and of a size that a tool or a stock in mm can have.
+/// True if the length is finite and possible for a tool or a stock in mm.
 bool is_sane_length(double mm);
 
-/// 'text', as messages show what was written.
+/// Returns 'text' in quotes, as in messages.
 std::string quoted(std::string_view s);
 
-/// Shortest text that reads back as the same number: "10", "3.175".
+/// Returns the shortest text of the number, rounded to 1e-6: "10", "3.175".
 std::string number(double value);
 
 }  // namespace ncsim::toolpath::text

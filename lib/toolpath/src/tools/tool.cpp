@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shapes of tools as profiles, and slices and dimensions of tools.
 #include "ncsim/toolpath/tool.h"
 
 #include "ncsim/trig/angles.h"
@@ -23,7 +25,7 @@ Tool cylinder(ToolKind kind, double diameter, double corner_radius, double lengt
     return of_one_piece(kind, {{r, 0, fillet}, {r, std::max(length, fillet), 0}});
 }
 
-// A point or a flat, a cone, and a cylinder where the length leaves room for it.
+// Makes a tip or a flat, a cone, and a cylinder if the length leaves room.
 Tool cone(ToolKind kind, double diameter, double tip_diameter, double included_angle,
           double length) {
     const double r = diameter / 2;
@@ -97,8 +99,8 @@ Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, d
     const double angle = std::clamp(taper, 0.0, 89.0);
     const trig::SinCos a = trig::sin_cos(angle);
     const double fillet = std::min(corner_radius, tip_diameter / 2);
-    // The corner that the cone would make with the floor without its rounding: the arc keeps its
-    // radius and its centre, (tip radius - fillet, fillet).
+    // Corner between cone and floor without rounding. The arc keeps its radius and its centre, (tip
+    // radius - fillet, fillet).
     const double corner = tip_diameter / 2 - fillet + fillet * (1 - a.sin) / a.cos;
     const double height = std::max(length, fillet);
     return of_one_piece(ToolKind::TaperedEndMill,
@@ -112,7 +114,7 @@ Tool slot_mill(double diameter, double corner_radius, double length) {
 Tool dovetail_mill(double diameter, double taper, double length) {
     const double r = diameter / 2;
     const double slope = trig::tangent(std::clamp(taper, 0.0, 80.0));
-    // Never thinner than nothing.
+    // The upper end keeps a positive radius.
     const double height = slope > 0 ? std::min(length, 0.95 * r / slope) : length;
     return of_one_piece(ToolKind::DovetailMill, {{r, 0, 0}, {r - slope * height, height, 0}});
 }
@@ -148,7 +150,7 @@ Corner unit(Corner a) {
     return length > 0 ? (1 / length) * a : a;
 }
 
-// The profile with chords for its arcs.
+// Returns the profile with chords instead of arcs.
 std::vector<Corner> polyline_of(const ToolPiece& piece) {
     constexpr double kChord = 1e-3;  // mm
     std::vector<Corner> line;
@@ -173,7 +175,7 @@ std::vector<Corner> polyline_of(const ToolPiece& piece) {
         const Corner start = at - (rho * sine / (1 + cosine)) * d1;
         const Corner out{d1.height, -d1.radius};  // from the centre to the start
         const Corner centre = start - rho * out;
-        // A chord over the angle 2x is rho (1 - cos x) below its arc, about rho x²/2.
+        // A chord over the angle 2x is rho (1 - cos x) away from its arc, about rho x²/2.
         const double step = 2 * std::sqrt(2 * kChord / rho) * 57.29;  // degrees
         const int steps = std::clamp(static_cast<int>(std::ceil(turn / step)), 2, 1000);
         for (int k = 0; k <= steps; ++k) {

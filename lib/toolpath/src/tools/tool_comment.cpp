@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Forms of comments with a tool or a stock, as CAM systems write them.
 #include "tools/tool_comment.h"
 
 #include "tools/tool_phrase.h"
@@ -24,20 +26,21 @@ std::size_t skip(std::string_view s, std::size_t at, std::string_view any_of) {
     return at;
 }
 
-// The number behind a key: `D=10.`, `D = 2.0 mm`, `DIA. - .0625`, `DIA-0.5000`, `Dia. 0.250`.
+// Reads the number after a key: `D=10.`, `D = 2.0 mm`, `DIA. - .0625`, `DIA-0.5000`, `Dia. 0.250`.
 std::optional<Quantity> value_after(std::string_view s, std::string_view key,
                                     std::string_view separators) {
     for (std::size_t at = text::find_word(s, key); at != kNone;
          at = text::find_word(s, key, at + 1)) {
         std::size_t number = skip(s, at + key.size(), separators);
         if (number == at + key.size()) continue;
-        if (s[number - 1] == '.') --number;  // of .0625, not of DIA.
+        if (s[number - 1] == '.') --number;  // .0625, not the point of DIA.
         if (const auto q = text::quantity_at(s, number)) return q;
     }
     return std::nullopt;
 }
 
-// A whole number of a tool behind one of the ways to say so, at the start of `s` or after `key`.
+// Reads a tool number at `at`: a whole number without decimal point or fraction. 0 if there is
+// none.
 int tool_number_at(std::string_view s, std::size_t at) {
     std::size_t end = at;
     int number = 0;
@@ -49,7 +52,7 @@ int tool_number_at(std::string_view s, std::size_t at) {
     return whole ? number : 0;
 }
 
-// The types of Fusion 360, which are names and no prose: its slot mill is a disc on a neck.
+// Returns the kind for a type name of Fusion 360; its slot mill is a disc on a neck.
 std::optional<ToolKind> fusion_kind_named(std::string_view s) {
     if (s.find("SLOT MILL") != kNone) return ToolKind::SlotMill;
     if (s.find("DOVETAIL") != kNone) return ToolKind::DovetailMill;
@@ -58,7 +61,8 @@ std::optional<ToolKind> fusion_kind_named(std::string_view s) {
     return words::kind_named(s);
 }
 
-// Angles: TAPER is per side for mills, the whole point for drills, in Fusion's words.
+// Sets an angle. In Fusion's comments TAPER is per side for mills, the whole point angle for
+// drills.
 void take_taper(ToolSpec& spec, double degrees) {
     if (degrees <= 0 || degrees >= 180) return;
     if (!spec.kind && degrees >= 60) spec.kind = ToolKind::Drill;
@@ -68,11 +72,11 @@ void take_taper(ToolSpec& spec, double degrees) {
         case ToolKind::VCutter: spec.angle = degrees < 60 ? 2 * degrees : degrees; break;
         case ToolKind::TaperedEndMill:
         case ToolKind::DovetailMill: spec.taper = std::min(degrees, 80.0); break;
-        default: break;  // printed for tools that have none
+        default: break;  // printed for tools without taper
     }
 }
 
-// (T1 D=10. CR=0. TAPER=118deg - ZMIN=-5. - flat end mill), also with a name instead of T1.
+// Reads (T1 D=10. CR=0. TAPER=118deg - ZMIN=-5. - flat end mill), also with a name instead of T1.
 std::optional<ToolRemark> read_fusion(std::string_view s) {
     const std::size_t d = s.find(" D=");
     if (d == kNone) return std::nullopt;
@@ -91,11 +95,11 @@ std::optional<ToolRemark> read_fusion(std::string_view s) {
         if (cr->value > 0) remark.spec.corner_radius = cr->value;
     }
     if (const auto taper = value_after(s, "TAPER", "= ")) take_taper(remark.spec, taper->value);
-    // A spot drill without an angle, a mill whose radius says more than its name.
+    // A corner radius is more reliable than the name of a mill.
     if (remark.spec.kind == ToolKind::FlatEndMill && remark.spec.corner_radius) {
         remark.spec.kind.reset();
     }
-    // Vendors put more between: FL=1 the flutes, SD=6 the shank, BL=30 what stands out.
+    // Further keys of vendors: FL=1 flute length, SD=6 shank, BL=30 stick-out.
     for (const auto& [key, into] : {std::pair{"FL", &ToolSpec::length},
                                     {"SD", &ToolSpec::shank_diameter},
                                     {"BL", &ToolSpec::stick_out}}) {
@@ -121,7 +125,7 @@ std::optional<double> positive(const std::vector<double>& v, std::size_t i) {
     return i < v.size() && v[i] > 0 ? std::optional(v[i]) : std::nullopt;
 }
 
-// (TOOL/MILL,Dia,CornerR,Height,TaperAngle) and its relatives.
+// Reads (TOOL/MILL,Dia,CornerR,Height,TaperAngle) and related forms.
 std::optional<ToolRemark> read_cutviewer(std::string_view s) {
     if (s.substr(0, 5) != "TOOL/") return std::nullopt;
     ToolRemark remark;
@@ -145,7 +149,7 @@ std::optional<ToolRemark> read_cutviewer(std::string_view s) {
         spec.angle = positive(v, 1);
         spec.length = positive(v, 2);
     } else if (name == "CDRILL") {
-        // Two drills on top of each other: D1, A1 and L of the pilot, D2, A2 and H of all.
+        // Two drills on top of each other: D1, A1 and L of the pilot; D2, A2 and H of the whole.
         const auto a1 = positive(v, 1), l = positive(v, 2), d2 = positive(v, 3),
                    a2 = positive(v, 4), h = positive(v, 5);
         if (!a1 || !l || !d2 || !a2 || !h || *d2 < *spec.diameter) return std::nullopt;
@@ -157,12 +161,12 @@ std::optional<ToolRemark> read_cutviewer(std::string_view s) {
         spec.pieces.push_back(std::move(body));
         spec.kind = ToolKind::VCutter;
     } else {
-        return std::nullopt;  // CRMILL: concave, and no polytope
+        return std::nullopt;  // CRMILL: concave, so not a polytope
     }
     return remark;
 }
 
-// (@FC|TOOL|number=3|type=Chamfer|diameter=3.175|…), ;@MKR|TOOL|…
+// Reads (@FC|TOOL|number=3|type=Chamfer|diameter=3.175|…) and ;@MKR|TOOL|…
 std::optional<ToolRemark> read_piped(std::string_view s) {
     if (s.empty() || s[0] != '@' || s.find("|TOOL|") == kNone) return std::nullopt;
     ToolRemark remark;
@@ -189,7 +193,7 @@ std::optional<ToolRemark> read_piped(std::string_view s) {
     return remark;
 }
 
-// "tool#=1 flute=6 len=20 unit=metric", as Kiri:Moto writes it.
+// Reads "tool#=1 flute=6 len=20 unit=metric" of Kiri:Moto.
 std::optional<ToolRemark> read_kiri(std::string_view s) {
     if (s.substr(0, 6) != "TOOL#=") return std::nullopt;
     ToolRemark remark;
@@ -206,7 +210,7 @@ std::optional<ToolRemark> read_kiri(std::string_view s) {
     return remark;
 }
 
-// ( T01 | 0.610mm 0.0240in | 0.0000in | 0.0000in | 0 ), a row of pcb-gcode's table of drills.
+// Reads ( T01 | 0.610mm 0.0240in | 0.0000in | 0.0000in | 0 ), a row of pcb-gcode's drill table.
 std::optional<ToolRemark> read_drill_table(std::string_view s) {
     if (s[0] != 'T' || s.size() < 2 || !text::is_digit(s[1])) return std::nullopt;
     const auto cells = text::split(s, '|');
@@ -223,7 +227,7 @@ std::optional<ToolRemark> read_drill_table(std::string_view s) {
     return remark;
 }
 
-// X, Y and Z with numbers behind them: "X= 76.000, Y= 5.500, Z= 1.000", "X:100 Y:50 Z:10".
+// Reads X, Y and Z with numbers: "X= 76.000, Y= 5.500, Z= 1.000", "X:100 Y:50 Z:10".
 std::optional<Triple> named_triple(std::string_view s) {
     Triple t;
     for (int axis = 0; axis < 3; ++axis) {
@@ -245,8 +249,8 @@ std::optional<Triple> named_size(std::string_view s) {
     return is_size ? t : std::nullopt;
 }
 
-// What people call the block, in front of its size: "STOCK 100x50x10", "; Stock Size: 3(X) * 3(Y) *
-// 3(Z) mm". Behind it.
+// Returns the position after the name of a block in front of its size: "STOCK 100x50x10", "; Stock
+// Size: 3(X) * 3(Y) * 3(Z) mm".
 std::optional<std::size_t> behind_block_name(std::string_view s) {
     static constexpr std::string_view kNames[] = {"RAW STOCK",    "STOCK",     "BLANK",
                                                   "BLOCK",        "WORKPIECE", "MATERIAL",
@@ -268,7 +272,8 @@ std::optional<std::size_t> behind_block_name(std::string_view s) {
     return std::nullopt;
 }
 
-// "100x50x10", "4in x 2in x 1/2in", "3(X) * 3(Y) * 3(Z) mm": three lengths and no other number.
+// Reads three lengths without further numbers: "100x50x10", "4in x 2in x 1/2in", "3(X) * 3(Y) *
+// 3(Z) mm".
 std::optional<Triple> product_at(std::string_view s, std::size_t at) {
     Triple t;
     const auto skip_blanks = [&] { at = std::min(s.find_first_not_of(' ', at), s.size()); };
@@ -281,7 +286,7 @@ std::optional<Triple> product_at(std::string_view s, std::size_t at) {
         }
         auto q = text::quantity_at(s, at);
         if (!q || !(q->value > 0) || q->value > 1e6) return std::nullopt;
-        // "4INX2INX1IN": the unit touches the cross.
+        // "4INX2INX1IN": the unit is adjacent to the X.
         for (const auto& [name, unit] : {std::pair{"MMX", Unit::Millimetre}, {"INX", Unit::Inch}}) {
             if (q->unit == Unit::None && s.substr(std::min(q->end, s.size()), 3) == name)
                 q->unit = unit, q->end += 2;
@@ -302,7 +307,7 @@ std::optional<Triple> product_at(std::string_view s, std::size_t at) {
     return t;
 }
 
-// "DX 3.50IN DY 2.50IN DZ 0.75IN" somewhere in `s`.
+// Reads "DX 3.50IN DY 2.50IN DZ 0.75IN" anywhere in `s`.
 std::optional<Triple> named_lengths(std::string_view s) {
     Triple t;
     for (int axis = 0; axis < 3; ++axis) {
@@ -319,9 +324,9 @@ std::optional<Triple> named_lengths(std::string_view s) {
     return t;
 }
 
-// "WCS G54 FRONT-LEFT-TOP", "ZERO: CENTER, TOP OF STOCK": where the zero is on the stock, -1 for
-// left, front (lower) and below, 0 for the middle, 1 for right, back (upper) and on top. Nothing if
-// another word is in it, or if it does not name the height and both places in the plane.
+// Reads the position of the zero on the stock: "WCS G54 FRONT-LEFT-TOP", "ZERO: CENTER, TOP OF
+// STOCK". -1 is left, front (lower) and bottom, 0 the middle, 1 right, back (upper) and top. Empty
+// if `s` contains an unknown word, or does not name the height and both positions in the plane.
 std::optional<Triple> zero_named(std::string_view s) {
     static constexpr std::string_view kHeads[] = {"WCS", "ZERO", "ORIGIN", "DATUM", "XYZ", "WORK"};
     static constexpr std::string_view kFillers[] = {
@@ -364,12 +369,12 @@ std::optional<Triple> zero_named(std::string_view s) {
             return std::nullopt;
         }
     }
-    // "TOP LEFT" may be a corner of a drawing: the place across is missing.
+    // "TOP LEFT" may be a corner of a drawing: the third position is missing.
     const bool has_plane = (has_x && has_y) || is_middle;
     return has_plane && has_height ? std::optional(t) : std::nullopt;
 }
 
-// Vectric's words for where the zero is: "Bottom Left Corner", "Center".
+// Reads Vectric's words for the position of the zero: "Bottom Left Corner", "Center".
 Triple corner_named(std::string_view s) {
     const auto has = [s](std::string_view word) { return s.find(word) != kNone; };
     Triple t;
@@ -378,7 +383,7 @@ Triple corner_named(std::string_view s) {
     return t;
 }
 
-// Three numbers behind a key, with or without units: "0.00mm, 0.00mm, -1.00mm".
+// Reads three numbers, with or without units: "0.00mm, 0.00mm, -1.00mm".
 std::optional<Triple> triple_at(std::string_view s) {
     const auto parts = text::split(s, ',');
     if (parts.size() < 3) return std::nullopt;
@@ -401,7 +406,7 @@ std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
     for (const auto& form :
          {read_fusion, read_cutviewer, read_piped, read_kiri, read_drill_table, read_tool_phrase}) {
         if (auto remark = form(upper)) {
-            // FreeCAD writes it in mm, whatever the program is in.
+            // FreeCAD writes this comment in mm, whatever the unit of the program.
             if (upper.starts_with("COMPENSATED TOOL PATH")) remark->unit = Unit::Millimetre;
             remark->spec.description = std::string(text::trimmed(comment));
             return remark;
@@ -463,7 +468,7 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         remark.first.value = {-1, -1, 0};
         return remark;
     }
-    if (starts("$SETPARTSIZE(")) {  // of CNCSimulator
+    if (starts("$SETPARTSIZE(")) {  // CNCSimulator
         const auto size = triple_at(s.substr(13, s.find(')') - 13));
         if (!size || size->value.x <= 0 || size->value.y <= 0 || size->value.z <= 0) {
             return std::nullopt;
@@ -472,19 +477,19 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         remark.first = *size;
         return remark;
     }
-    // Heidenhain's words, as simulators have them in comments: BLK FORM 0.1 Z X+0 Y+0 Z-20.
+    // Heidenhain's words, which simulators use in comments: BLK FORM 0.1 Z X+0 Y+0 Z-20.
     for (const auto& [key, what] :
          {std::pair{"BLK FORM 0.1", What::Min}, {"BLK FORM 0.2", What::Max}}) {
         if (!starts(key)) continue;
         std::string_view corner = text::trimmed(s.substr(12));
-        if (corner.substr(0, 2) == "Z ") corner.remove_prefix(2);  // the axis of the tool
+        if (corner.substr(0, 2) == "Z ") corner.remove_prefix(2);  // axis of the tool
         const auto at = named_triple(corner);
         if (!at) return std::nullopt;
         remark.what = what;
         remark.first = *at;
         return remark;
     }
-    if (starts("X MIN =") || starts("X MAX =")) {  // of Vectric: the corners of the material
+    if (starts("X MIN =") || starts("X MAX =")) {  // Vectric: the corners of the material
         const std::string_view end = s.substr(1, 5);
         Triple corner;
         for (int axis = 0; axis < 3; ++axis) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The forms in which comments speak of tools and stock, one function per form.
+// Forms of comments with a tool or a stock, with a function per form.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -14,7 +14,7 @@
 
 namespace ncsim::toolpath {
 
-/// Nothing if the comment does not speak of a tool, or tells no size.
+/// Reads the description of a tool. Empty if the comment does not describe a tool or gives no size.
 std::optional<ToolRemark> read_tool_remark(std::string_view comment);
 
 /// A corner or a size with a unit.
@@ -23,33 +23,34 @@ struct Triple {
     text::Unit unit = text::Unit::None;
 };
 
-/// What a comment says about the stock: a whole block, or one of two corners.
+/// Information of a comment about the stock.
 struct StockRemark {
     enum class What : unsigned char {
-        Block,      ///< `first` is the size, `second` the program's zero seen from the corner.
+        Block,      ///< `first` is the size, `second` the program zero relative to the corner.
         Min,        ///< `first` is the corner with the smallest coordinates.
-        Max,        ///< `first` is the corner with the largest ones.
-        Start,      ///< `first` is where the tool stands at the beginning.
+        Max,        ///< `first` is the corner with the largest coordinates.
+        Start,      ///< `first` is the start position of the tool.
         Heading,    ///< The next comment has the size.
-        Size,       ///< `first` is the size; where the zero is, other comments say.
+        Size,       ///< `first` is the size; further comments give the zero.
         ZeroAtTop,  ///< Z0 is on top of the material …
-        ZeroAtBed,  ///< … or below it.
-        Zero,       ///< ZeroXY, with `first.value.z` 1 on top of the material, or -1 below it.
-        ZeroXY,     ///< Where X0 Y0 is: `first.value` counts from the middle, -1, 0 or 1.
-        Elsewhere,  ///< The size lies where nobody here knows.
+        ZeroAtBed,  ///< … or at the bottom.
+        Zero,    ///< ZeroXY with `first.value.z` 1 for the top of the material, -1 for the bottom.
+        ZeroXY,  ///< `first.value` is the position of X0 Y0: -1, 0 or 1 from the middle.
+        Elsewhere,  ///< The position of the stock is unknown.
     } what = What::Block;
     Triple first;
     Triple second;
 };
 
+/// Reads a comment about the stock. Empty if the comment has none of the known forms.
 std::optional<StockRemark> read_stock_remark(std::string_view comment);
 
-/// "X= 76.000, Y= 5.500, Z= 1.000": a size, behind a heading.
+/// Reads a size after a heading: "X= 76.000, Y= 5.500, Z= 1.000".
 std::optional<Triple> read_size_remark(std::string_view comment);
 
-/// PowerMill tells a tool in several comments, each one thing: "Tool Number: 3", "DIAMETER: 6.0",
-/// "TIP RADIUS: 0.5"; so does PyCAM: "shape = ToroidalCutter", "tool_radius = 3.0", "torus_radius =
-/// 0.5". The key and its value.
+/// Key and value of a comment. PowerMill describes a tool in several comments: "Tool Number: 3",
+/// "DIAMETER: 6.0", "TIP RADIUS: 0.5". PyCAM does the same: "shape = ToroidalCutter", "tool_radius
+/// = 3.0", "torus_radius = 0.5".
 struct KeyedRemark {
     enum class Key : unsigned char {
         ToolNumber,
@@ -57,12 +58,13 @@ struct KeyedRemark {
         TipRadius,
         Taper,
         ToolType,
-        TorusRadius  ///< The corner of a tool, if its type has one.
+        TorusRadius  ///< Corner radius of a tool, if its type has a corner.
     } key;
     double value = 0.0;
     text::Unit unit = text::Unit::None;
-    std::optional<ToolKind> kind;  ///< Of ToolType.
+    std::optional<ToolKind> kind;  ///< For ToolType.
 };
+/// Reads a comment of a key and a value. Empty if the key is unknown.
 std::optional<KeyedRemark> read_keyed_remark(std::string_view comment);
 
 }  // namespace ncsim::toolpath

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Readers of tool tables: LinuxCNC, and JSON of CAMotics, Fusion and Kiri:Moto.
 #include "ncsim/toolpath/tool_file.h"
 
 #include "ncsim/trig/angles.h"
@@ -53,8 +55,8 @@ private:
 
 // --- LinuxCNC ---
 
-// Adds what a remark says of the kind and shape of a tool to `spec`. The diameter of the column
-// counts; of a V-cutter it may be that of the tip.
+// Adds kind and shape from a remark to `spec`. The diameter of the column counts; for a V-cutter it
+// may be the tip diameter.
 void take_kind(std::string_view remark, ToolSpec& spec) {
     auto said = read_tool_remark(remark);
     if (!said && spec.diameter) {
@@ -77,11 +79,11 @@ void take_kind(std::string_view remark, ToolSpec& spec) {
     const auto tip = in_mm(said->spec.tip_diameter);
     if (!tip || !spec.diameter) return;
     spec.tip_diameter = tip;
-    constexpr double kSame = 1e-6;  // mm: both numbers are written by hand, perhaps in two units
+    constexpr double kSame = 1e-6;  // mm; both numbers are typed by hand, perhaps in two units
     if (std::abs(*tip - *spec.diameter) < kSame) spec.diameter.reset();
 }
 
-// One line: T1 P1 Z0.511 D0.125 ;1/8 end mill. False if it is none.
+// Reads a line: T1 P1 Z0.511 D0.125 ;1/8 end mill. False if the line has another form.
 bool read_table_line(std::string_view line, std::uint32_t number, double unit, Collector& out) {
     const std::size_t semicolon = line.find(';');
     const std::string words = text::upper(line.substr(0, semicolon));
@@ -112,7 +114,7 @@ bool read_table_line(std::string_view line, std::uint32_t number, double unit, C
             case 'X': offset.x = unit * value.value; break;
             case 'Y': offset.y = unit * value.value; break;
             case 'Z': offset.z = unit * value.value; break;
-            default: break;  // other axes; angles and orientation of lathe tools
+            default: break;  // further axes; angles and orientation of lathe tools
         }
         rest = text::trimmed(rest.substr(end));
     }
@@ -185,8 +187,8 @@ bool is_imperial(const std::string& units) {
     return upper == "IMPERIAL" || upper == "INCH" || upper == "INCHES" || upper == "IN";
 }
 
-// Included angle of a cone of this diameter and height, degrees. Rounded to 1e-9: what was a whole
-// number is one again.
+// Returns the included angle, degrees, of a cone of this diameter and height. Rounding to 1e-9
+// restores whole numbers.
 double angle_of_cone(double diameter, double height) {
     const double degrees = 2 * trig::angle_of(height, diameter / 2);
     return std::round(degrees * 1e9) / 1e9;
@@ -254,7 +256,7 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
     };
     const auto min = corner("min");
     const auto max = corner("max");
-    // An automatic one is only where CAMotics itself put it.
+    // An automatic workpiece is only CAMotics' own guess.
     const auto automatic = workpiece.find("automatic");
     const bool is_automatic =
         automatic != workpiece.end() && automatic->is_boolean() && automatic->get<bool>();
@@ -301,7 +303,7 @@ std::optional<ToolKind> fusion_kind(const std::string& type) {
     return std::nullopt;
 }
 
-// {"segments": [{"height": 5, "lower-diameter": 6, "upper-diameter": 10}, …]}
+// Reads {"segments": [{"height": 5, "lower-diameter": 6, "upper-diameter": 10}, …]}.
 std::vector<ToolSegment> segments_of(const Json& json, double unit) {
     std::vector<ToolSegment> segments;
     const auto list = json.find("segments");
@@ -324,7 +326,8 @@ std::vector<ToolSegment> segments_of(const Json& json, double unit) {
     return segments;
 }
 
-// What is above the flutes: a shoulder as thick as the cutter or thinner, a shaft up to the holder.
+// Reads the parts above the flutes: a shoulder at most as thick as the cutter, and a shaft up to
+// the holder.
 void read_fusion_assembly(const Json& json, const Json& g, double unit, ToolSpec& spec) {
     spec.shank_diameter = scaled(positive_of(g, "SFDM"), unit);
     spec.stick_out = scaled(positive_of(g, "LB"), unit);

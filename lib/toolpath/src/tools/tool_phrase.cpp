@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One walk over the words gathers what is said; then the whole is judged: is there one number that
-// can only be the size, and is the rest what descriptions of tools are made of?
+// Reads free-form tool descriptions in two steps. A pass over the words collects the values; then
+// the whole is judged: it is a description if a single number can be the size, and if the rest
+// consists of typical words of tool descriptions.
 #include "tools/tool_phrase.h"
 
 #include "tools/tool_words.h"
@@ -27,7 +28,8 @@ bool is_length(const Quantity& q) {
     return q.unit != Unit::Degree;
 }
 
-// A length in `unit`, if that can be told.
+// Converts a length to `unit`; a length without unit keeps its value. 0 if `unit` is None and the
+// length has a unit.
 double in_unit(const Quantity& q, Unit unit) {
     if (q.unit == unit || q.unit == Unit::None) return q.value;
     if (unit == Unit::Millimetre) return 25.4 * q.value;
@@ -72,7 +74,7 @@ private:
     }
     bool number_at(std::size_t i) const { return i < tokens_.size() && tokens_[i].is_number(); }
 
-    // Segments are parts of a comment that speak of different things: T1 | 1/4 ENDMILL | H1.
+    // Counts segments: parts of a comment with different subjects, as in T1 | 1/4 ENDMILL | H1.
     void take_mark() {
         const Token& t = tokens_[at_];
         const bool between = !t.glued_left && !t.glued_right;
@@ -81,11 +83,12 @@ private:
         if (t.is('#') && number_at(at_ + 1) && is_whole(tokens_[at_ + 1].quantity)) {
             take_gauge(at_ + 1);
         } else if (t.is('<') || t.is('[')) {
-            ++expressions_;  // of a program, not of a person; sizes stand in them, too
+            ++expressions_;  // expressions of a program; they contain sizes, too
         }
     }
 
-    // The number behind a key, with what stands between: D=10, DIA. - .25, (Bit diameter: 1/8").
+    // Returns the index of the number after a key: D=10, DIA. - .25, (Bit diameter: 1/8"). 0 if
+    // there is none.
     std::size_t value_of_key(std::size_t key) const {
         std::size_t i = key + 1;
         bool separated = false;
@@ -99,7 +102,7 @@ private:
             ++i;
         }
         if (i >= tokens_.size()) return 0;
-        // One letter is a key only where the number cannot be another's.
+        // A single letter is a key only if the number cannot belong to another key.
         const bool glued = i == key + 1 && tokens_[i].glued_left;
         if (tokens_[key].text.size() == 1 && !glued && !separated) return 0;
         // `1/4 DIA 2 FLUTE`
@@ -147,7 +150,7 @@ private:
     }
 
     void take_angle(double degrees) {
-        if (degrees >= 450 && degrees <= 1800) degrees /= 10;  // of 90°, where the sign became 0
+        if (degrees >= 450 && degrees <= 1800) degrees /= 10;  // 90° whose degree sign became 0
         if (degrees > 0 && degrees < 180) angle_ = degrees;
     }
 
@@ -162,7 +165,7 @@ private:
         const bool is_first = words_seen_++ == 0;
         is_chamfer_ = is_chamfer_ || word.text.starts_with("CHAMFER") ||
                       word.text.starts_with("FASENFR") || word.text.starts_with("FASFR");
-        // #1 DRILL - 6MM SLIDE REAMER DRILL: the second part says what the first is for.
+        // #1 DRILL - 6MM SLIDE REAMER DRILL: the second part is the purpose of the first.
         const bool is_aside = has_noun_ && word.role == Role::Noun && segment_ != noun_segment_;
         if (word.rank > rank_ && !is_aside) kind_ = word.kind, rank_ = word.rank;
         switch (word.role) {
@@ -225,7 +228,7 @@ private:
         return q;
     }
 
-    // M8 X 1.25, M12X1.75
+    // Skips a pitch, as in M8 X 1.25, M12X1.75, and keeps it.
     void skip_pitch(std::size_t value) {
         at_ = value;
         const Token* x = token(value + 1);
@@ -266,7 +269,7 @@ private:
         at_ = i;
     }
 
-    // NO. 7, LETTER F
+    // Reads NO. 7, LETTER F.
     void take_gauge_word() {
         std::size_t i = at_ + 1;
         while (mark_at(i, '.') || mark_at(i, '#') || mark_at(i, '-'))
@@ -292,12 +295,12 @@ private:
         at_ = number;
         gauge_ = static_cast<int>(std::min(q.value, 1000.0));
         q.unit = Unit::Inch;
-        q.value = 0.0;  // told when the kind is known
+        q.value = 0.0;  // follows from the kind, later
         add({Size::How::Gauge, q, number, segment_});
         skip_thread(number);
     }
 
-    // The turns per inch of #10-32, 1/4-20, 1/4"-20.
+    // Skips the turns per inch of #10-32, 1/4-20, 1/4"-20, and keeps the pitch.
     bool skip_thread(std::size_t number) {
         if (!mark_at(number + 1, '-') || !tokens_[number + 1].glued_left ||
             !tokens_[number + 1].glued_right || !number_at(number + 2) ||
@@ -348,7 +351,7 @@ private:
         add({Size::How::Plain, q, at_, segment_});
     }
 
-    // .250 DIA, 1. RAD, 0.5R, 22 LOC, 2500 RPM
+    // Reads .250 DIA, 1. RAD, 0.5R, 22 LOC, 2500 RPM.
     bool take_value_before_key() {
         std::size_t i = at_ + 1;
         const Token* key = token(i);
@@ -356,11 +359,12 @@ private:
             key->role == Role::Gauge || key->role == Role::Flutes) {
             return false;
         }
-        const bool one_letter = key->text.size() == 1;  // 3D is no diameter
+        const bool one_letter = key->text.size() == 1;  // 3D is not a diameter
         if (one_letter && !(tokens_[at_].glued_right && key->role == Role::CornerRadius))
             return false;
         const std::size_t value = value_of_key(i);
-        // A key has one number, and the one behind it comes first; but a unit follows its number.
+        // A key has a single number. The number after the key takes precedence, except for degrees,
+        // which follow their number.
         if (value != 0 && !is_degree(*key)) return false;
         take_key(key->role, tokens_[at_].quantity, false);
         if (key->role == Role::Diameter && key->text.size() > 1) dangling_ = false;
@@ -373,7 +377,8 @@ private:
                (key.text.substr(0, 3) == "DEG" || key.text.substr(0, 4) == "GRAD");
     }
 
-    // 2*8mm, 1/8 X 90, 14 X 1.25: what comes second is no diameter, but has its unit.
+    // Reads the second number of 2*8mm, 1/8 X 90, 14 X 1.25. It is not a diameter, but its unit
+    // holds for the first.
     void take_second(const Quantity& q) {
         ++dimensions_;
         if (sizes_.empty() || sizes_.back().at + 2 != at_) return;
@@ -390,7 +395,7 @@ private:
 
     void add(const Size& size) { sizes_.push_back(size); }
 
-    // What #7 is: of drills, centre drills and taps.
+    // Returns the size of gauge #7, in inches, for drills, centre drills and taps.
     double gauge_size() const {
         if (is_centre_drill_) return words::centre_drill(gauge_);
         if (is_thread_ && !has_reamer_) return words::number_screw(gauge_);
@@ -405,7 +410,8 @@ private:
             }
         }
         std::erase_if(sizes_, [this](const Size& size) {
-            if (size.how == Size::How::Thread) return !is_thread_;  // M6 TAP DRILL: nobody knows
+            // M6 TAP DRILL: the size is unknown.
+            if (size.how == Size::How::Thread) return !is_thread_;
             return size.quantity.value <= 0.0;
         });
         const auto first_where = [this](auto&& matches) {
@@ -445,7 +451,7 @@ private:
                                               [=](const auto& p) { return p.second == segment; }));
     }
 
-    // A mill that somebody takes for something: 6MM ENDMILL ROUGH POCKET.
+    // True if a mill is followed by its use: 6MM ENDMILL ROUGH POCKET.
     bool names_tool_then_use() const {
         return named_ && has_noun_ && is_mill_ && named_->is_explicit() && named_->at < noun_at_ &&
                prose_.size() <= 2 && prose_.front().first > noun_at_ &&
@@ -458,7 +464,7 @@ private:
         if (!is_plausible()) return false;
         const bool anchored = number_ > 0 && numbered_first_;
         if (!prose_.empty() && !names_tool_then_use()) {
-            // Operations stand beside a numbered tool, in parts of their own.
+            // Operations may stand next to a numbered tool, in segments of their own.
             const int where = diameter_ ? key_segment_ : named_ ? named_->segment : noun_segment_;
             if (number_ == 0 || prose_in(where) > 0) return false;
             if (has_noun_ && prose_in(noun_segment_) > 0) return false;
@@ -492,7 +498,8 @@ private:
         return false;
     }
 
-    // A number without a unit beside the name of a tool may count holes, passes or operations.
+    // True if the number is the size. A number without unit next to the name of a tool may count
+    // holes, passes or operations.
     bool names_size() const {
         if (named_->is_explicit()) return true;
         if (named_->segment != noun_segment_) return false;
@@ -503,7 +510,7 @@ private:
         return before && is_mill_ && rank_ > 0 && named_->quantity.value >= 2;
     }
 
-    // BALL 6MM, but not CHAMFER 1MM.
+    // True for BALL 6MM, but not for CHAMFER 1MM.
     bool shapes_size() const {
         if (kind_ == ToolKind::VCutter && !angle_ && !tip_ && number_ == 0) return false;
         if (number_ > 0) return true;
@@ -542,7 +549,7 @@ private:
         if (!kind_ && angle_) spec.kind = ToolKind::VCutter;
         if (spec.kind == ToolKind::VCutter) {
             spec.angle = angle_;
-            if (is_chamfer_ && angle_ == 45.0) spec.angle = 90.0;  // of a side
+            if (is_chamfer_ && angle_ == 45.0) spec.angle = 90.0;  // 45 degrees is per side
             spec.tip_diameter = length(tip_);
         }
         if (spec.kind == ToolKind::DovetailMill && angle_ && *angle_ < 90.0)
@@ -552,7 +559,7 @@ private:
         if (const auto corner = length(corner_); corner && *corner <= 0.505 * *spec.diameter) {
             const bool is_round = spec.kind != ToolKind::Drill && spec.kind != ToolKind::VCutter;
             if (is_round) spec.corner_radius = corner;
-            // The radius says more than the name.
+            // The radius is more reliable than the name.
             if (is_round && spec.kind == ToolKind::FlatEndMill) spec.kind.reset();
         }
         if (spec.kind == ToolKind::Tap) {
@@ -562,7 +569,7 @@ private:
         spec.length = length(flute_length_);
         spec.shank_diameter = length(shank_);
         spec.stick_out = length(stick_out_);
-        // The small end of a cone that is engraved with, where nobody tells the large one.
+        // The size is the small end of an engraving cone if the large end is unspecified.
         const double mm = *spec.diameter * (result.unit == Unit::Inch ? 25.4 : 1.0);
         const bool is_small = angle_ && result.unit != Unit::None && mm <= 1.0;
         if (spec.kind == ToolKind::VCutter && !diameter_ && (is_tip_ || (!tip_ && is_small))) {
@@ -576,7 +583,7 @@ private:
     std::size_t at_ = 0;
     bool ended_ = false;
     int segment_ = 0;
-    // What was said.
+    // Collected values.
     int number_ = 0;
     bool numbered_first_ = false, tool_first_ = false, says_tool_ = false;
     std::optional<ToolKind> kind_;
@@ -594,10 +601,10 @@ private:
     bool is_left_ = false;
     bool is_chamfer_ = false;
     double register_ = 0.0;
-    // What speaks against a tool.
+    // Evidence against a description of a tool.
     int words_seen_ = 0, unknown_ = 0, letters_ = 0, expressions_ = 0, dimensions_ = 0;
     bool dangling_ = false, is_weak_ = false, is_tip_ = false;
-    std::vector<std::pair<std::size_t, int>> prose_;  // places and segments
+    std::vector<std::pair<std::size_t, int>> prose_;  // token indices and segments
     const Size* named_ = nullptr;
     std::optional<Quantity> size_;
 };

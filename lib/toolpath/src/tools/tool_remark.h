@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Result of reading a comment about a tool.
 #pragma once
 
 #include "ncsim/toolpath/tool_spec.h"
@@ -7,12 +9,12 @@
 
 namespace ncsim::toolpath {
 
-/// What one comment says about a tool. Lengths are as written, in `unit`, or in the program's
-/// units where there is none.
+/// Values of a comment about a tool. Lengths are as written, in `unit`, or in the program's units
+/// if the comment has no unit.
 struct ToolRemark {
-    ToolSpec spec;  ///< number 0: the comment does not say which.
+    ToolSpec spec;  ///< The number is 0 if the comment has no tool number.
     text::Unit unit = text::Unit::None;
-    bool certain = false;  ///< A form that only tools are written in; else free text.
+    bool certain = false;  ///< True for a form used only for tools; false for free text.
 };
 
 }  // namespace ncsim::toolpath

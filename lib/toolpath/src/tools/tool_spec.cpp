@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tools from specifications with assumed values, and the option --tool.
 #include "ncsim/toolpath/tool_spec.h"
 
 #include "tools/text.h"
@@ -10,7 +12,7 @@ namespace ncsim::toolpath {
 
 namespace {
 
-// What the tool most probably is: what is said first, else what follows from its numbers.
+// Returns the kind if specified, otherwise the most probable kind for the numbers.
 ToolKind kind_of(const ToolSpec& spec) {
     if (spec.kind) return *spec.kind;
     if (spec.taper && *spec.taper > 0) return ToolKind::TaperedEndMill;
@@ -21,12 +23,12 @@ ToolKind kind_of(const ToolSpec& spec) {
     return radius >= 0.49 * *spec.diameter ? ToolKind::BallEndMill : ToolKind::BullNoseEndMill;
 }
 
-// Of a dovetail mill that does not tell it: 60 degrees between floor and flank.
+// Default taper of a dovetail mill: 60 degrees between floor and flank.
 constexpr double kDovetailTaper = 30.0;
-// Of undercutting mills that tell no neck, over their diameter.
+// Default neck diameter of an undercutting mill, as a share of the mill's diameter.
 constexpr double kNeck = 0.6;
 
-// Cones for engraving are sold by their angle and their tip, on a shank of an eighth of an inch.
+// Engraving cones are sold by angle and tip, on a shank of an eighth of an inch.
 constexpr double kEngraverShank = 3.175;
 
 double diameter_of(const ToolSpec& spec) {
@@ -34,12 +36,12 @@ double diameter_of(const ToolSpec& spec) {
     return spec.tip_diameter ? std::max(kEngraverShank, 2 * *spec.tip_diameter) : 0.0;
 }
 
-// The length of the cutting part where nobody tells it.
+// Returns the length of the cutting part, or a default.
 double length_of(const ToolSpec& spec, ToolKind kind, double assumed) {
     if (spec.length) return *spec.length;
     const double d = diameter_of(spec);
     if (kind == ToolKind::LollipopMill) return d;
-    // The wider a disc is, the more it would cut away.
+    // The wider a disc, the more it would remove.
     if (kind == ToolKind::SlotMill) return 0.25 * d;
     if (kind == ToolKind::DovetailMill) return 0.5 * d;
     return spec.stick_out ? std::min(assumed, *spec.stick_out) : assumed;
@@ -49,7 +51,8 @@ std::optional<double> neck_of(const ToolSpec& spec, ToolKind kind) {
     if (spec.neck_diameter) return spec.neck_diameter;
     const double d = diameter_of(spec);
     if (!is_undercutting(kind) || !spec.shaft.empty()) return std::nullopt;
-    if (spec.shank_diameter && *spec.shank_diameter < d) return std::nullopt;  // it is the neck
+    // The shank is the neck.
+    if (spec.shank_diameter && *spec.shank_diameter < d) return std::nullopt;
     return kNeck * d;
 }
 
@@ -71,14 +74,15 @@ void add_assembly(Tool& tool, const ToolSpec& spec) {
             tool.pieces.back().assumed = !spec.neck_diameter;
         }
         if (spec.shank_diameter) {
-            constexpr double kShown = 3.0;  // diameters, where nobody tells how long it is
+            constexpr double kShown = 3.0;  // diameters, if the length is unspecified
             const bool ends = spec.stick_out || !spec.holder.empty();
             const double rest = ends ? reach - height_of(tool) : kShown * *spec.shank_diameter;
             add({*spec.shank_diameter, *spec.shank_diameter, spec.shank_length.value_or(rest)});
         }
     }
     if (spec.holder.empty()) return;
-    // What is between: thinner than nobody knows, so as thick as what is below.
+    // The gap between the last segment and the holder has an unknown thickness; it is assumed to be
+    // as thick as the segment below.
     if (const double gap = reach - height_of(tool); gap > 0) {
         const double d = 2 * tool.pieces.back().profile.back().radius;
         add({d, d, gap});
@@ -86,7 +90,7 @@ void add_assembly(Tool& tool, const ToolSpec& spec) {
     }
     for (const ToolSegment& segment : spec.holder) {
         add(segment);
-        // Without a stick-out it begins as low as it can be.
+        // Without a stick-out, the holder begins as low as possible.
         tool.pieces.back().assumed = !spec.stick_out && spec.shaft.empty() && !spec.shank_length;
     }
 }
@@ -143,7 +147,7 @@ Tool make_tool(const ToolSpec& spec, double assumed_length) {
     Tool tool;
     if (spec.pieces.empty()) {
         tool = shaped(spec, length_of(spec, kind_of(spec), assumed_length));
-        // What of the flutes is in the holder does not cut.
+        // Flutes within the holder do not cut.
         const double reach = spec.stick_out.value_or(height_of(tool));
         if (reach < height_of(tool)) {
             for (ToolPiece& piece : tool.pieces)
@@ -185,7 +189,7 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length) {
             result.assumed.emplace_back(name);
     };
     result.kind = kind_of(spec);
-    // A corner radius or an angle decides the kind.
+    // A corner radius or an angle determines the kind.
     if (!spec.kind && *result.kind == ToolKind::FlatEndMill) assume("kind");
     if (!spec.diameter) {
         result.diameter = diameter_of(spec);
@@ -221,13 +225,13 @@ bool guesses_shape(const ToolSpec& spec) {
         case ToolKind::Other: return true;
         default: break;
     }
-    // A radius tells a kind, too.
+    // A radius determines a kind, too.
     return !spec.kind && spec.corner_radius.value_or(0.0) <= 0.0;
 }
 
 namespace {
 
-// A tool put together by hand is told with all that is worth telling.
+// True if the pieces include a part that does not cut; then the pieces describe the whole tool.
 bool has_body(const std::vector<ToolPiece>& pieces) {
     return std::ranges::any_of(pieces, [](const ToolPiece& p) { return !p.cutting; });
 }
@@ -245,7 +249,7 @@ bool tells_holder(const ToolSpec& spec) {
 
 double least_flute_length(const Tool& tool) {
     const double d = cutting_diameter_of(tool);
-    double cone = 0.0;  // how high the shaped end is
+    double cone = 0.0;  // height of the shaped end
     for (const ToolPiece& piece : tool.pieces) {
         const auto widest = std::ranges::find_if(
             piece.profile, [&](const ProfilePoint& p) { return 2 * p.radius >= d; });
@@ -319,12 +323,12 @@ std::string describe(const Tool& tool) {
 
 namespace {
 
-// The parts of --tool behind its number.
+// Reader of the parts of --tool after the tool number.
 class OptionReader {
 public:
     explicit OptionReader(ToolSpec& spec) : spec_(spec) {}
 
-    // Why it is none; empty: it was read.
+    // Reads a part. Returns the reason why the part is invalid; empty if it was read.
     std::string read(std::string_view part) {
         static constexpr std::pair<std::string_view, ToolKind> kKinds[] = {
             {"FLAT", ToolKind::FlatEndMill},
@@ -375,7 +379,7 @@ public:
     }
 
 private:
-    // Millimetres; `at` moves behind the number and its unit.
+    // Reads a number in mm; `at` moves to the end of the number and its unit.
     static std::optional<double> number_at(std::string_view part, std::size_t& at) {
         const auto q = text::quantity_at(part, at);
         if (!q || q->begin != at || q->value < 0) return std::nullopt;
@@ -394,7 +398,7 @@ private:
         return {};
     }
 
-    // S12, S12x30
+    // Reads S12 or S12x30.
     static std::string read_step(std::string_view part, std::size_t at, double diameter,
                                  std::optional<double>& into, std::optional<double>& length) {
         into = diameter;
@@ -405,7 +409,7 @@ private:
             ": expected a diameter, or diameter x length, as in S12x30");
     }
 
-    // H28x15,40x25 or H20-32x10
+    // Reads H28x15,40x25 or H20-32x10.
     std::string read_holder(std::string_view part) {
         for (std::string_view step : text::split(part.substr(1), ',')) {
             step = text::trimmed(step);

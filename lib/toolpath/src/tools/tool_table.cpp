@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One pass over the blocks collects remarks in order, tool calls, and units; then every remark is
-// given its tool and its unit.
+// Reads tools and stock in the comments of a program in two steps. A pass over the blocks collects
+// remarks in order, tool calls, and units; then every remark gets its tool and its unit.
 #include "ncsim/toolpath/tool_table.h"
 
 #include "ncsim/gcode/parser.h"
@@ -27,15 +27,15 @@ struct PlacedRemark {
     ToolRemark remark;
     gcode::SourceSpan span;
     std::string text;
-    int owner = 0;  // a tool number, 0: none yet
+    int owner = 0;  // tool number; 0 while unknown
 };
 
 bool is_word(const gcode::Word& word, char letter, double number) {
     return word.letter == letter && word.literal && !word.comma && word.number == number;
 }
 
-// True for moves of a tool that is at work: the way home, to a place of the machine and offsets
-// stand before tool changes.
+// True for moves of a working tool. Moves to a reference position, in machine coordinates, and
+// offsets precede tool changes and do not count.
 bool is_move(const Block& block) {
     static constexpr std::array kBeforeChange{4.0, 10.0, 28.0, 30.0, 52.0, 53.0, 92.0};
     const bool is_before_change =
@@ -68,7 +68,7 @@ public:
         : inches_(default_inches), inches_first_(default_inches) {}
 
     void read(const Block& block) {
-        if (!block.words.empty()) in_list_ = false;  // lists stand in lines of their own
+        if (!block.words.empty()) in_list_ = false;  // lists are on lines of their own
         for (const gcode::Comment& comment : block.comments) {
             if (const int tool = gcode::tool_called_in(comment); tool > 0) {
                 call_tool(tool);
@@ -103,7 +103,7 @@ public:
             box.add(factor(max_->unit, inches_first_) * max_->value);
             set_stock(box, block_span_, block_text_);
         } else if (size_ && !size_is_elsewhere_) {
-            // Vectric's usual zero, unless it says another: the lower left corner, on top.
+            // Vectric's default zero, unless specified: the lower left corner, on top.
             const cda::Vec3 size = factor(size_->unit, inches_first_) * size_->value;
             cda::Vec3 min{(-1 - zero_xy_.x) / 2 * size.x, (-1 - zero_xy_.y) / 2 * size.y,
                           zero_at_bed_ ? 0.0 : -size.z};
@@ -135,7 +135,7 @@ private:
             in_list_ = true;
             return;
         }
-        // Nested parentheses come as one comment; the inner pair may be the remark.
+        // Nested parentheses are a single comment; the inner pair may be the remark.
         if (auto stock = read_stock_remark(comment.text)) {
             take_stock(*stock, comment);
         } else if (const auto keyed = read_keyed_remark(comment.text)) {
@@ -152,7 +152,7 @@ private:
         }
     }
 
-    // PowerMill: one thing a comment. A key that comes again speaks of another tool.
+    // Reads a PowerMill comment, with a key per comment. A repeated key starts the next tool.
     void take_keyed(const KeyedRemark& keyed, const gcode::Comment& comment) {
         using Key = KeyedRemark::Key;
         const unsigned bit = 1U << static_cast<unsigned>(keyed.key);
@@ -194,14 +194,15 @@ private:
         keyed_.remark.certain = true;
         keyed_.remark.spec.description = keyed_.text;
         if (keyed_.remark.spec.kind == ToolKind::FlatEndMill && keyed_.remark.spec.corner_radius) {
-            keyed_.remark.spec.kind.reset();  // the radius says more than the name
+            keyed_.remark.spec.kind.reset();  // the radius is more reliable than the name
         }
         keyed_.owner = keyed_.remark.spec.number;
         if (keyed_.owner == 0) waiting_.push_back(remarks_.size());
         remarks_.push_back(std::move(keyed_));
     }
 
-    // The tools of a list without numbers are called in its order. What stands at a call beats it.
+    // Assigns the tools of a list without numbers to the calls, in order. A comment at a call takes
+    // precedence.
     void place_listed() {
         for (std::size_t i = 0; i < listed_.size(); ++i) {
             if (i >= calls_.size() && (i > 0 || !calls_.empty())) break;
@@ -246,7 +247,7 @@ private:
         units_seen_ = true;
     }
 
-    // Numberless remarks before the call belong to this tool.
+    // Assigns waiting remarks without a number to the tool of this call.
     void call_tool(int number) {
         end_keyed();
         last_tool_ = number;
@@ -259,7 +260,7 @@ private:
         waiting_.clear();
     }
 
-    // A move came before a call: they belong to the tool in the spindle.
+    // Assigns waiting remarks to the tool in the spindle, because a move came before a call.
     void end_waiting() {
         end_keyed();
         for (const std::size_t i : waiting_)
@@ -267,7 +268,8 @@ private:
         waiting_.clear();
     }
 
-    // Owner 0: no tool is called anywhere, and the remark speaks of the one that is in the spindle.
+    // Keeps a remark. Owner 0: the program calls no tool, and the remark describes the tool in the
+    // spindle.
     void keep(PlacedRemark& placed) {
         ToolSpec spec = placed.remark.spec;
         spec.number = placed.owner;
@@ -284,7 +286,8 @@ private:
             return;
         }
         const auto index = static_cast<std::size_t>(known - notes_.tools.begin());
-        if (placed.remark.certain && !certain_[index]) {  // a stated diameter beats one in a name
+        // A stated diameter takes precedence over a diameter in a name.
+        if (placed.remark.certain && !certain_[index]) {
             *known = {std::move(spec), ToldBy::Comment, placed.span, placed.text};
             certain_[index] = true;
         } else if (placed.remark.certain && known->spec.diameter && spec.diameter &&
@@ -307,24 +310,24 @@ private:
     }
 
     ProgramNotes notes_;
-    std::vector<bool> certain_;  // beside notes_.tools
+    std::vector<bool> certain_;  // parallel to notes_.tools
     std::vector<PlacedRemark> remarks_;
     std::vector<std::size_t> waiting_;  // remarks without an owner yet
     std::map<int, bool> tool_inches_;   // units at the first call
     std::optional<StockRemark> block_;
     std::optional<Triple> min_, max_, start_;
-    std::optional<Triple> size_;  // without a place: Vectric, Kiri:Moto
+    std::optional<Triple> size_;  // without a position: Vectric, Kiri:Moto
     cda::Vec3 zero_xy_{-1, -1, 0};
     bool zero_at_bed_ = false;
     bool zero_told_ = false;
     bool size_is_elsewhere_ = false;
-    bool size_expected_ = false;  // behind "Material Size"
-    bool in_list_ = false;        // behind "Required tools:"
+    bool size_expected_ = false;  // after "Material Size"
+    bool in_list_ = false;        // after "Required tools:"
     std::vector<PlacedRemark> listed_;
     std::vector<int> calls_;  // tool numbers in the order of their first call
     PlacedRemark keyed_;
     double torus_radius_ = 0.0;
-    unsigned keys_seen_ = 0;  // a bit for each KeyedRemark::Key
+    unsigned keys_seen_ = 0;  // a bit per KeyedRemark::Key
     gcode::SourceSpan block_span_;
     std::string block_text_;
     bool whole_seen_ = false;

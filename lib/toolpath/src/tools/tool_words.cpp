@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lexicon of tool descriptions, and tables of numbered drills, screws and threads.
 #include "tools/tool_words.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 
 using text::Unit;
 
-// A kind, and how special it is: a "tapered ball end mill" is tapered first.
+// A kind with its precedence: a "tapered ball end mill" is a tapered mill.
 struct Named {
     std::optional<ToolKind> kind;
     int rank = 0;
@@ -35,11 +37,11 @@ constexpr Named kTaper{ToolKind::TaperedEndMill, 11};
 struct Group {
     Role role;
     Named named;
-    std::string_view entries;  // between bars; a star stands for any letters
+    std::string_view entries;  // separated by bars; a star matches any letters
 };
 
-// Blanks in an entry are blanks, hyphens, points or underscores in a comment. The longest entry
-// that fits counts.
+// Words of tool descriptions. Blanks in an entry match blanks, hyphens, points or underscores in a
+// comment. The longest matching entry counts.
 constexpr Group kGroups[] = {
     // English.
     {Role::Noun, kFlat,
@@ -188,7 +190,7 @@ constexpr Group kGroups[] = {
      "EPAISSEUR|LES|UN|UNE|SUR|AVEC LE|BRUT|TARAUDAGE|PERCAGE|USINAGE|AGUJERO|AGUJEROS|TALADROS|"
      "CAJERA|CAJERAS|PROFUNDIDAD|ESPESOR|FORO|FORI|TASCA|TASCHE DI|PROFONDITA|SPESSORE|LAMIERA|"
      "GREZZO|MATERIALE|MATERIAU|CONTORNO|DEL|LOS|LAS|IL|CON EL|WERKSTUECK|PLATTE"},
-    // French, Spanish, Italian, Portuguese; FREZA and its kin.
+    // French, Spanish, Italian, Portuguese; FREZA and related words.
     {Role::Noun, kFlat,
      "FRAISE CYLINDRIQUE|FRAISE DEUX TAILLES|FRAISE PLATE|FRAISE DROITE|FRAISE CARBURE|"
      "FRAISE EBAUCHE|FRAISE FINITION|FRESA PLANA|FRESA CON PUNTA PLANA|FRESA CILINDRICA|"
@@ -227,10 +229,10 @@ struct Entry {
     Role role;
     Named named;
     std::size_t word_count;
-    bool open_end;  // of any letters behind
+    bool open_end;  // matches any letters at the end
 };
 
-// Made once: the entries by their first letter, the longest first.
+// Entries by first letter, those with the most words first; made once.
 using Lexicon = std::array<std::vector<Entry>, 26>;
 const Lexicon& lexicon() {
     static const Lexicon entries = [] {
@@ -260,13 +262,13 @@ bool is_ascii_letter(char c) {
     return c >= 'A' && c <= 'Z';
 }
 
-// A mark that may stand between the words of one entry: END-MILL, END_MILL, DIA. OFF.
+// True for a mark that may join the words of an entry: END-MILL, END_MILL, DIA. OFF.
 bool joins(const Token& token) {
     const bool mark = token.is('-') || token.is('_') || token.is('.') || token.is('\'');
     return mark && (token.glued_left || token.glued_right);
 }
 
-// Where the words of `entry` end that begin with tokens[at]; 0 if they do not stand there.
+// Returns the end of the words of `entry` that begin at tokens[at]; 0 if the words do not match.
 std::size_t end_of(const Entry& entry, const std::vector<Token>& tokens, std::size_t at) {
     std::string_view rest = entry.text;
     for (std::size_t i = 0; i < entry.word_count; ++i) {
@@ -301,7 +303,7 @@ std::vector<Token> cut(std::string_view s) {
                            (s[at] == '.' && at + 1 < s.size() && text::is_digit(s[at + 1]));
         if (digit) {
             token.form = Token::Form::Number;
-            // TOOL 1 1/2 is tool one, and half an inch.
+            // TOOL 1 1/2 is tool 1 and half an inch.
             const auto follows = [&tokens](std::string_view word) {
                 return !tokens.empty() && tokens.back().text == word;
             };
@@ -311,10 +313,10 @@ std::vector<Token> cut(std::string_view s) {
                              (text::is_digit(s[whole + 1]) || s[whole + 1] == '.');
             if (!counts || !two) whole = std::string_view::npos;
             const auto quantity = text::quantity_at(s.substr(0, whole), at);
-            if (!quantity) break;  // of more digits than a number has
+            if (!quantity) break;  // too many digits for a number
             token.quantity = *quantity;
             end = token.quantity.end;
-            // 6,35: the decimal comma, where it cannot be a list.
+            // 6,35 has a decimal comma if it cannot be a list.
             const bool comma = end + 1 < s.size() && s[end] == ',' && text::is_digit(s[end + 1]) &&
                                token.quantity.unit == Unit::None && !token.quantity.is_fraction &&
                                s.substr(at, end - at).find('.') == std::string_view::npos;
@@ -345,7 +347,7 @@ std::vector<Token> cut(std::string_view s) {
 }  // namespace
 
 std::string plain_upper(std::string_view s) {
-    // Of Latin-1, from 0xC0 on; a blank is a mark without a letter.
+    // Replacements of Latin-1 characters from 0xC0 on; a blank replaces a mark without a letter.
     static constexpr std::array<std::string_view, 32> kLatin = {
         "A", "A", "A", "A", "AE", "A", "AE", "C", "E",    "E", "E", "E", "I",  "I", "I", "I",
         "D", "N", "O", "O", "O",  "O", "OE", "X", "DIA ", "U", "U", "U", "UE", "Y", "T", "SS"};
@@ -357,7 +359,7 @@ std::string plain_upper(std::string_view s) {
             result += text::upper(s.substr(i, 1));
             continue;
         }
-        if (s.substr(i, 3) == "\xE2\x8C\x80") {  // the sign for diameters
+        if (s.substr(i, 3) == "\xE2\x8C\x80") {  // diameter sign
             result += "DIA ";
             i += 2;
             continue;
@@ -416,7 +418,7 @@ std::optional<ToolKind> kind_named(std::string_view s) {
 }
 
 double number_drill(int number) {
-    // In ten-thousandths of an inch, from number 1 on.
+    // In 1/10000 inch, from number 1 on.
     static constexpr std::array<int, 80> kSizes = {
         2280, 2210, 2130, 2090, 2055, 2040, 2010, 1990, 1960, 1935, 1910, 1890, 1850, 1820,
         1800, 1770, 1730, 1695, 1660, 1610, 1590, 1570, 1540, 1520, 1495, 1470, 1440, 1405,
@@ -429,7 +431,7 @@ double number_drill(int number) {
 }
 
 double letter_drill(char letter) {
-    // In thousandths of an inch, from A on.
+    // In 1/1000 inch, from A on.
     static constexpr std::array<int, 26> kSizes = {234, 238, 242, 246, 250, 257, 261, 266, 272,
                                                    277, 281, 290, 295, 302, 316, 323, 332, 339,
                                                    348, 358, 368, 377, 386, 397, 404, 413};
@@ -437,7 +439,7 @@ double letter_drill(char letter) {
 }
 
 double centre_drill(int number) {
-    // In sixteenths of an inch: the bodies of plain centre drills.
+    // In 1/16 inch: body diameters of plain centre drills.
     static constexpr std::array<int, 8> kSizes = {2, 3, 4, 5, 7, 8, 10, 12};
     if (number < 1 || number > 8) return 0.0;
     return kSizes[static_cast<std::size_t>(number - 1)] / 16.0;

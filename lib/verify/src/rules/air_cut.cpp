@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rule air-cut.
 #include "air_cut.h"
 
 #include <fmt/format.h>
@@ -7,7 +9,7 @@ namespace ncsim::verify {
 
 namespace {
 
-// More than a reader wants to see in one message; the ledger has them all.
+// Largest number of line ranges in the message; the ledger lists all.
 constexpr std::size_t kRangesShown = 8;
 
 }  // namespace

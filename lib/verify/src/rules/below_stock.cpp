@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tools that go below the stock: to what it lies on, of which nobody said what it is.
+// The rule below-stock: tools that go below the stock, where the table may be.
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -16,12 +16,12 @@ std::optional<std::string> needs_stock(const Setup& setup) {
 
 void judge_below_stock(const Setup& setup, const Move& move, FindingLog& log) {
     if (!move.is_move || !setup.stock || !setup.stock_assumption.empty()) return;
-    // Where a tool is turned, what is below is another side of the stock.
+    // With rotary axes away from 0, the region below is at a different side of the stock.
     if (is_turned(*move.motion) || !toolpath::has_known_end(*move.motion)) return;
     if (!facts_of(setup, move.motion->tool)) return;
     const double floor = setup.stock->min.z - setup.machine.below_stock;
     const double below = floor - move.path.min.z;
-    if (below <= 1e-9) return;  // 1 pm: what sums of decimal fractions leave
+    if (below <= 1e-9) return;  // 1 pm: rounding of sums of decimal fractions
     Sighting s{setup.machine.below_stock > 0.0
                    ? fmt::format("goes deeper than the {:.6g} mm that are free below the stock",
                                  setup.machine.below_stock)

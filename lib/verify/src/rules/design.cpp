@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part against its design: asked once, of the finished part, by compare().
+// The rules gouge and excess. compare() checks the finished part once.
 #include "finding_log.h"
 #include "rule_table.h"
 

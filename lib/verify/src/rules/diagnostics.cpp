@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the interpreter has to say, sorted under the rules.
+// Assigns diagnostics of the interpreter to rules and to reasons for doubt.
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -34,7 +34,7 @@ std::string_view rule_of_diagnostic(std::string_view code) {
         {"tool-unknown", "tool-undefined"},
         {"offset-unknown", "offset-undefined"},
         {"compensation-radius-unknown", "offset-undefined"},
-        // Told motion by motion by rules of their own.
+        // Rules report these codes motion by motion.
         {"start-unknown", ""},
         {"feed-missing", ""},
         // Reported as doubts only.

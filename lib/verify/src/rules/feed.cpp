@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Does every feed move have a feed?
+// The rule no-feed: every feed move needs a feed.
 #include "finding_log.h"
 #include "rule_table.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tools and what holds the part.
+// The rules fixture-contact and fixture-clearance.
 #include "finding_log.h"
 #include "rule_table.h"
 

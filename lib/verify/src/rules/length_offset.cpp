@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Is the tool as long as the control takes it to be? The tip of a tool of length L that moves under
-// an offset h is h - L above where the program has it.
+// The rules wrong-length-offset and no-length-offset: the control must have the true length of the
+// tool. With length L and offset h, the tip is h - L above the programmed position.
 #include "ncsim/gcode/state.h"
 
 #include "finding_log.h"
@@ -16,7 +16,7 @@ namespace ncsim::verify {
 
 namespace {
 
-constexpr double kSame = 1e-6;  // mm: what decimal fractions and inches leave
+constexpr double kSame = 1e-6;  // mm: rounding of decimal fractions and inches
 
 void tell(const Setup& setup, const Move& move, FindingLog& log, std::string_view rule,
           std::string message, std::optional<double> off) {
@@ -80,8 +80,8 @@ void judge_register(const Setup& setup, const Move& move, FindingLog& log) {
 void judge_length_offset(const Setup& setup, const Move& move, FindingLog& log) {
     if (!move.is_move || !move.needs_length) return;
     if (move.motion->tool == 0) {
-        // A program that asks for a length runs on a machine with a table of tools, whose spindle
-        // may hold the last one.
+        // A program that selects a length register runs on a machine with a tool table, whose
+        // spindle may still hold the last tool.
         if (move.length_register > 0 && move.motion->kind != gcode::MoveKind::Rapid) {
             log.doubt("tool-guess",
                       fmt::format("H{} holds, and no M6 has loaded a tool: the tool in the spindle "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Links of the machine and what they meet.
+// The rules machine-collision and machine-near-miss: contacts of links.
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -13,7 +13,7 @@ namespace ncsim::verify {
 
 namespace {
 
-// Of those that are there: "X10 Z-120 A30".
+// Formats the positions of the existing joints: "X10 Z-120 A30".
 std::string text_of(const machine::Chain& chain, const machine::Values& values) {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -35,8 +35,8 @@ bool is_of_tool(const MachineContact& contact) {
 std::vector<std::string_view> guesses_of_links(const Setup& setup, const Move& move,
                                                const MachineContact& contact) {
     std::vector<std::string_view> guesses = guesses_of(setup, move, contact.certainty);
-    // What is cut, and with what, has no part in links that meet each other. How the machine turns
-    // has: where its axes lie counts for all of them.
+    // A contact between links does not depend on the stock or the tool. It does depend on the
+    // kinematics, because the position of the axes moves all links.
     std::erase_if(guesses, [&](std::string_view reason) {
         return (reason == "stock-guess" && !is_of_part(contact)) ||
                (reason == "tool-guess" && !is_of_tool(contact));

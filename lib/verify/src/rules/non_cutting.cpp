@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shanks and holders in material.
+// The rule non-cutting-contact: shanks and holders in material.
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -58,8 +58,8 @@ void judge_non_cutting(const Setup& setup, const Move& move, FindingLog& log) {
         s.quantity = Quantity{"stick-out missing", contact.raise_mm, "mm"};
         s.certainty = contact.certainty;
         s.rests_on = guesses_of(setup, move, contact.certainty);
-        // What is above is as thick as what is below it, but for mills with a neck. A holder may
-        // sit higher than the lowest place where it can be.
+        // A piece is assumed as thick as the piece below, except for mills with a neck. The true
+        // holder may sit higher than the lowest possible place.
         const double below = contact.piece > 0 ? top_of(tool.pieces[contact.piece - 1]) : 0.0;
         const bool as_thick = diameter <= 2 * below + 1e-6 &&
                               !toolpath::is_undercutting(tool.kind) &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Does the program stay within the travels of the machine?
+// The rules over-travel and rotary-over-travel.
 #include "finding_log.h"
 #include "rule_table.h"
 #include "unknown_length.h"
@@ -26,10 +26,10 @@ std::optional<std::string> needs_travel(const Setup& setup) {
 
 namespace {
 
-constexpr double kTravelRounding = 1e-9;  // 1 pm: what sums of decimal fractions leave
+constexpr double kTravelRounding = 1e-9;  // 1 pm: rounding of sums of decimal fractions
 
-// A move in a system that nobody placed, or by increments from anywhere, ends where it is taken to.
-// Stock and tool have no part in it.
+// Returns the reasons for doubt about positions: a move in a system without a specified offset, or
+// a move by increments from an unknown start, has an assumed end. Stock and tool do not matter.
 std::vector<std::string_view> guesses_of_place(const Setup& setup, const Move& move) {
     std::vector<std::string_view> guesses = guesses_of(setup, move);
     std::erase_if(guesses, [](std::string_view reason) {
@@ -38,7 +38,8 @@ std::vector<std::string_view> guesses_of_place(const Setup& setup, const Move& m
     return guesses;
 }
 
-// Where the work zero is not known: a way longer than the travel fits nowhere.
+// Compares the length of the path with the travel if the work zero is unknown: a longer path does
+// not fit for any zero.
 void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto& travel = setup.machine.travel[static_cast<std::size_t>(axis)];
@@ -59,7 +60,7 @@ void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
 }  // namespace
 
 void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
-    // Under tip control the way of the axes is another one than that of the tip.
+    // Under tip control the path of the axes differs from the path of the tip.
     if (!move.is_move || (move.is_tilted_tip && !move.machine_path)) return;
     if (!move.machine_path) {
         compare_ways(setup, move, log);
@@ -77,7 +78,7 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
         s.quantity = Quantity{"by", std::max(below, above), "mm"};
         s.box = move.path;
         s.rests_on = guesses_of_place(setup, move);
-        // A tool of some length keeps Z above its lower end.
+        // A sufficiently long tool keeps Z above its lower end.
         if (axis == 2 && above <= kTravelRounding && !move.ends_at_nose &&
             has_unknown_length(setup, move))
             s.rests_on.emplace_back("length-offset");
@@ -114,7 +115,7 @@ void judge_rotary_over_travel(const Setup& setup, const Move& move, FindingLog& 
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& travel = setup.machine.rotary_travel[i];
         if (!travel) continue;
-        // What stands beyond its end is told where it went there.
+        // A position beyond the end is reported only for the motion that reached it.
         const double at = ends[i][1] + setup.machine.rotary_zero[i];
         const double before = ends[i][0] + setup.machine.rotary_zero[i];
         const double below = travel->min - at, above = at - travel->max;

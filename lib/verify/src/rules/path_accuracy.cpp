@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Was the path followed as closely as was asked for? What was not is not verified.
+// The rule path-accuracy: a path that was not followed within the tolerance was not verified.
 #include "finding_log.h"
 #include "rule_table.h"
 

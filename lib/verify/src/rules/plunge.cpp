@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tools that do not cut at their centre, going down into material.
+// The rule plunge: tools that do not cut at the centre must not descend on material.
 #include "finding_log.h"
 #include "rule_table.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rapid moves that cut, and what every contact with the part rests on.
+// The rule rapid-in-material, and the assumptions on which every contact with the part rests.
 #include "ncsim/gcode/state.h"
 
 #include "finding_log.h"

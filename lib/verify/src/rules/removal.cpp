@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much a tool is asked to take: depth, engagement, volume per minute.
+// The rules depth-limit, engagement-limit and removal-rate.
 #include "finding_log.h"
 #include "rule_table.h"
 

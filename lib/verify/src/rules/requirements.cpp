@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What somebody wants to be told, whatever the program does.
+// Values that the user requires, whatever the program does.
 #include "finding_log.h"
 #include "rule_table.h"
 

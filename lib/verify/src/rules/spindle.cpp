@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Is the spindle turning, the right way and within its limits?
+// The rules spindle-off, spindle-reversed, spindle-limit and feed-limit.
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -27,7 +27,7 @@ Sighting in_material(const Setup& setup, const Move& move, std::string message) 
     return s;
 }
 
-// The tighter of two limits, and whose it is.
+// Tighter of two limits, with its owner.
 struct Limit {
     double value = 0.0;
     const char* whose = "machine";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moves that come from nowhere leave no trace, and are not verified.
+// The rule start-unknown: a move with an unknown start removes no material and is not verified.
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -12,7 +12,7 @@ void judge_start_unknown(const Setup&, const Move& move, FindingLog& log) {
     Sighting s{rapid ? "this rapid move starts at an unknown position; it was not verified"
                      : "this feed move starts at an unknown position; it cuts nothing and was not "
                        "verified"};
-    // Every program begins somewhere: only cutting from there is worth a warning.
+    // Every program begins with an unknown start: only a cut from there deserves a warning.
     s.is_note = rapid;
     log.add("start-unknown", move, std::move(s));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Motions that the kind of tool cannot make: a drill that is fed sideways, a tap without its pitch.
+// The rules sideways-cut, tap-feed, tap-retract and drill-depth: motions that the kind of tool
+// cannot make.
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -15,7 +16,7 @@ using gcode::MoveKind;
 
 namespace {
 
-// Returns: the finding, with the assumptions of the contact.
+// Returns an observation with the assumptions of the contact.
 Sighting seen(const Setup& setup, const Move& move, std::string message) {
     Sighting s{std::move(message)};
     s.lasts = true;
@@ -37,7 +38,7 @@ void judge_sideways(const Setup& setup, const Move& move, FindingLog& log) {
         !toolpath::is_axial(tool->tool.kind) || is_turned(*move.motion))
         return;
     const auto is_aside = [](const cda::Vec3& way) {
-        constexpr double kLeast = 1e-3;  // of the length of the way
+        constexpr double kLeast = 1e-3;  // relative to the length of the path
         return way.x * way.x + way.y * way.y > kLeast * kLeast;
     };
     if (!is_aside(move.enters) && !is_aside(move.leaves)) return;
@@ -54,7 +55,8 @@ void judge_tap_feed(const Setup& setup, const Move& move, FindingLog& log) {
         return;
     const auto feed = feed_of(move);
     if (!feed) return;
-    constexpr double kTolerance = 0.01;  // of the pitch; a holder for taps takes that up
+    // relative to the pitch; a tapping holder compensates this much
+    constexpr double kTolerance = 0.01;
     const double pitch = *feed / move.motion->spindle_rpm;
     if (std::abs(pitch - *tool->pitch) <= kTolerance * *tool->pitch) return;
     Sighting s = seen(setup, move,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How rotary axes turn: clamps that hold them, directions near those of joints.
+// Rules about rotary axes: turns-while-clamped, singular-pose, path-deviation.
 #include "ncsim/cda/triangle_tree.h"
 #include "ncsim/toolpath/machine.h"
 
@@ -22,7 +22,7 @@ void judge_clamps(const Setup& /*setup*/, const Move& move, FindingLog& log) {
     log.add("turns-while-clamped", move, std::move(s));
 }
 
-// A joint turns far, and the tool hardly leans elsewhere.
+// Reports a motion in which a joint turns far while the direction of the tool hardly changes.
 void judge_singular_pose(const Setup& setup, const Move& move, FindingLog& log) {
     const gcode::Motion& motion = *move.motion;
     if (!move.is_move || !setup.kinematics || motion.coordinates != gcode::Coordinates::Tip ||
@@ -38,7 +38,7 @@ void judge_singular_pose(const Setup& setup, const Move& move, FindingLog& log) 
     if (turn <= kFar) return;
     const toolpath::Poses poses(setup.kinematics.get(), motion);
     const cda::Vec3 before = axis_of(poses.at(from)), after = axis_of(poses.at(to));
-    // About its own axis a tool may turn on purpose.
+    // A turn about the tool's own axis can be intended.
     if (before == after) return;
     const double leans = norm(after - before) * 180.0 / std::numbers::pi;
     if (leans >= kHardly) return;
@@ -54,7 +54,8 @@ std::optional<std::string> needs_path_deviation(const Setup& setup) {
            "path_deviation)";
 }
 
-// Every quarter of a degree: between them it is out by 2.4 um a metre from the axis.
+// Samples the move every quarter of a degree. Between two samples the deviation grows by at most
+// 2.4 µm per metre of distance from the axis.
 void judge_path_deviation(const Setup& setup, const Move& move, FindingLog& log) {
     const gcode::Motion& motion = *move.motion;
     const auto* line = std::get_if<gcode::Linear>(&motion.what);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The curves that edges lie on. mm, frame W.
+// Curves on which edges lie. mm, frame W.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -13,24 +13,26 @@ namespace ncsim::brep {
 
 using cda::Vec3;
 
+/// Straight line between the ends of the edge.
 struct Line {
     bool operator==(const Line&) const = default;
 };
-/// The edge runs counter-clockwise about `axis` (unit).
+/// Circle; the edge runs counter-clockwise about `axis` (unit).
 struct Circle {
     Vec3 centre, axis;
     double radius = 0.0;
     bool operator==(const Circle&) const = default;
 };
-/// The edge runs counter-clockwise about `axis`. `major` is a unit vector at right angles to it.
+/// Ellipse; the edge runs counter-clockwise about `axis`. `major` is a unit vector perpendicular to
+/// `axis`.
 struct Ellipse {
     Vec3 centre, axis, major;
     double major_radius = 0.0, minor_radius = 0.0;
     bool operator==(const Ellipse&) const = default;
 };
-/// A cubic B-spline. Of the knots, each different, the first and the last count four times, the
-/// others twice: there are twice as many control points as knots. It ends in its first and last
-/// control point, and goes on smoothly between.
+/// Cubic B-spline with distinct knots: the first and the last knot have multiplicity 4, all inner
+/// knots multiplicity 2. The number of control points is twice the number of knots. The spline
+/// starts at the first control point, ends at the last, and has a continuous tangent.
 struct Spline {
     std::vector<Vec3> points;
     std::vector<double> knots;
@@ -39,9 +41,9 @@ struct Spline {
 
 using Curve = std::variant<Line, Circle, Ellipse, Spline>;
 
-/// A curve between two points of it: from `from` to `to` for t from 0 to 1. Where both are one,
-/// a circle or an ellipse as a whole. Points of a curve that misses its ends by some error miss by
-/// as much. The curve must outlive it.
+/// Part of a curve from `from` (t = 0) to `to` (t = 1); the whole circle or ellipse if the ends are
+/// equal. If the curve misses its ends by some error, points of the track miss the curve by the
+/// same error. The curve must outlive the track.
 class Track {
 public:
     Track(const Curve& curve, Vec3 from, Vec3 to);
@@ -49,24 +51,29 @@ public:
 
     Vec3 at(double t) const { return step(t).at; }
     Vec3 derivative(double t) const { return step(t).derivative; }  ///< By t.
+    /// Point and derivative by t.
     struct Step {
         Vec3 at, derivative;
     };
-    Step step(double t) const;  ///< Both at once.
+    Step step(double t) const;
     bool is_straight() const { return std::holds_alternative<Line>(*curve_); }
     bool is_spline() const { return std::holds_alternative<Spline>(*curve_); }
-    const Circle* circle() const { return std::get_if<Circle>(curve_); }  ///< Null if it is none.
-    /// Of circles and ellipses: the angle that is passed, in degrees, in (0, 360].
+    /// Null if the curve is no circle.
+    const Circle* circle() const { return std::get_if<Circle>(curve_); }
+    /// Angle from start to end of a circle or an ellipse, degrees in (0, 360].
     double sweep_degrees() const { return sweep_; }
-    /// Pieces so short that a polynomial follows each: of 15 degrees, one for each knot.
+    /// Returns the number of pieces that are short enough for a polynomial: 15 degrees of a circle
+    /// or an ellipse, one piece per knot interval of a spline.
     std::size_t pieces() const;
-    /// Where piece `i` starts, from 0 to 1; of the number of pieces: 1. Knots are not even.
+    /// Returns the parameter at which piece `i` starts, 0 to 1; 1 for i = pieces(). Knot intervals
+    /// differ in length.
     double start_of(std::size_t i) const;
 
 private:
     const Curve* curve_;
     Vec3 from_, to_;
-    Vec3 x_, y_;  // to where the edge starts, and on from there; of an ellipse its half axes
+    // Vectors from the centre to the start and 90 degrees on; half axes of an ellipse.
+    Vec3 x_, y_;
     Vec3 centre_;
     double start_ = 0.0, sweep_ = 0.0;  // degrees
 };

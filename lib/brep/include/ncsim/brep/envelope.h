@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What an element of a tool's profile leaves along a motion: the envelope of the surfaces that it
-// turns into about the tool's axis, at all times. It touches each of them along its characteristic,
-// where the tool moves neither into the material nor away from it (Chiou and Lee, Swept surface
-// determination for five-axis numerical control machining, 2002). mm, frame W.
+// Envelope that an element of a tool's profile leaves along a motion. The element generates a
+// surface of revolution about the tool's axis. The envelope touches that surface at each time along
+// its characteristic, where the tool moves neither into the material nor away. mm, frame W.
+// Source: Chiou and Lee, Swept surface determination for five-axis numerical control machining,
+// 2002.
 #pragma once
 
 #include "ncsim/brep/sweep.h"
@@ -13,78 +14,87 @@
 
 namespace ncsim::brep {
 
-/// Sweeps do not change: envelopes of one share it.
+/// Envelope of a sweep. Sweeps are immutable, so copies share the sweep.
 struct Envelope {
     std::shared_ptr<const Sweep> sweep;
     bool operator==(const Envelope& o) const { return *sweep == *o.sweep; }
 };
 
-/// All points at which the element, at one time, moves neither towards them nor away: it crosses
-/// the envelope, and the element of that time, along their common characteristic. Faces do not lie
-/// on it.
+/// Surface of all points towards which the element at time `t` moves with speed 0. The surface
+/// crosses the envelope, and the element at `t`, along their common characteristic. No face lies on
+/// it.
 struct Characteristic {
     Envelope of;
     double t = 0.0;
     bool operator==(const Characteristic&) const = default;
 };
 
-/// All points for which the normal of the envelope where it is nearest rises against the tool's
-/// axis by the angle with this sine: it crosses the envelope in what one point of the profile
-/// leaves. Faces do not lie on it.
+/// Surface of all points for which the envelope's normal at the nearest point makes an angle with
+/// the tool's axis whose cosine is `rise`. The surface crosses the envelope along the trail of one
+/// point of the profile. No face lies on it.
 struct Trail {
     Envelope of;
     double rise = 0.0;
     bool operator==(const Trail&) const = default;
 };
 
-/// How the element looks from a point at one time.
+/// Returns the point of the element at time `t` that is closest to `p`, with distance and
+/// derivatives.
 Aspect aspect_at(const Sweep& sweep, double t, Vec3 p);
-/// The same without the time.
+/// Returns the same for the tool position `at`; Aspect::t stays 0.
 Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p);
-/// At the time when it is nearest: the distance from the envelope is that from the element. Beyond
-/// the ends the way goes on as it did.
+/// Returns the aspect at the time when the element is nearest to `p`: the distance from the
+/// envelope is the distance from the element at that time. The path is continued beyond its ends.
 Aspect place_on(const Envelope& envelope, Vec3 p);
-/// The same from near that time on, as that of a place beside it: no other one is looked for.
+/// Returns the same, searched from `near_time` alone, the time of a nearby point. Straight paths,
+/// and fillets other than balls, are searched as a whole.
 Aspect place_on(const Envelope& envelope, Vec3 p, double near_time);
 
-/// The last point of those that are looked at one after the other: when a tool was nearest to it,
-/// and how that changes. The time of the next one, beside it, is looked for from there.
+/// State for projecting consecutive points onto an envelope: the last point, the time when the tool
+/// was nearest to it, and the gradient of that time. The search for the next point starts at the
+/// extrapolated time.
 struct Beside {
     std::optional<double> time;
     Vec3 at, slope;
 };
 Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside);
 
-/// Of the sine by which its normal rises against the axis.
+/// Returns the gradient of the sine by which the normal rises against the axis, per mm; zero for
+/// flanks.
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect);
 
-/// How high the element is there, above the tip: the centre of the ring, or the point on the axis
-/// in which the normal of a flank ends.
+/// Returns the height above the tip of the centre of the fillet's arc, or of the axis point at
+/// which the normal of a flank in `aspect.foot` ends, mm.
 double height_of_centre(const Sweep& sweep, const Aspect& aspect);
 
-/// Places across the way, along the characteristic. Of fillets degrees around it, from `up` to
-/// `side`, in [0, 360): 180 is below the tool, as a rule. Of flanks mm along the profile, from as
-/// far below the lower end as it is long; negative to the right of the way.
+/// Returns the coordinate of `p` across the path, along the characteristic.
+/// - Fillets: degrees around the path, from `up` to `side` of around(), in [0, 360); 180 is usually
+///   below the tool.
+/// - Rims: degrees about the tool's axis (place_on_rim()).
+/// - Flanks: flank length plus the distance from the lower end along the profile, mm; negative to
+///   the right of the path.
 double place_across(const Sweep& sweep, const Passage& passage, Vec3 p);
-/// The point that is there.
+/// Returns the point with the coordinate `place` of place_across().
 Vec3 point_across(const Sweep& sweep, const Passage& passage, double place);
-/// The point of the characteristic of a fillet whose normal is at such an angle, as seen along the
-/// way.
+/// Returns the point of a fillet's characteristic whose normal is at `degrees` around the path,
+/// seen along the path.
 Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees);
 
-/// Of a fillet: nothing of it is as steep as the tool's axis, so that it has an up and a down, and
-/// a ring goes up all the way, or down, and its flat end level nowhere. Of a flank: it has a left
-/// and a right somewhere at all times.
+/// True if place_across() is well defined at all samples of the sweep.
+/// - Fillets: the path is nowhere nearly parallel to the tool's axis. Unless the fillet is a ball,
+///   the path also rises or falls everywhere, and the flat end is level nowhere.
+/// - Flanks: the lower or the upper end has a contact on the left and on the right at each sample.
 bool has_across(const Sweep& sweep);
-/// Of a flank: the tool pivots about a point near there, so that left becomes right.
+/// True if the tool pivots about a point near the foot of a flank, where left becomes right.
 bool is_at_pivot(const Sweep& sweep, const Aspect& aspect);
 
-/// The largest radius of curvature, nearly.
+/// Returns the largest radius of curvature, nearly, mm.
 double largest_radius(const Sweep& sweep);
 
-/// Are they the same piece of the tool, or go on as such?
+/// True if both elements are arcs of equal radii, at any height, or segments of the same line of a
+/// profile.
 bool is_same(const Meridian& a, const Meridian& b, double tolerance_mm);
-/// Do they leave the same, whatever the times?
+/// True if both sweeps leave the same surface, irrespective of direction and times.
 bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm);
 
 }  // namespace ncsim::brep

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Facets of a boundary with the motions that cut each face.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -7,7 +9,7 @@
 
 namespace ncsim::brep {
 
-/// A boundary, and for each of its faces who cut it.
+/// Boundary with the origins of each face: the motions that cut the face.
 struct Facets {
     cda::Boundary boundary;
     std::vector<std::vector<cda::Origin>> origins;

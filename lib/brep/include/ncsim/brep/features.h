@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is measured on a part with a calliper: bores, bosses, floors, what is between walls. Taken
-// from its true surfaces; facets that were not recognised are counted, never measured. mm.
+// Features that are measured with a calliper: bores, bosses, floors, distances between walls. All
+// values come from true surfaces; unrecognised facets are counted but not measured. mm.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -14,85 +14,89 @@
 
 namespace ncsim::brep {
 
-/// How a bore ends below.
+/// Shape of the lower end of a bore.
 enum class BoreEnd : std::uint8_t {
     Through,   ///< It comes out.
-    Flat,      ///< In a plane across its axis.
-    Shoulder,  ///< In such a plane, in which another bore begins, or something else goes on.
-    Cone,      ///< In a tip, as of a drill.
+    Flat,      ///< Plane across the axis.
+    Shoulder,  ///< Such a plane with an opening in it, or a cone without its tip.
+    Cone,      ///< Tip, as of a drill.
     Ball,
-    Rounded,  ///< In a rounded corner, as of a bull nose.
+    Rounded,  ///< Rounded corner, as of a bull-nose end mill.
     Other,
 };
+/// Returns the name of `end`, such as "through".
 std::string_view name_of(BoreEnd end);
 
-/// A cylinder around void, more than half of it.
+/// Cylinder around void that covers more than half a turn.
 struct Bore {
-    Vec3 mouth;  ///< On the axis, where it is highest.
-    Vec3 axis;   ///< Unit, out of the mouth; of what goes through, upwards.
+    Vec3 mouth;  ///< Highest point of the cylinder, on the axis.
+    Vec3 axis;   ///< Unit, out of the mouth; upwards for through bores.
     double diameter = 0.0;
-    double depth = 0.0;            ///< From the mouth to where the cylinder ends.
-    double mouth_slants_by = 0.0;  ///< How much lower the mouth is elsewhere; 0: it is square.
+    double depth = 0.0;            ///< Distance from the mouth to the end of the cylinder.
+    double mouth_slants_by = 0.0;  ///< Height difference of the mouth's rim; 0 for a square mouth.
     double covers_degrees = 360.0;
     BoreEnd end = BoreEnd::Other;
-    std::optional<double> tip_depth;          ///< Of cones and balls: from the mouth to the tip.
-    std::optional<double> tip_angle_degrees;  ///< Of cones, from side to side.
+    /// Distance from the mouth to the tip; for cones and balls.
+    std::optional<double> tip_depth;
+    std::optional<double> tip_angle_degrees;  ///< Full angle; for cones.
     std::vector<cda::Origin> origins;
 };
 
-/// A cylinder around material, more than half of it.
+/// Cylinder around material that covers more than half a turn.
 struct Boss {
-    Vec3 foot;  ///< On the axis, where it is lowest.
+    Vec3 foot;  ///< Lowest point of the cylinder, on the axis.
     Vec3 axis;  ///< Unit, upwards.
     double diameter = 0.0, height = 0.0;
     double covers_degrees = 360.0;
     std::vector<cda::Origin> origins;
 };
 
-/// Part of a cylinder, no more than half of it: a rounded corner.
+/// Rounded corner: cylinder that covers at most half a turn.
 struct Corner {
     double radius = 0.0;
-    bool is_inside = true;  ///< Else material is within it.
+    bool is_inside = true;  ///< False if the material is inside the cylinder.
     double covers_degrees = 0.0;
-    Vec3 on_axis;  ///< In the middle of it.
+    Vec3 on_axis;  ///< Axis point at half of the height.
     Vec3 axis;     ///< Unit.
     std::vector<cda::Origin> origins;
 };
 
-/// A plane that looks up, Z.
+/// Plane with the normal +Z.
 struct Floor {
     double z = 0.0, area = 0.0;
-    bool is_closed = false;  ///< Walls rise from all of its outline.
+    bool is_closed = false;  ///< True if walls rise from the whole outline.
     cda::Box box;
     std::vector<cda::Origin> origins;
 };
 
-/// Two planes that look at each other with nothing between (a slot), or away from each other with
-/// material between (a wall).
+/// Distance between two parallel planes that face each other across void (a slot), or face away
+/// from each other across material (a wall).
 struct Distance {
     double mm = 0.0;
     bool is_void = true;
-    Vec3 from, to;  ///< A pair of points of them; one is right opposite the other.
+    Vec3 from, to;  ///< A pair of opposite points on the two planes.
     std::vector<cda::Origin> origins;
 };
 
+/// Features of a part.
 struct Features {
     std::vector<Bore> bores;
     std::vector<Boss> bosses;
     std::vector<Corner> corners;
     std::vector<Floor> floors;
     std::vector<Distance> distances;
-    std::size_t facets = 0;  ///< Faces that are facets of round tools.
+    std::size_t facets = 0;  ///< Number of faces that are facets of round tools.
     double facet_area = 0.0;
-    /// There are too many walls; their distances are left out.
+    /// True if there are too many walls; the distances are then left out.
     bool has_too_many_walls = false;
 };
 
-/// Each list in the order in which the features were cut, distances by length. Of each plane that
-/// to the nearest is told; that of two planes which several pairs of faces lie in, with material
-/// between, once. `between` has the triangles of a polyhedron of the part, which say whether
-/// anything is there. O(n + p t) for n edges and p pairs of parallel planes, where asking the
-/// triangles takes t.
+/// Returns the features of `part`, each list in the order in which the features were cut, distances
+/// by length. Each plane is paired with the nearest opposite plane. The thickness between the same
+/// two planes is listed once, even if several pairs of faces lie in them. `between` has the
+/// triangles of a polyhedron of the part; it decides whether anything lies between two planes.
+/// Cost: O(n + p t) for n edges and p pairs of parallel planes, with t for a query of the
+/// triangles.
 Features features_of(const Part& part, const cda::TriangleTree& between);
 
 }  // namespace ncsim::brep

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Facets alone: what is written where true surfaces are not asked for, or cannot be had.
+// Parts made of facets alone, written if true surfaces are not requested or cannot be found.
 #pragma once
 
 #include "ncsim/brep/facets.h"
@@ -10,21 +10,26 @@
 
 namespace ncsim::brep {
 
-/// Is a part of planes with straight edges alone one that readers find nothing wrong with? It is
-/// closed: loops go from corner to corner, along each edge twice, in opposite directions. None of
-/// its planes is narrower than its corners are off those around them, or has loops that cross,
-/// touch within 2e-7 mm or go round the wrong way. Its volume is `volume_mm3`, within 1e-4 mm times
-/// its area. O(n log n) for n edges that are spread evenly.
+/// True if readers accept `part`, which has planes and straight edges only.
+/// Requires: all faces are planes, all edges lines.
+/// Returns: true if the part is closed (each edge is used twice, in opposite directions, and loops
+/// are connected); no face is narrower than its corners are off adjacent planes; no loops cross,
+/// come within 2e-7 mm of each other or have the wrong orientation; and the volume is `volume_mm3`
+/// within 1e-4 mm times the area.
+/// Cost: O(n log n) for n evenly distributed edges.
 bool is_sound_polyhedron(const Part& part, double volume_mm3);
 
+/// Result of flat_part().
 struct FlatPart {
     Part part;
-    double coarser = 1.0;  ///< Facets were joined within so many times the tolerance.
-    bool is_sound = true;  ///< False: not even the coarsest are, so these are the finest.
+    double coarser = 1.0;  ///< Factor of the tolerance within which facets were joined.
+    /// False if even the coarsest attempt is unsound; `part` is then the finest.
+    bool is_sound = true;
 };
 
-/// Facets as a part, kept apart (apart.h). `facets` are those that are joined within so many times
-/// a tolerance of theirs: once; where that is not sound, 4, 16 and 64 times.
+/// Returns the facets as a part with the vertices kept apart (apart.h). `facets` returns the facets
+/// joined within `times` a tolerance; the factors tried are 1 and, if the result is unsound, 4, 16
+/// and 64.
 FlatPart flat_part(const std::function<Facets(double times)>& facets);
 
 }  // namespace ncsim::brep

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the parameters of surfaces start, so that no edge of a face crosses a seam.
+// Frames of surfaces, chosen so that no edge of a face crosses the seam of the parameters.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -9,22 +9,25 @@
 
 namespace ncsim::brep {
 
-/// Is the apex of its cone inside of the face?
+/// True if the face lies on a cone and contains its apex.
 bool has_tip(const Part& part, const Face& face);
 
-/// Frames for curved faces of `part`: the x axis points to where nothing of the face is, so that no
-/// edge crosses it; where it goes all round, to a vertex. The axis of a sphere passes by the face
-/// as far away as it can.
+/// Returns the frame for the surface of `face`. The x axis points to the middle of the widest angle
+/// that the face does not cover, so no edge crosses the seam; if the face goes all round, the x
+/// axis points to a vertex. The axis of a sphere keeps as far from the loops as possible and does
+/// not pass through the face. Coils, spirals and envelopes keep the frame of their form.
 Frame frame_for(const Part& part, const Face& face);
 
-/// Returns the frame that files give the surface of `face`: its own one, but for spheres, whose
-/// axis makes all edges lines of parameters if an axis does.
+/// Returns the frame that files give the surface of `face`: the face's own frame, except for
+/// spheres with an axis about which all edges are parameter lines; files use that axis.
 Frame frame_in_file(const Part& part, const Face& face);
 
-/// Of a ramp that rises by less than 0.1 of its length, with a corner beside its side: to which
-/// side, level and unit, the half of its circle looks on which the whole face is, that in front of
-/// the way or that behind it. There both are nearly as high at one place, and readers cannot tell
-/// them apart. Nothing of other faces.
+/// Returns the half of a shallow ramp on which the whole face lies. A ramp is shallow if its line
+/// rises by less than 0.1 of its length. At the sides of a shallow ramp, the half of the circle in
+/// front and the half behind are nearly at the same height, so readers confuse the halves.
+/// Returns: a unit vector perpendicular to the axis, towards the half in front or behind; no value
+/// if the face is not on a shallow extrusion, has no corner near the side of the circle, or spans
+/// both halves.
 std::optional<Vec3> half_of_ramp(const Part& part, const Face& face);
 
 }  // namespace ncsim::brep

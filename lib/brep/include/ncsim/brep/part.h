@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A boundary representation: faces on surfaces, bounded by edges on curves, as CAD knows it
-// (ISO 10303-42). mm, frame W.
+// Boundary representation: faces on surfaces, bounded by edges on curves, with the entities of ISO
+// 10303-42. mm, frame W.
 #pragma once
 
 #include "ncsim/brep/curve.h"
@@ -14,57 +14,60 @@
 
 namespace ncsim::brep {
 
-/// Between two vertices, which may be one.
+/// Curve between two vertices, which may be equal.
 struct Edge {
     std::uint32_t from = 0, to = 0;  ///< Indices into Part::vertices.
     Curve curve;
 };
 
-/// An edge as a loop runs along it.
+/// Edge with the direction in which a loop uses the edge.
 struct EdgeUse {
     std::uint32_t edge = 0;  ///< Index into Part::edges.
     bool is_forward = true;
 };
 using Loop = std::vector<EdgeUse>;
 
-/// Where the parameters of a surface start: CAD unrolls cylinders from the x axis.
+/// Frame from which the parameters of a surface start: CAD systems unroll cylinders from the x
+/// axis.
 struct Frame {
     Vec3 origin, axis, x;
 };
 
-/// Its loops have it on their left, seen from outside of the material. Of planes the first is the
-/// outline; other faces may have any number that go round.
+/// Bounded part of a surface. The face lies on the left of its loops, seen from outside the
+/// material. On planes the first loop is the outline; other forms may have any number of loops that
+/// go round.
 struct Face {
     Surface surface;
-    Frame frame;  ///< Of the surface; of planes only the axis counts.
+    Frame frame;  ///< Frame of the surface; planes use the axis only.
     std::vector<Loop> loops;
-    cda::Origin origin = cda::kStockOrigin;  ///< Who gives it its colour.
-    std::vector<cda::Origin> origins;        ///< Who cut it, ascending.
-    /// A facet of a round tool that was not recognised as anything better.
+    cda::Origin origin = cda::kStockOrigin;  ///< Motion that determines the colour.
+    std::vector<cda::Origin> origins;        ///< Motions that cut the face, ascending.
+    /// True for a facet of a round tool that matched no surface.
     bool is_facet = false;
 };
 
-/// A closed surface: indices into Part::faces.
+/// Closed surface: indices into Part::faces.
 using Shell = std::vector<std::uint32_t>;
 
+/// Solid with the shells of its voids.
 struct Solid {
     Shell outside;
     std::vector<Shell> voids;
 };
 
-/// Each edge is used twice, in opposite directions.
+/// Boundary representation of one or more solids. Each edge is used twice, in opposite directions.
 struct Part {
     std::vector<Vec3> vertices;
     std::vector<Edge> edges;
     std::vector<Face> faces;
     std::vector<Solid> solids;
-    /// Largest distance of an edge from a surface it lies on, as measured: of faces that have no
-    /// facet beside them, and of the others.
+    /// Largest measured distance of an edge from a surface on which the edge lies, mm: over faces
+    /// without adjacent facets, and over all remaining faces.
     double miss_mm = 0.0, facet_miss_mm = 0.0;
 };
 
-/// The boundary with all its faces flat and all its edges straight. `origins` are those of each
-/// face.
+/// Returns the boundary as a part with planes and straight edges only. `origins` are the motions
+/// that cut each face.
 Part faceted(const cda::Boundary& boundary, const std::vector<std::vector<cda::Origin>>& origins);
 
 }  // namespace ncsim::brep

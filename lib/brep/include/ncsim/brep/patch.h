@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces on surfaces that files know as splines only.
+// Spline patches for faces on surfaces that file formats can store only as splines.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -8,14 +8,18 @@
 
 namespace ncsim::brep {
 
-/// The part of a spline surface that a face lies on.
-/// A dome or a coil: the circle (of a coil the half of it that goes ahead, or behind, as the face
-/// does, and turns with the way), and the way; of degree 5, within 6e-10 of the radii, and the
-/// parameters are angles. A patch of a dome ends where the face ends along a circle of either kind,
-/// and otherwise a little farther.
-/// A spiral: the wall as far as the face goes and a little beyond, within 2e-9 of the radius.
-/// An envelope: likewise, around the way and along it, within 1e-6 mm, or as near as 400 knots each
-/// way come.
+/// Returns the part of a spline surface on which a face lies.
+/// Requires: the face lies on a dome, a coil, a spiral or an envelope.
+/// Returns:
+/// - For domes and coils, a patch of degree 5 within 6e-10 of the radii. The parameters are the
+///   angles around the circle and along the path. On a coil the patch has only the half of the
+///   circle ahead or behind, whichever has the face, and the half turns with the path. The patch
+///   ends with the face where an edge runs along that end (coils: a level circle), and extends 4
+///   degrees beyond the face elsewhere.
+/// - For spirals, the wall to 4 degrees beyond the face and 5 % higher and lower, within 2e-9 of
+///   the radius.
+/// - For envelopes, the surface around and along the path, a little beyond the face, within 1e-6 mm
+///   or as near as 400 knots in each direction allow.
 Patch patch_of(const Part& part, const Face& face);
 
 }  // namespace ncsim::brep

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a saw would show: a part cut by a plane at right angles to an axis of the program. mm.
+// Section of a part by a plane perpendicular to an axis of the program. mm.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -14,70 +14,76 @@
 
 namespace ncsim::brep {
 
-/// Where `axis` (0 X, 1 Y, 2 Z) is `at`.
+/// Plane on which the coordinate `axis` (0 X, 1 Y, 2 Z) has the value `at`.
 struct SectionPlane {
     int axis = 2;
     double at = 0.0;
     bool operator==(const SectionPlane&) const = default;
 };
 
-/// "z=-4", "X=1.5"; nothing of anything else.
+/// Parses a text such as "z=-4" or "X=1.5"; returns no value for any other text.
 std::optional<SectionPlane> parse_section_plane(std::string_view text);
-/// "z=-4"
+/// Returns the plane as text, such as "z=-4".
 std::string name_of(const SectionPlane& plane);
 
-/// On the drawing, which shows the plane Z = c from above with X to the right and Y up, Y = c from
-/// the front with X to the right and Z up, X = c from the right with Y to the right and Z up.
+/// Point of the drawing. The drawing shows the plane Z = c from above (u is X, v is Y), Y = c from
+/// the front (u is X, v is Z), X = c from the right (u is Y, v is Z).
 struct FlatPoint {
     double u = 0.0, v = 0.0;
     bool operator==(const FlatPoint&) const = default;
 };
 
+/// Straight piece.
 struct FlatLine {};
+/// Circular arc.
 struct FlatArc {
     FlatPoint centre;
     double radius = 0.0;
     bool is_ccw = true;
 };
+/// Elliptical arc.
 struct FlatEllipse {
-    FlatPoint centre, major;  ///< `major`: from the centre to where it is widest.
+    FlatPoint centre, major;  ///< `major`: from the centre to the farthest point.
     double minor_radius = 0.0;
     bool is_ccw = true;
 };
-/// Of a curve that is none of these: points on it between the ends, so near to each other that
-/// the chords are within kChordsMm of it.
+/// Polyline for curves of any other kind: intermediate points, so dense that the chords are within
+/// kChordsMm of the curve.
 struct FlatChords {
     std::vector<FlatPoint> between;
 };
+/// Largest distance between chords and curve, mm.
 inline constexpr double kChordsMm = 1e-3;
 
-/// A circle or an ellipse as a whole ends where it starts.
+/// Piece of an outline. A whole circle or ellipse ends where it starts.
 struct SectionPiece {
     FlatPoint from, to;
     std::variant<FlatLine, FlatArc, FlatEllipse, FlatChords> curve;
-    cda::Origin origin = cda::kStockOrigin;  ///< Who cut the face that it is of.
-    bool is_facet = false;                   ///< Of a facet that was not recognised.
+    cda::Origin origin = cda::kStockOrigin;  ///< Motion that cut the face.
+    bool is_facet = false;                   ///< True if the face is an unrecognised facet.
 };
 
-/// Each piece starts where the last one ends, and the first one where the last one does. Material
-/// is on the left: outlines go counter-clockwise, holes clockwise.
+/// Closed outline: each piece starts at the end of the previous piece. Material is on the left, so
+/// outer outlines run counter-clockwise, holes clockwise.
 using Outline = std::vector<SectionPiece>;
 
+/// Section of a part by a plane.
 struct Section {
     SectionPlane plane;
     std::vector<Outline> outlines;
     double area_mm2 = 0.0;
-    double length_mm = 0.0;  ///< Of all outlines.
-    /// So much more or less area there may be for each mm that its surfaces are off: the lengths
-    /// of the pieces, more where surfaces meet the plane at a small angle.
+    double length_mm = 0.0;  ///< Total length of all outlines.
+    /// Bound of the area error per mm of surface error: the length of the pieces, increased where a
+    /// surface meets the plane at a small angle.
     double area_per_mm = 0.0;
 };
 
-/// A plane in which a face lies shows what is just on the side from which the drawing is seen: of
-/// Z = -4, where a pocket is 4 deep, its walls. What is nearer than 1 µm lies in the plane.
-///
-/// Nothing where the curves of the faces do not make closed outlines, and for rings that the plane
-/// cuts askew; never a part of a section. O(n + k log k) for n edges, k of which meet the plane.
+/// Returns the section of `part` by `plane`. Points within 1 µm of the plane count as in the plane.
+/// If a face lies in the plane, the section shows the material just on the viewer's side: Z = -4
+/// through a pocket 4 deep shows the walls.
+/// Returns: the section, or no value if the curves of the faces do not make closed outlines, or if
+/// the plane cuts a torus obliquely; never a partial section.
+/// Cost: O(n + k log k) for n edges, k of which meet the plane.
 std::optional<Section> section_of(const Part& part, const SectionPlane& plane);
 
 }  // namespace ncsim::brep

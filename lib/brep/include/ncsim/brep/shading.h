@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a part is shaded that was milled by round tools: by the normals of the surfaces that its
-// facets approximate, so that a bore looks round and not like a prism. Nothing is moved.
+// Shading of parts that were milled by round tools, by the normals of the surfaces that the facets
+// approximate. A bore looks round, not like a prism. No vertex is moved.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -14,69 +14,74 @@
 
 namespace ncsim::brep {
 
-/// No normal turns away from that of its facet by more than 60° (this is the cosine). Of round
-/// tools of 16 sides it is 12° and less.
+/// Cosine of the largest angle between a normal and the normal of its facet, 60°. For round tools
+/// with 16 sides, the angle is at most 12°.
 inline constexpr double kLeastShadingCosine = 0.5;
 
-/// A normal for each corner of each face of a boundary.
+/// Normals for the corners of the faces of a boundary.
 class Shading {
 public:
-    /// What is known of a face.
+    /// State of recognition of a face.
     enum class Known : std::uint8_t {
-        Nothing,  ///< Not which surface it is of.
-        Flat,     ///< It is of a plane.
-        Round,    ///< It is of something else.
+        Nothing,  ///< The surface is unknown.
+        Flat,     ///< The surface is a plane.
+        Round,    ///< The surface is no plane.
     };
 
-    /// Of nothing anything is known.
+    /// Constructs a shading in which all faces are unknown.
     Shading() = default;
 
+    /// Returns the state of `face`; Nothing for faces that the boundary does not have.
     Known known(std::uint32_t face) const;
 
-    /// Unit, out of the material, in the corner `vertex` of a face whose own normal is `own`: that
-    /// of its surface, if that is round, else `own`, and so where the two differ by more than 60°.
+    /// Returns the unit normal, out of the material, in the corner `vertex` of a face with the
+    /// normal `own`. The result is the normal of the face's surface if the surface is round and
+    /// deviates from `own` by at most 60°, otherwise `own`.
     ///
-    /// Where round tools are polygons, walls that touch (a slot and its round end) meet beside the
-    /// line in which the surfaces do, by half a side: those that meet there at 1° to 60° have
-    /// the normals of the point that is on both. Edges that are sharper have a normal for each
-    /// face. `point` is where the corner is, mm; it decides for corners that the boundary does
+    /// Because polygons stand for round tools, tangent walls (a slot and its round end) meet up to
+    /// half a side from the line of tangency. Surfaces that meet in a corner at 1° to 60° therefore
+    /// get the normals of the point that lies on both. Sharper edges have a normal for each face.
+    /// `point` is the position of the corner, mm; it is used for vertices that the boundary does
     /// not have.
     Vec3 normal(std::uint32_t face, Vec3 own, std::uint32_t vertex, Vec3 point) const;
-    /// The same, but zero where a surface has no normal: in the tip of a cone. From there to the
-    /// other corners it is theirs alone.
+    /// Returns the same, but zero where a surface has no normal, in the tip of a cone. The normals
+    /// of the other corners of the face then determine the shading.
     Vec3 normal_or_none(std::uint32_t face, Vec3 own, std::uint32_t vertex, Vec3 point) const;
 
 private:
     friend class ShadingMaker;
+    /// Normal of a surface in a corner.
     struct Corner {
         std::uint32_t surface = 0;  ///< Index into surfaces_.
         Vec3 normal;
     };
 
     std::vector<Surface> surfaces_;
-    std::vector<std::uint32_t> of_face_;  // index into surfaces_, or kNone
-    std::vector<std::uint32_t> first_;    // for each vertex, where in corners_ its own begin
-    std::vector<Corner> corners_;         // of round surfaces
+    std::vector<std::uint32_t> of_face_;  // Index into surfaces_, or kNone.
+    std::vector<std::uint32_t> first_;    // For each vertex, index of its first corner in corners_.
+    std::vector<Corner> corners_;         // Of round surfaces.
 };
 
-/// Makes the shading of a boundary from the sources of those who cut it, which come one by one, so
-/// that nobody has to keep all of them.
+/// Makes the shading of a boundary from sources that are passed singly, so the caller need not keep
+/// all of them.
 class ShadingMaker {
 public:
-    /// `boundary` must outlive it.
+    /// `boundary` must outlive the maker.
     explicit ShadingMaker(const cda::Boundary& boundary);
 
-    /// Each face of `origin` is of the surface, among those of `source`, that it turns away from
-    /// least, if all its corners are within three times the error of that. O(n m) for n
-    /// corners and m surfaces.
+    /// Assigns to each face of `origin` the surface of `source` from which the face deviates least
+    /// in direction, if all corners of the face are within three times the error of the source
+    /// (four times for coils, six times for flanks and peaks).
+    /// Cost: O(n m) for n corners and m surfaces.
     void take(cda::Origin origin, const Source& source);
-    /// The last that is asked. O(n log n) for n corners.
+    /// Returns the shading. No member function may be called afterwards. Cost: O(n log n) for n
+    /// corners.
     Shading finish();
 
 private:
     const cda::Boundary& boundary_;
-    std::vector<std::uint32_t> by_origin_;  // faces
-    std::vector<double> errors_;            // of the surfaces of shading_, mm
+    std::vector<std::uint32_t> by_origin_;  // Faces, sorted by origin.
+    std::vector<double> errors_;            // Error of each surface of shading_, mm.
     Shading shading_;
 };
 

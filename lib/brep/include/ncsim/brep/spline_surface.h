@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfaces as splines. mm, frame W.
+// Spline surfaces. mm, frame W.
 #pragma once
 
 #include "ncsim/brep/curve.h"
@@ -9,13 +9,14 @@
 
 namespace ncsim::brep {
 
-/// A B-spline surface: rows of control points, one for each control point around, of as many
-/// as there are along. Each knot is different: the first and the last count `degree` + 1 times, the
-/// others half as often. The normal is that of around with along: outwards, of the form.
+/// B-spline surface. `net` has a row of control points for each control point around, each row with
+/// as many points as there are along. Knots are distinct: the first and the last have multiplicity
+/// `degree` + 1, inner knots half of this. The normal, d/d around x d/d along, points outwards from
+/// the form.
 struct Patch {
     std::vector<std::vector<Vec3>> net;
     std::vector<double> around, along;
-    int degree = 3;  ///< 3 or 5, both ways.
+    int degree = 3;  ///< 3 or 5, in both directions.
 };
 
 }  // namespace ncsim::brep

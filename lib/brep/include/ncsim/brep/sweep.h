@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tools on their way, and elements of their profiles, which turn about the axes. mm, frame W.
+// Tool paths, and elements of tool profiles that move along them. mm, frame W.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -15,60 +15,65 @@ namespace ncsim::brep {
 
 using cda::Vec3;
 
-/// A tool on its way, at a time t, from 0 at the start to 1 at the end: where its tip is, and where
-/// its axis points (unit), with their first and second derivatives by t.
+/// Tool at a time t, 0 at the start and 1 at the end: position of the tip and direction of the axis
+/// (unit), with the first and second derivatives by t.
 struct Passage {
     Vec3 tip, speed, change;
     Vec3 axis, turn, bend;
 };
 
-/// The tip is at from + t along, the axis stays as it is.
+/// Straight path: the tip is at from + t along, the axis is constant.
 struct StraightWay {
     Vec3 from, along, axis;
     bool operator==(const StraightWay&) const = default;
 };
 
-/// The tip is at centre + (reach + growth w) (cos w ahead + sin w side) + lead w about, with w = t
-/// swept and side = about x ahead; the axis stays as it is.
+/// Arc, helix or spiral: the tip is at centre + (reach + growth w) (cos w ahead + sin w side) +
+/// lead w about, with w = t swept and side = about x ahead; the axis is constant.
 struct RoundWay {
-    Vec3 centre, about, ahead;  ///< Of the start; both unit, at right angles.
+    Vec3 centre, about, ahead;  ///< At the start; `about` and `ahead` are unit and perpendicular.
     double reach = 0.0;
-    double growth = 0.0, lead = 0.0;  ///< mm for each radian.
+    double growth = 0.0, lead = 0.0;  ///< mm per radian.
     double swept = 0.0;               ///< Radians, counter-clockwise about `about`.
     Vec3 axis;
     bool operator==(const RoundWay&) const = default;
 };
 
-/// Any way on which the axis may turn, from kBeyondEnds before t = 0 to as much after 1: what the
-/// powers of s count for, from the 0th on, in X, Y, Z of the tip and of the axis; s goes from -1 to
-/// 1 in that time.
+/// Path on which the axis may turn, as polynomials in s. powers[k] has the coefficients of s^k for
+/// X, Y, Z of the tip and X, Y, Z of the axis; s = -1 to 1 corresponds to t = -kBeyondEnds to 1 +
+/// kBeyondEnds.
 struct TurningWay {
     std::vector<std::array<double, 6>> powers;
     bool operator==(const TurningWay&) const = default;
 };
 inline constexpr double kBeyondEnds = 0.25;
 
-/// Where the tip of a tool is, and its axis.
+/// Tip of a tool and direction of its axis.
 struct TipAndAxis {
     Vec3 tip, axis;
 };
-/// The way through `pose`, a function of t from -kBeyondEnds on. Nothing where it misses what it
-/// goes through between by more than 1e-9 mm, as turns of about a whole one do. 66 calls.
+/// Returns the polynomial path through `pose`, a function of t from -kBeyondEnds to 1 +
+/// kBeyondEnds.
+/// Returns: the path, or no value if the polynomial misses `pose` between the interpolation points
+/// by more than 1e-9 mm (axes: at 100 mm), as for rotations of about a full turn.
+/// Cost: 66 calls of `pose`.
 std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& pose);
+/// Returns the tool at time `t`.
 Passage passage(const TurningWay& way, double t);
 
 using ToolWay = std::variant<StraightWay, RoundWay, TurningWay>;
 
-/// A piece of a circle: what turns about the axis is a piece of a ring, or of a ball. Radius of the
-/// ring and height above the tip of its centre; radius of the circle, 0 of the rim of a flat end.
+/// Circular arc of a profile; about the tool's axis it generates a piece of a torus or of a sphere.
+/// `ring` is the distance of the arc's centre from the axis, `height` the centre's height above the
+/// tip, `radius` the arc's radius, 0 for the rim of a flat end.
 struct Fillet {
     double ring = 0.0, height = 0.0, radius = 0.0;
     bool operator==(const Fillet&) const = default;
 };
 
-/// A straight piece: what turns about the axis is a piece of a cylinder, or of a cone. Radius and
-/// height above the tip of its lower end; its normal, outwards and along the axis, unit; how long
-/// it is.
+/// Straight segment of a profile; about the tool's axis it generates a piece of a cylinder or of a
+/// cone. `radius` and `height` above the tip are those of the lower end, (`cosine`, `sine`) is the
+/// unit normal, outwards and along the axis.
 struct Flank {
     double radius = 0.0, height = 0.0;
     double cosine = 1.0, sine = 0.0;
@@ -78,7 +83,8 @@ struct Flank {
 
 using Meridian = std::variant<Fillet, Flank>;
 
-/// An element on its way. Flanks on straight ways leave planes, which are no envelopes.
+/// Element that moves along a path. A flank on a straight path leaves planes, which are no
+/// envelopes.
 class Sweep {
 public:
     Sweep(const Meridian& meridian, const ToolWay& way);
@@ -86,14 +92,19 @@ public:
     const Meridian& meridian() const { return meridian_; }
     const Fillet* fillet() const { return std::get_if<Fillet>(&meridian_); }
     const Flank* flank() const { return std::get_if<Flank>(&meridian_); }
-    /// A ball: of its fillet no ring is left.
+    /// True if the fillet is a ball, with its centre on the axis.
     bool is_ball() const { return fillet() && fillet()->ring <= 0.0; }
+    /// True if the fillet is the rim of a flat end.
     bool is_rim() const { return fillet() && fillet()->radius <= 0.0; }
     const ToolWay& way() const { return way_; }
+    /// Returns the tool at time `t`.
     Passage at(double t) const;
-    /// Some, at equal steps from 0 to 1, near enough to find the nearest one between them.
+    /// Returns tool positions at equal steps from t = 0 to 1, dense enough to bracket the nearest
+    /// time.
     const std::vector<Passage>& samples() const { return samples_; }
-    double length_mm() const { return length_; }  ///< Of the way of the tip, nearly.
+    /// Length of the tip's path, nearly; for a flank, the longer of the paths on which its ends
+    /// have their centres on the axis.
+    double length_mm() const { return length_; }
 
     bool operator==(const Sweep& o) const { return meridian_ == o.meridian_ && way_ == o.way_; }
 
@@ -104,32 +115,36 @@ private:
     double length_ = 0.0;
 };
 
-/// How an element looks from a point at one time.
+/// Element at one time, seen from a point: the closest point, with derivatives. For rims, `rate`,
+/// `drift` and `bend` are derivatives of off² / 2.
 struct Aspect {
     Passage passage;
     double t = 0.0;
-    Vec3 foot;          ///< The point of it that is nearest.
-    double off = 0.0;   ///< The distance from it, negative inside, mm.
-    Vec3 normal;        ///< Unit, of it where it is nearest: the gradient of `off`.
-    double rate = 0.0;  ///< The derivative of `off` by t,
-    Vec3 drift;         ///< its gradient,
-    double bend = 0.0;  ///< and its derivative by t.
+    Vec3 foot;          ///< Closest point of the element.
+    double off = 0.0;   ///< Signed distance from the element, negative inside, mm.
+    Vec3 normal;        ///< Unit normal of the element at `foot`: the gradient of `off`.
+    double rate = 0.0;  ///< Derivative of `off` by t.
+    Vec3 drift;         ///< Gradient of `rate`.
+    double bend = 0.0;  ///< Derivative of `rate` by t.
 };
-/// The gradient of `t` of the nearest aspect.
+/// Returns the gradient of the nearest time with respect to the point.
 Vec3 gradient_of_time(const Aspect& aspect);
 
-/// Above the tip: of the point on the axis in which the normal ends that is so far along a flank.
+/// Returns the height above the tip of the axis point at which the normal of `flank` ends that
+/// starts at the distance `along` from the lower end.
 double height_of_centre(const Flank& flank, double along);
-/// The same of its lower end; of a fillet of the ring's centre.
+/// Returns the height above the tip of the fillet's centre, or height_of_centre() of the flank's
+/// lower end.
 double lowest_centre(const Sweep& sweep);
 
-/// Directions around the way of the ring's centre, or of the lower end of a flank: `up` is where
-/// the tool's axis points, across the way.
+/// Frame of a path at the axis point at lowest_centre(). `ahead` is the direction of motion, `up`
+/// the direction of the tool's axis made perpendicular to `ahead`.
 struct Around {
-    Vec3 centre, ahead, up, side;  ///< Unit, right-handed in this order, but for the centre.
+    Vec3 centre, ahead, up, side;  ///< The directions are unit and right-handed in this order.
 };
+/// Returns the frame of the sweep for the tool position `passage`.
 Around around(const Sweep& sweep, const Passage& passage);
-/// Where the point of the axis goes that is at such a height above the tip, mm for all of the way.
+/// Returns the velocity of the axis point at `height` above the tip, mm per unit of t.
 Vec3 velocity_at(const Passage& passage, double height);
 
 }  // namespace ncsim::brep

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which surfaces a motion can leave behind: those that the pieces of its tool's profile sweep, and
-// those of the tool at rest where it starts and ends.
+// Surfaces that a motion can leave behind: the surfaces swept by the elements of the tool's
+// profile, and those of the tool at rest at the start and the end.
 #pragma once
 
 #include "ncsim/brep/surface.h"
@@ -17,58 +17,69 @@
 
 namespace ncsim::brep {
 
+/// Surface that a motion may have left.
 struct Candidate {
     Surface surface;
-    bool is_at_rest = false;  ///< Of the tool in its first or last pose.
-    /// Where it is, nearly, of surfaces that go on and come back: what is elsewhere is none of it.
+    bool is_at_rest = false;  ///< True for surfaces of the tool in its first or last pose.
+    /// Box around the part of the surface that the motion left, nearly, for surfaces that extend
+    /// beyond that part. A face outside the box does not belong to this candidate.
     std::optional<cda::Box> place{};
-    /// Of one piece of a way: where it begins and where it ends, both planes across the way,
-    /// looking along it. Facets belong to the piece in which their middles are.
+    /// Planes across the path at the start and the end of a piece of the path, with normals along
+    /// the path. A facet belongs to the piece that contains its centroid.
     std::optional<std::array<Plane, 2>> ends{};
 };
 
-/// Whose facets approximate one of the candidates, and how well: no corner is farther from it than
-/// `error_mm`.
+/// Candidate surfaces of the facets that a motion left. No vertex of a facet is farther than
+/// `error_mm` from the candidate that the facet approximates.
 struct Source {
     std::vector<Candidate> candidates;
     double error_mm = 0.0;
-    /// By how many times what chords of the way are off its facets may be, on top of the rest: of
-    /// straight moves 0.
+    /// Additional deviation of facets, as a multiple of the chord error of the path; 0 for straight
+    /// moves.
     double chords = 1.0;
-    /// How far the candidates are beside what the motion leaves, mm: those of splines, which are
-    /// taken as arcs.
+    /// Largest distance between the candidates and the true surfaces, mm; splines are replaced by
+    /// arcs.
     double beside_mm = 0.0;
-    /// It may have left others, too: what fits none of them is what it is, however small.
+    /// True if the motion may leave surfaces that are not listed. A facet that matches no candidate
+    /// stays a facet, whatever its size.
     bool leaves_unknown = false;
 };
 
-/// Of a tool that keeps its direction, by pieces of its profile:
+/// Returns the surfaces that `motion` can leave.
 ///
-/// | piece | line | line along the axis | arc about an axis along the tool's |
+/// A tool that keeps its direction leaves, by element of its profile:
+///
+/// | element | line | line along the axis | arc about an axis parallel to the tool's |
 /// | --- | --- | --- | --- |
-/// | disc | plane, if it is level | plane | plane, if it is level |
-/// | upright | 2 planes | cylinder | 2 cylinders, also of helices |
-/// | sloping | 2 planes | cone | 2 cones, if it is level |
-/// | rounded | 2 cylinders, if it is level | ring | 2 rings, if it is level |
-/// | ball | cylinder | sphere | ring, in any plane |
-/// | corner | extrusion, if it is not level | | coil, if it is a helix; dome, in upright planes |
+/// | disc | plane, if level | plane | plane, if level |
+/// | upright | 2 planes | cylinder | 2 cylinders, also on helices |
+/// | sloping | 2 planes | cone | 2 cones, if level |
+/// | rounded | 2 cylinders, if level | torus | 2 tori, if level |
+/// | ball | cylinder | sphere | torus, in any plane |
+/// | corner | extrusion, if not level | | coil, if a helix; dome, in upright planes |
 ///
-/// Of what is rounded, and of balls, envelopes on other lines and arcs: helices, spirals, in other
-/// planes; rings have to go down all the way, or up. Of several turns each half is one.
+/// Rounded elements and balls leave envelopes on all remaining lines and arcs: helices, spirals,
+/// arcs in oblique planes. A rounded element must rise or fall along the whole path. A path of more
+/// than 0.7 turns leaves an envelope per half turn.
 ///
-/// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals beside
-/// upright sides. Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more
-/// than a fifth of it for each radian, and rings that are thicker than wide but of arcs about the
-/// tool's axis, or nearly as thick as wide, have no surface here.
-/// Of tools that turn envelopes on lines, of sides and balls, and of corner radii and rims where
-/// the flat end goes level nowhere; and those at rest. `told`: the machine that
-/// moves it, null for the default one; it may hold the tool or the part at any angle. What has no
-/// surface here is unknown. The error is for whoever knows it.
+/// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals along
+/// upright sides. No surface is returned for:
+/// - corners on lines that rise by less than 1 µm per mm,
+/// - arcs whose radius changes by more than a fifth of the radius per radian,
+/// - tori with minor radius nearly equal to the major radius, and spindles except on arcs about the
+///   tool's axis.
+///
+/// A tool that changes its direction leaves envelopes on lines: of sides and balls, and of corner
+/// radii and rims unless the flat end is level somewhere; also the surfaces at rest.
+///
+/// A null machine stands for the default machine; the machine may hold the tool or the part at any
+/// angle. Source::leaves_unknown is true if any surface is missing. The caller sets
+/// Source::error_mm.
 Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
                    const toolpath::Kinematics* told);
 
-/// Six planes, or a cylinder and two of them; nothing of stock from a file, whose facets are what
-/// they are.
+/// Returns the surfaces of the stock: six planes, or a cylinder and two planes. Empty for stock
+/// from a file, whose facets stay facets.
 std::vector<Candidate> surfaces_of(const toolpath::Stock& stock);
 
 }  // namespace ncsim::brep

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A convex body as the kernel takes it in: halfspaces, and who made it.
+// A convex body as input of the kernel: halfspaces and the motion that made the body.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -16,45 +16,48 @@
 
 namespace ncsim::cda {
 
-/// Directions of facets that many cells share: those of one body that moved without turning. Which
-/// facets of such cells can be what is seen in a box is found for all of them at once.
+/// Facet normals that many cells share: the cells of one body that moves without rotation. Cells
+/// with shared normals are compared with each other by table instead of plane by plane.
 struct FacetNormals {
-    std::vector<double> x, y, z;  ///< Whole numbers, as in the planes.
+    std::vector<double> x, y, z;  ///< Integers, as in the planes.
 
     std::size_t size() const { return x.size(); }
 };
 
-/// What a body did step by step where one cell stands for all: it went straight on.
+/// The steps of a body that moved along a straight line, where one cell represents all steps.
 struct StraightSteps {
     struct Step {
         Origin origin = kStockOrigin;
-        double end = 1.0;  ///< Of the step, as a share of the way: ascending to 1.
-        Box bounds;        ///< Of the hull of the step alone, mm; empty where that took nothing.
+        double end = 1.0;  ///< End of the step as a share of the way, ascending to 1.
+        /// Bounds of the hull of this step alone, mm; empty if the step removed no volume.
+        Box bounds;
     };
-    LatticePoint way;  ///< From the start of the first to the end of the last.
+    LatticePoint way;  ///< Vector from the start of the first step to the end of the last step.
     std::vector<Step> steps;
 };
 
-/// The intersection of halfspaces; bounded. Redundant planes are allowed, but none stands twice.
-/// `bounds` (mm) encloses it, not necessarily tightly; it is used to reject, never to decide.
+/// A bounded intersection of halfspaces. Redundant planes are allowed; duplicate planes are not.
+/// `bounds` (mm) encloses the cell, not necessarily tightly. `bounds` serves to reject, never to
+/// decide.
 struct Cell {
     std::vector<Plane> planes;
     Box bounds;
     Origin origin = kStockOrigin;
-    /// Where cells have facets in one plane, the wall is that of the cell with the lower rank; of
-    /// those with the same, that of the earlier origin, then of the cell that came first. Any ranks
-    /// give the same part; if what reaches farther has the lower one, the fewest cells are kept.
+    /// Decides which cell owns a wall where several cells have facets in one plane: the cell with
+    /// the lowest rank, then with the earliest origin, then with the lowest number. Any ranks give
+    /// the same part. The fewest cells are kept if cells that reach farther have lower ranks.
     std::int32_t rank = kFirstRank;
     static constexpr std::int32_t kFirstRank = std::numeric_limits<std::int32_t>::min();
-    /// Of the first planes, in their order; null if they are nobody else's. Who changes planes
-    /// resets it.
+    /// Normals of the first planes, in the order of the planes; null if the cell shares normals
+    /// with no other cell. Code that changes `planes` must reset this pointer.
     std::shared_ptr<const FacetNormals> normals;
-    /// Of the hull of a body that went straight on: whose share is what of it, for accounts. Its
-    /// first planes are those of the body, the others are along the way. Null: all is the origin's.
+    /// Steps of a body that moved along a straight line, for the account of removed volume. The
+    /// first planes of the cell are the body's; the remaining planes are parallel to the way. Null:
+    /// the whole removed volume belongs to `origin`.
     std::shared_ptr<const StraightSteps> steps = nullptr;
 };
 
-/// The box with the corners `min` and `max`, in lattice units.
+/// Returns the box with the corners `min` and `max`, in lattice units.
 Cell box_cell(LatticePoint min, LatticePoint max, const Lattice& lattice,
               Origin origin = kStockOrigin);
 

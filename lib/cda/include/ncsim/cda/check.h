@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Is a surface what it promises to be? For tests, for reports, for whoever doubts.
+// Checks of surfaces for tests and reports.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -10,24 +10,29 @@
 
 namespace ncsim::cda {
 
+/// Result of check(): counts of edges and a measure of closedness.
 struct SurfaceCheck {
-    std::uint64_t edges = 0;           ///< Directed.
-    std::uint64_t unpaired_edges = 0;  ///< Without exactly one partner in the other direction.
-    std::uint64_t repeated_edges = 0;  ///< Standing twice in the same direction.
-    /// |Σ n·A| / Σ A: 0 for a closed surface, but for rounding.
+    std::uint64_t edges = 0;  ///< Number of directed edges.
+    /// Edges without exactly one partner in the opposite direction.
+    std::uint64_t unpaired_edges = 0;
+    std::uint64_t repeated_edges = 0;  ///< Edges that occur more than once in the same direction.
+    /// |Σ n·A| / Σ A: 0 for a closed surface, up to rounding.
     double relative_area_sum = 0.0;
 
     bool is_closed() const { return unpaired_edges == 0 && repeated_edges == 0; }
 };
 
+/// Counts edges without a partner, and measures the sum of all area vectors.
+/// Cost: O(n log n) for n edges.
 SurfaceCheck check(const Boundary& boundary);
 SurfaceCheck check(const TriangleMesh& mesh);
 
-/// Whether each directed edge stands as often as its opposite. By a sum of 64-bit hashes, so that
-/// it costs next to nothing: an open surface passes once in 2^64. O(n).
+/// True if each directed edge occurs as often as the opposite edge. Compares sums of 64-bit hashes,
+/// so an open surface passes with probability 2^-64.
+/// Cost: O(n) for n edges.
 bool is_closed(const Boundary& boundary);
 
-/// Volume enclosed by the triangles, mm³.
+/// Returns the enclosed volume in mm³.
 double volume(const TriangleMesh& mesh);
 
 }  // namespace ncsim::cda

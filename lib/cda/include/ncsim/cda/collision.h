@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Does a body meet the material? Thesis 5.2, mended: a body that meets the stock and is not
-// within what was milled collides, whether or not it meets milled space as well.
+// Collision of a body with the material. A body collides if the body meets the stock and is not
+// within the removed space, whether or not the body meets removed space as well. Source: thesis
+// 5.2, corrected.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -13,14 +14,15 @@
 
 namespace ncsim::cda {
 
-/// A point (mm) inside both the convex `body` and the material: the certificate of a collision.
-/// Nothing if they touch at most. Exact: body ∩ P ⊄ ∪ Ni.
+/// Returns a point (mm) inside both the convex `body` and the material, the certificate of a
+/// collision; empty if the two touch at most. Exact: body ∩ P ⊄ ∪ Ni.
 std::optional<Vec3> collision(const FlatCda& part, const Cell& body);
 
-/// The same for a body of any shape, given by its closed, oriented surface (corners are rounded to
-/// the lattice). First its convex hull; where that meets material, whether the body itself does:
-/// its surface passes through the piece of material, or a ray from the piece tells that it lies
-/// inside. The certificate is in the material and in the body or on its surface.
+/// The same for a body of any shape, given by a closed, oriented surface. Corners are rounded to
+/// the lattice. The convex hull of the body is tested first. If the hull meets material, two tests
+/// decide: the surface passes through that piece of material, or a ray from the piece shows that
+/// the piece lies inside the body.
+/// Returns: a point (mm) in the material and in the body or on the body's surface.
 std::optional<Vec3> collision(const FlatCda& part, const TriangleMesh& body);
 
 }  // namespace ncsim::cda

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A union-find structure.
 #pragma once
 
 #include <cstddef>
@@ -7,16 +9,16 @@
 
 namespace ncsim::cda {
 
-/// Numbers that belong together; the least one stands for a set. Sets grow together in whatever
-/// order, and come out the same.
+/// A partition of the numbers below `size` into sets; the least number represents a set. The result
+/// does not depend on the order of unite() calls.
 class DisjointSets {
 public:
-    /// Each number below `size` by itself.
+    /// Starts with each number in a separate set.
     explicit DisjointSets(std::size_t size);
-    /// Expected O(log size).
+    /// Returns the least number of the set of `i`. Cost: expected O(log size).
     std::uint32_t find(std::uint32_t i);
     void unite(std::uint32_t a, std::uint32_t b);
-    /// How many sets there are.
+    /// Returns the number of sets.
     std::size_t sets() const { return sets_; }
 
 private:

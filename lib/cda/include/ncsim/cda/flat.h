@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Convex Difference Aggregate of the thesis: C = P \ (N1 ∪ … ∪ Nn), flat. One positive cell
-// (the stock), negative cells (what was taken), and zero cells where two negative ones
-// overlap, which tell what of their facets must not be seen. Schüppel, Using Boolean Operations to
-// Simulate CNC-Milling, 2001, chapters 3 to 5, with its known errors mended: docs/cda.md.
+// The flat Convex Difference Aggregate of the thesis: C = P \ (N1 ∪ … ∪ Nn). The aggregate has one
+// positive cell (the stock), negative cells (removed volume), and zero cells (overlaps of two
+// negative cells) that mask hidden parts of facets.
+// Source: Schüppel, Using Boolean Operations to Simulate CNC-Milling, 2001, chapters 3 to 5, with
+// errors corrected as listed in docs/cda.md.
 //
-// Quadratic where cells overlap: the readable reference and the oracle of tests.
+// Cost: quadratic in the number of overlapping cells. This class is the readable reference and the
+// oracle of tests.
 #pragma once
 
 #include "ncsim/cda/intersect.h"
@@ -22,78 +24,84 @@
 
 namespace ncsim::cda {
 
+/// Kinds of cells of the aggregate.
 enum class CellKind : std::uint8_t {
     Positive,  ///< The stock.
-    Negative,  ///< What a cell that was subtracted has in common with the stock.
-    Zero,      ///< What two negative cells have in common.
-    Contact,   ///< What two negative cells that touch from opposite sides have in common: one
-               ///< polygon.
+    Negative,  ///< Intersection of a subtracted cell with the stock.
+    Zero,      ///< Intersection of two negative cells.
+    Contact,   ///< Common polygon of two negative cells that touch from opposite sides.
 };
 
 /// A facet of a cell of the aggregate.
 struct FacetRef {
     CellKind kind = CellKind::Positive;
-    std::uint32_t cell = 0;   ///< Among the cells of that kind.
-    std::uint32_t facet = 0;  ///< Of the cell's polytope; 0 for a contact.
+    std::uint32_t cell = 0;   ///< Index among the cells of that kind.
+    std::uint32_t facet = 0;  ///< Facet of the cell's polytope; 0 for a contact.
     bool operator==(const FacetRef&) const = default;
 };
 
-/// How a facet is bound (thesis 3.1): to the facet it is a hole in, and to those that are holes in
-/// it. All lie in one plane.
+/// Bindings of a facet (thesis 3.1): `up` is the facet in which this facet is a hole, `down` are
+/// the facets that are holes in this facet. All lie in one plane.
 struct FacetBinding {
     std::optional<FacetRef> up;
     std::vector<FacetRef> down;
 };
 
+/// A cell of the aggregate with the bindings of its facets.
 struct CdaCell {
     CellKind kind = CellKind::Positive;
     Origin origin = kStockOrigin;
-    std::int32_t rank = Cell::kFirstRank;  ///< As in Cell.
+    std::int32_t rank = Cell::kFirstRank;  ///< Same meaning as Cell::rank.
     ConvexPolytope body;
-    std::vector<FacetBinding> bindings;  ///< One for each facet of the body.
+    std::vector<FacetBinding> bindings;  ///< One per facet of the body.
 };
 
-/// A polygon in which two facets in opposite planes lie on each other: step-over as wide as the
-/// tool, drilling in pecks. Neither facet is a wall there: between two voids there is no membrane.
+/// A polygon in which two facets in opposite planes lie on each other, as with a step-over equal to
+/// the tool's width, or peck drilling. Neither facet is a wall there, because no material separates
+/// the two voids.
 struct Contact {
     ConvexPolygon polygon;  ///< In the plane of `first`.
     FacetRef first, second;
 };
 
-/// What one subtraction cost and what the aggregate was like after it: a row of thesis
+/// Cost of one subtraction and counts of the aggregate after the subtraction: a row of thesis
 /// figures 7.1, 7.2 and 7.6.
 struct StepStatistics {
     Origin origin = kStockOrigin;
-    IntersectionCosts negative;  ///< With the stock.
-    IntersectionCosts zero;      ///< With the negative cells that were there.
+    IntersectionCosts negative;  ///< Intersection with the stock.
+    IntersectionCosts zero;      ///< Intersections with the existing negative cells.
     std::uint32_t new_zero_cells = 0;
     std::uint32_t new_contacts = 0;
-    std::uint64_t stencilled_negative_facets = 0;  ///< Bound up to the stock.
-    std::uint64_t visible_negative_facets = 0;     ///< Drawn, though not all of them can be seen.
-    std::uint64_t zero_facets = 0;                 ///< Bound up, thus drawn as masks.
-    double removed_volume = 0.0;                   ///< mm³
-    Box bounds;                                    ///< Of the cell, mm.
+    /// Negative facets that are bound up to the stock.
+    std::uint64_t stencilled_negative_facets = 0;
+    /// Negative facets that are drawn, whether or not they are hidden.
+    std::uint64_t visible_negative_facets = 0;
+    /// Facets of zero cells that are bound up, hence drawn as masks.
+    std::uint64_t zero_facets = 0;
+    double removed_volume = 0.0;  ///< mm³
+    Box bounds;                   ///< Bounds of the cell, mm.
 };
 
+/// Workpiece model with the flat aggregate. Exact; quadratic cost.
 class FlatCda final : public WorkpieceModel {
 public:
     static constexpr std::string_view kName = "cda-flat";
 
-    /// An empty prototype. `clock`, where given, is asked to time subtractions.
+    /// Creates an empty prototype. `clock`, if not null, times subtractions.
     explicit FlatCda(Clock clock = nullptr);
     FlatCda(const Cell& stock, const Lattice& lattice, Clock clock = nullptr);
 
     std::string_view name() const override { return kName; }
     std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                            const Lattice& lattice) const override;
-    /// O(negative cells) box tests, one intersection for each that overlaps.
+    /// Cost: O(negative cells) box tests and one intersection per overlapping cell.
     double subtract(const Cell& cell) override;
     Account account() const override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
     double volume() const override;
-    /// Each facet less what it is bound down to (thesis 8.2), by CGAL's Boolean operations on
-    /// polygons with an exact kernel.
+    /// Computes each facet minus the facets bound down to the facet (thesis 8.2), by CGAL's Boolean
+    /// operations on polygons with an exact kernel.
     Boundary boundary() const override;
     bool contains(Vec3 point) const override;
 
@@ -108,9 +116,9 @@ public:
     const std::vector<Contact>& contacts() const { return contacts_; }
     const std::vector<StepStatistics>& steps() const { return steps_; }
 
-    /// The polygon of any facet, contacts included, counter-clockwise in its own plane.
+    /// Returns the polygon of any facet, contacts included, counter-clockwise in the facet's plane.
     ConvexPolygon polygon(const FacetRef& facet) const;
-    /// Is the facet part of the surface, but for its holes? Facets of the stock are, and facets of
+    /// True if the facet, minus holes, is part of the surface: facets of the stock, and facets of
     /// negative cells that are not bound up.
     bool is_drawn(const FacetRef& facet) const;
 
@@ -123,8 +131,8 @@ private:
     std::uint32_t facet_in_plane(std::uint32_t negative, const Plane& plane) const;
     bool comes_before(std::uint32_t a, std::uint32_t b) const;
 
-    // What is left of a drawn facet, as convex polygons: kept up to date by bind(), so that volume
-    // is known at any moment.
+    // Remainder of a drawn facet as convex polygons. bind() keeps remainders up to date, so the
+    // volume is known at any time.
     struct Remainder {
         std::vector<ConvexPolygon> polygons;
         double area = 0.0;  // square units, as counted in volume_
@@ -135,16 +143,16 @@ private:
 
     Clock clock_ = nullptr;
     Lattice lattice_;
-    Vec3 centre_;  // of the stock, in units: volumes are summed about it
+    Vec3 centre_;  // centre of the stock in units; volumes are summed about this point
     CdaCell positive_;
     std::vector<CdaCell> negative_;
     std::vector<CdaCell> zero_;
     std::vector<Contact> contacts_;
     std::vector<Remainder> positive_remainders_;
     std::vector<std::vector<Remainder>> negative_remainders_;
-    // Facets of negative cells by plane, sorted.
+    // Facets of each negative cell with their planes, sorted by plane.
     std::vector<std::vector<std::pair<Plane, std::uint32_t>>> planes_of_negative_;
-    std::vector<FacetRef> touched_;  // remainders that changed since volume_ was right
+    std::vector<FacetRef> touched_;  // facets whose remainders changed since volume_ was computed
     double volume_ = 0.0;            // cubic units
     std::vector<StepStatistics> steps_;
     StepStatistics totals_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangles, for formats that know nothing else.
+// Triangle meshes, for file formats that support only triangles.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -12,19 +12,21 @@
 
 namespace ncsim::cda {
 
+/// A triangle mesh, mm, workpiece frame.
 struct TriangleMesh {
     std::vector<Vec3> vertices;
-    /// Counter-clockwise seen from outside.
+    /// Indices into `vertices`, counter-clockwise seen from outside.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    /// For each triangle the face of the Boundary it is part of.
+    /// Index of the Boundary face of each triangle.
     std::vector<std::uint32_t> face;
 };
 
-/// Cuts every face into triangles between its own vertices, so the mesh is closed if the boundary
-/// is. Vertices are those of the boundary, in order, none moved; a few may follow: where edges of
-/// one face cross by rounding, and in the middle of diagonals that would otherwise stand twice.
-/// Expected O(n log n) per face. All `threads` work on it (0: as many as the machine has); the mesh
-/// is the same for any number.
+/// Divides every face into triangles between the face's vertices; the mesh is closed if the
+/// boundary is. The vertices of the boundary come first, in order and unmoved. A few vertices may
+/// follow: where edges of a face cross by rounding, and at the middle of diagonals that would
+/// otherwise occur twice. `threads`: 0 means one per hardware thread; the mesh does not depend on
+/// the number.
+/// Cost: expected O(n log n) per face.
 TriangleMesh triangulate(const Boundary& boundary, std::size_t threads = 1);
 
 }  // namespace ncsim::cda

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Hash mixing and a random generator that give the same numbers on every machine.
 #pragma once
 
 #include <cstdint>
 
 namespace ncsim::cda {
 
-/// Of hashes: stirs `v` into `h`; the same on every machine and in every run. The finalizer of
-/// splitmix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA
-/// 2014).
+/// Mixes `v` into the hash `h`; the result is the same on every machine and in every run. Source:
+/// the finalizer of splitmix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
+/// Generators", OOPSLA 2014).
 constexpr std::uint64_t mix(std::uint64_t h, std::uint64_t v) {
     h = (h ^ v) + 0x9e3779b97f4a7c15U;
     h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -15,7 +17,8 @@ constexpr std::uint64_t mix(std::uint64_t h, std::uint64_t v) {
     return h ^ (h >> 31);
 }
 
-/// splitmix64: small, seeded, the same everywhere (std::shuffle is not).
+/// The random generator splitmix64. The sequence of a seed is the same everywhere, unlike
+/// std::shuffle.
 class SplitMix {
 public:
     explicit SplitMix(std::uint64_t seed) : state_(seed) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a cell, a facet or a face came from: a number, so that it survives copying,
-// sorting and writing to disk. What the number stands for is the caller's business.
+// Origin of a cell, a facet or a face: a number, so that the origin survives copying, sorting and
+// writing to disk. The caller defines the meaning of the number.
 #pragma once
 
 #include <cstdint>

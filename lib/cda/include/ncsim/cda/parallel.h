@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Work shared between threads, with results that do not depend on how many there are.
+// Work shared between threads, with results that do not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@
 
 namespace ncsim::cda {
 
-/// As many as the machine has, where 0 are asked for; at least one.
+/// Returns `threads`, or the number of hardware threads if `threads` is 0; at least 1.
 std::size_t thread_count(std::size_t threads);
 
-/// Tasks that other threads see to while the caller goes on.
+/// Tasks that other threads execute while the caller continues.
 class Background {
 public:
-    /// Calls work(i) for each i below `tasks`, each once, in any order, by so many `others`.
+    /// Calls work(i) once for each i below `tasks`, in any order, on `others` additional threads.
     Background(std::size_t others, std::size_t tasks, std::function<void(std::size_t)> work);
-    /// No more tasks are begun; returns when those that were are done.
+    /// Begins no more tasks; returns when the running tasks are done.
     ~Background();
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// The caller takes its part of what is left, until all is done; once. Throws what a task
-    /// threw, after which none was begun.
+    /// Executes remaining tasks on the calling thread until all are done. Call at most once.
+    /// Throws: the exception of a task; no task begins after an exception.
     void finish();
 
 private:
@@ -37,15 +37,15 @@ private:
     std::unique_ptr<Shared> shared_;
 };
 
-/// Calls work(i) for each i below `tasks`, each once, in any order; 0 threads: as many as the
-/// machine has. What one of them throws is thrown when all threads are done, and no more tasks are
-/// begun.
+/// Calls work(i) once for each i below `tasks`, in any order. `threads`: 0 means one per hardware
+/// thread.
+/// Throws: the exception of a task, after all threads are done; no task begins after an exception.
 void in_parallel(std::size_t threads, std::size_t tasks,
                  const std::function<void(std::size_t)>& work);
 
-/// Calls take(i, make(i)) for each i below `tasks`: make() by all threads, take() in order and by
-/// one at a time, whichever is there when the next one is ready, so that few of them have to be
-/// kept.
+/// Calls take(i, make(i)) for each i below `tasks`. All threads call make(). take() is called in
+/// order and by one thread at a time: by any thread that finds the next result ready. So few
+/// results are stored at a time.
 template <class Make, class Take>
 void make_in_parallel(std::size_t threads, std::size_t tasks, const Make& make, const Take& take) {
     using Made = decltype(make(std::size_t{}));
@@ -69,7 +69,7 @@ void make_in_parallel(std::size_t threads, std::size_t tasks, const Make& make, 
     });
 }
 
-/// Numbers below `count` in runs of `size`, as tasks.
+/// Numbers below `count`, divided into runs of `size` numbers as tasks.
 class Runs {
 public:
     Runs(std::size_t count, std::size_t size) : count_(count), size_(size) {}
@@ -81,10 +81,10 @@ private:
     std::size_t count_, size_;
 };
 
-/// std::sort() by all threads. No two items are alike, so there is one order only.
+/// Sorts with all threads. Requires: no two items are equivalent, so that the order is unique.
 template <class Item, class Less>
 void sort_in_parallel(std::size_t threads, std::vector<Item>& items, const Less& less) {
-    constexpr std::size_t kLeast = std::size_t{1} << 12;  // worth a thread
+    constexpr std::size_t kLeast = std::size_t{1} << 12;  // items per thread at least
     const std::size_t parts =
         std::clamp<std::size_t>(items.size() / kLeast, 1, thread_count(threads));
     const auto at = [&](std::size_t part) {
@@ -100,7 +100,7 @@ void sort_in_parallel(std::size_t threads, std::vector<Item>& items, const Less&
     }
 }
 
-/// The numbers below `count` that are so, ascending. `is_so(i)` is asked by all threads.
+/// Returns the numbers i below `count` for which is_so(i), ascending. All threads call `is_so`.
 template <class Predicate>
 std::vector<std::uint32_t> those_that(std::size_t threads, std::uint32_t count,
                                       const Predicate& is_so) {

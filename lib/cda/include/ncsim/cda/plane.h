@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Oriented planes with integer coefficients. Planes are the input of the kernel: a cell is
-// a set of halfspaces, a vertex is where three planes meet, nothing else is stored.
+// Oriented planes with integer coefficients, the input of the kernel. A cell is a set of
+// halfspaces, and a vertex is the intersection of three planes; no other geometry is stored.
 #pragma once
 
 #include "ncsim/cda/lattice.h"
@@ -14,14 +14,14 @@
 namespace ncsim::cda {
 
 /// The halfspace n·x <= d in lattice units. Canonical: the four numbers have no common divisor, so
-/// that equal planes are equal values. |n_i| <= 2^kNormalBits, n != 0.
+/// equal planes are equal values. |n_i| <= 2^kNormalBits, n != 0.
 struct Plane {
     std::int32_t nx = 0, ny = 0, nz = 1;
     std::int64_t d = 0;
 
     constexpr auto operator<=>(const Plane&) const = default;
 
-    /// The same plane seen from the other side.
+    /// Returns the same plane with the opposite orientation.
     constexpr Plane opposite() const { return {-nx, -ny, -nz, -d}; }
     constexpr bool is_parallel_to(const Plane& o) const {
         return std::int64_t{nx} * o.ny == std::int64_t{ny} * o.nx &&
@@ -30,13 +30,14 @@ struct Plane {
     }
 };
 
-/// Divides out common divisors. Requires n != 0 and components within kNormalBits.
+/// Divides out common divisors. Requires: n != 0 and components within kNormalBits.
 Plane canonical(std::int64_t nx, std::int64_t ny, std::int64_t nz, std::int64_t d);
 
-/// Unit normal and distance in mm.
+/// Returns the normal as a unit vector.
 Vec3 unit_normal(const Plane& plane);
+/// Returns the signed distance of the plane from the origin along the normal, mm.
 double offset_mm(const Plane& plane, const Lattice& lattice);
-/// Distance of the plane from `centre` along its normal, both in lattice units.
+/// Returns the signed distance of the plane from `centre` along the normal, both in lattice units.
 double distance_about(const Plane& plane, Vec3 centre);
 
 struct PlaneHash {

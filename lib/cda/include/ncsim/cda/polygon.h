@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Convex polygons in a plane, with exact corners: facets, and what is left of them.
+// Convex polygons in a plane with exact corners: facets and remainders of facets.
 #pragma once
 
 #include "ncsim/cda/polytope.h"
@@ -13,8 +13,9 @@
 
 namespace ncsim::cda {
 
-/// A convex polygon with area. Its corners are counter-clockwise seen from above `plane`; edges[i]
-/// is the plane that cuts the edge corners[i] → corners[i+1] out of it, the polygon being below.
+/// A convex polygon with area. The corners are counter-clockwise seen from above `plane`. edges[i]
+/// is the plane that bounds the polygon along corners[i] → corners[i+1]; the polygon lies below
+/// edges[i].
 struct ConvexPolygon {
     Plane plane;
     std::vector<ExactPoint> corners;
@@ -23,34 +24,36 @@ struct ConvexPolygon {
     static ConvexPolygon of_facet(const ConvexPolytope& polytope, std::uint32_t facet);
 };
 
-/// What lies below `cut`; nothing if that has no area. `cut` must not be parallel to the polygon.
-/// Exact.
+/// Returns the part below `cut`; empty if the part has no area. Exact.
+/// Requires: `cut` is not parallel to the polygon.
 std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, const Plane& cut);
 
-/// What lies below all of `cuts`.
+/// Returns the part below all of `cuts`.
 std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, std::span<const Plane> cuts);
 
-/// What a polygon has in common with the points below all of `cuts`, as far as single cuts tell.
+/// Relation of a polygon to the points below all of `cuts`, as far as single cuts decide.
 enum class Overlap : std::uint8_t {
-    None,       ///< No area: one cut has all of it above.
-    Covered,    ///< All of it.
-    Undecided,  ///< Some cuts cross it.
+    None,       ///< No common area: one cut has the whole polygon above.
+    Covered,    ///< The whole polygon is below all cuts.
+    Undecided,  ///< Some cuts cross the polygon.
 };
 
-/// `crossing` receives the cuts that have parts of the polygon on both sides, where Undecided.
-/// O(cuts · corners).
+/// Decides how `polygon` lies to the cuts. If Undecided, `crossing` receives the cuts that have
+/// parts of the polygon on both sides.
+/// Cost: O(cuts · corners).
 Overlap overlap(const ConvexPolygon& polygon, std::span<const Plane> cuts,
                 std::vector<Plane>& crossing);
 
-/// polygon \ {points below all of `cuts`}, as convex polygons without common inner points,
-/// appended to `rest`. A polygon that loses no area is appended whole. O(cuts · corners).
+/// Appends polygon \ {points below all of `cuts`} to `rest`, as convex polygons without common
+/// inner points. A polygon that loses no area is appended whole.
+/// Cost: O(cuts · corners).
 void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
               std::vector<ConvexPolygon>& rest);
 
-/// The same polygon seen from the other side of its plane.
+/// Returns the same polygon seen from the opposite side of the plane.
 ConvexPolygon turned_over(const ConvexPolygon& polygon);
 
-/// In square lattice units.
+/// Returns the area in square lattice units.
 double area(const ConvexPolygon& polygon);
 
 }  // namespace ncsim::cda

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Convex polytopes with exact corners: what a set of halfspaces looks like.
+// Convex polytopes with exact corners, the vertex representation of a set of halfspaces.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -13,8 +13,8 @@
 
 namespace ncsim::cda {
 
-/// A full-dimensional polytope. Facets are irredundant, one per plane; corners are
-/// shared and each stands once.
+/// A full-dimensional polytope. Facets are irredundant, one per plane. Facets share corners, and no
+/// corner occurs twice.
 class ConvexPolytope {
 public:
     struct Facet {
@@ -24,33 +24,35 @@ public:
         std::vector<std::uint32_t> neighbours;
     };
 
-    /// The polytope of a cell. Nothing if it is flat or empty. Requires a bounded cell within the
-    /// range of the lattice (the stock; other cells are cut out of it with clip()).
+    /// Returns the polytope of a cell; empty if the cell is flat or empty. Requires: a bounded cell
+    /// within the range of the lattice (the stock). For other cells, clip() the stock.
     static std::optional<ConvexPolytope> of(const Cell& cell, const Lattice& lattice);
 
-    /// From facets whose edges are known to match: what another algorithm found. Facets
+    /// Builds a polytope from facets with matching edges, the result of another algorithm. Facets
     /// without corners are dropped. See is_consistent().
     static ConvexPolytope assemble(std::vector<ExactPoint> vertices, std::vector<Facet> facets);
 
     const std::vector<ExactPoint>& vertices() const { return vertices_; }
     const std::vector<Facet>& facets() const { return facets_; }
-    /// Encloses the polytope; in lattice units, closed.
+    /// Returns a closed box around the polytope, in lattice units.
     const Box& bounds() const { return bounds_; }
 
-    /// The facet in `plane` (same orientation), if there is one. O(facets).
+    /// Returns the facet in `plane` with the same orientation, if any. Cost: O(facets).
     std::optional<std::uint32_t> facet_in(const Plane& plane) const;
 
-    /// What lies below `plane`: nothing if no part with volume does. Exact. `cuts`, where given,
-    /// counts the planes that really cut. O(corners).
+    /// Returns the part below `plane`; empty if the part has no volume. Exact.
+    /// Cost: O(corners).
     std::optional<ConvexPolytope> clip(const Plane& plane) const;
-    /// What lies below all of `planes`.
+    /// Returns the part below all of `planes`.
     std::optional<ConvexPolytope> clip(const std::vector<Plane>& planes) const;
 
-    /// In lattice units cubed. Relative error a few 2^-53 times the number of facets.
+    /// Returns the volume in cubic lattice units. The relative error is a few 2^-53 times the
+    /// number of facets.
     double volume() const;
 
-    /// Every corner below or on every facet's plane and exactly on its own, every edge between
-    /// two facets: then the facets bound exactly the intersection of their halfspaces.
+    /// True if every corner is below or on every facet's plane and exactly on the planes of the
+    /// corner's facets, and every edge is between two facets. Then the facets bound exactly the
+    /// intersection of the halfspaces.
     bool is_consistent() const;
 
 private:
@@ -60,8 +62,8 @@ private:
     Box bounds_;
 };
 
-/// How a box lies to a plane, exactly: Below or Above if all of it does or touches the plane from
-/// there, On if it is cut. For planes of any distance.
+/// Returns exactly how a box lies to a plane of any distance: Below or Above if the whole box does
+/// or touches the plane from that side, On if the plane cuts the box.
 Side classify_box(const Box& box_units, const Plane& plane);
 
 }  // namespace ncsim::cda

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A body of any shape as the kernel takes it in: a convex one less others. Stock that is not
-// convex, for instance: castings, or what another program has left.
+// A body of any shape as input of the kernel: a convex cell minus cells. Used for stock that is not
+// convex, such as castings or the result of a previous program.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -21,7 +21,7 @@ namespace ncsim::cda {
 
 class WorkpieceModel;
 
-/// Stands in mesh files before the reasons for doubt about the run that wrote them.
+/// Prefix of lines in mesh files that list assumptions of the run that wrote the file.
 inline constexpr std::string_view kAssumedMark = "ncsim assumed: ";
 
 /// outer \ (carved[0] ∪ carved[1] ∪ …)
@@ -29,54 +29,56 @@ struct Shape {
     Lattice lattice;
     Cell outer;
     std::vector<Cell> carved;
-    /// Assumptions of the run that wrote the shape to a file, a line of text each.
+    /// Assumptions of the run that wrote the shape to a file, each a line of text.
     std::vector<std::string> assumed{};
 };
 
-/// The inside of a closed surface. Corners are rounded to the lattice and triangles that lie in a
-/// plane within two units share it, quantised outwards as hulls are: the shape differs from the
-/// inside by two units at most, 20 nm on the finest lattice. A convex surface becomes one cell.
-/// Requires a mesh as check() finds closed, facing outwards, within the reach of the lattice.
-/// Throws std::invalid_argument if it encloses no volume, crosses itself, or consists of bodies
-/// that overlap.
-///
+/// Returns the inside of a closed surface. Corners are rounded to the lattice. Triangles that lie
+/// in a plane within two units share the plane, quantised outwards as for hulls. So the shape
+/// differs from the inside by at most two units, 20 nm on the finest lattice. A convex surface
+/// becomes one cell.
+/// Requires: a mesh that check() finds closed, oriented outwards, within the range of the lattice.
+/// Throws: std::invalid_argument if the surface encloses no volume, crosses itself, or consists of
+/// bodies that overlap.
+/// Cost: expected O(n log n) for n triangles.
 /// Source: Fuchs, Kedem and Naylor, "On Visible Surface Generation by A Priori Tree Structures",
-/// SIGGRAPH 1980, after halving space at medians. Expected O(n log n) for n triangles.
+/// SIGGRAPH 1980, after halving space at medians.
 Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice);
 
-/// The inside of a closed surface, as shape_of() has it, in convex pieces: they fill it without gap
-/// or overlap, but for two units at its surface. A convex surface is one piece. Bodies may overlap,
-/// and so do their pieces then; otherwise requires and throws what shape_of() does. At most as many
-/// pieces as planes of the surface cut each other; in parts with few curves far fewer than
-/// triangles.
+/// Divides the inside of a closed surface, as in shape_of(), into convex pieces. The pieces fill
+/// the inside without gap or overlap, up to two units at the surface. A convex surface is one
+/// piece. Bodies may overlap, and then pieces overlap as well. Otherwise requires and throws the
+/// same as shape_of(). The number of pieces is at most the number of cells into which the planes of
+/// the surface divide space; in parts with few curves, far below the number of triangles.
 std::vector<ConvexPolytope> convex_pieces(const TriangleMesh& mesh, const Lattice& lattice);
 
-/// The shape as a workpiece of the model's kind.
+/// Creates a workpiece of the prototype's model with this shape.
 std::unique_ptr<WorkpieceModel> create(const WorkpieceModel& prototype, const Shape& shape);
 
-/// Turns by right angles, which keep lattice points lattice points, then moves.
+/// A rotation by right angles, which maps lattice points to lattice points, then a translation.
 struct Placement {
-    /// Rows: where x, y and z of the result come from. Entries are −1, 0 or 1, determinant 1.
+    /// Rows of the rotation matrix. Entries are −1, 0 or 1; the determinant is 1.
     std::array<std::array<int, 3>, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     LatticePoint shift;
 
-    /// First this, then a turn about an axis (0, 1, 2) through the origin, by `quarters` · 90°,
-    /// counter-clockwise seen from where the axis points to.
+    /// Returns this placement followed by a rotation about axis 0, 1 or 2 through the origin, by
+    /// `quarters` · 90°, counter-clockwise seen against the axis.
     Placement turned(int axis, int quarters) const;
 };
 
-/// Exact. Throws std::invalid_argument if the result leaves the range of the lattice.
+/// Returns the placed shape, exactly. Throws: std::invalid_argument if the result leaves the range
+/// of the lattice.
 Shape placed(const Shape& shape, const Placement& placement);
 
-/// Writes a shape as text, cell by cell as they come:
+/// Writes a shape as text, cell by cell in the order of carve() calls:
 ///
 ///     ncsim stock 2
-///     assumed T1: …         an assumption of the run that left it; any number of lines
+///     assumed T1: …         an assumption of the run that left the stock; any number of lines
 ///     unit 1e-05            millimetres
 ///     normal 0 0 1          numbered from 0
 ///     outer 0 500 …         a cell: pairs of a normal's number and a distance, n·x <= d in units
-///     cell 3 -250 …         what is carved out of it
-///     end 12                how many cells were carved
+///     cell 3 -250 …         a carved cell
+///     end 12                number of carved cells
 class ShapeWriter {
 public:
     /// `assumed`: texts of one line.
@@ -85,7 +87,7 @@ public:
     ~ShapeWriter();
     ShapeWriter(ShapeWriter&&) noexcept;
     void carve(const Cell& cell);
-    /// Once, at last.
+    /// Writes the last line. Call exactly once, after the last carve().
     void end();
 
 private:
@@ -93,10 +95,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Reads what ShapeWriter writes, and version 1 of the format, which did not record assumptions:
-/// Shape::assumed says so.
-/// Throws: std::runtime_error, "LINE: why", for numbers out of range, cells without end, a file
-/// that breaks off, and all other text.
+/// Reads a file written by ShapeWriter, also version 1 of the format, which did not record
+/// assumptions; Shape::assumed then states this.
+/// Throws: std::runtime_error, "LINE: why", for numbers out of range, unbounded cells, truncated
+/// files, and all other text.
 Shape read_shape(std::istream& in);
 
 }  // namespace ncsim::cda

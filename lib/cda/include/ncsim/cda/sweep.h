@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A round body on its way: for models that would rather have that than its polytope.
+// The sweep of a round body, for models that use the sweep directly instead of a polytope.
 #pragma once
 
 #include "ncsim/cda/origin.h"
@@ -8,19 +8,21 @@
 
 namespace ncsim::cda {
 
-/// What an upright round tool passes over as it moves straight ahead: a cylinder that ends below in
-/// a disc (flat end mills), a quarter circle (ball nose: flat_radius 0; bull nose) or a cone
-/// between the disc and the cylinder (drills, V-cutters). mm, frame W.
+/// The volume that an upright round tool covers on a straight motion. The tool is a cylinder that
+/// ends below in a disc (flat end mill), a quarter circle (ball end mill with `flat_radius` 0, or
+/// bull-nose end mill) or a cone between disc and cylinder (drill, V-cutter). In mm, workpiece
+/// frame.
 struct RoundSweep {
-    double radius = 0.0;       ///< Of the cylinder.
-    double height = 0.0;       ///< Of all of it.
-    double flat_radius = 0.0;  ///< Of the disc at its lower end, at most `radius`; 0: none.
-    double tip_height = 0.0;   ///< From the disc to the cylinder; 0: a flat end.
-    /// Is it straight between the disc and the cylinder? Else a quarter circle: `tip_height` is
-    /// radius - flat_radius.
+    double radius = 0.0;  ///< Radius of the cylinder.
+    double height = 0.0;  ///< Height of the whole tool.
+    /// Radius of the disc at the lower end, at most `radius`; 0: no disc.
+    double flat_radius = 0.0;
+    double tip_height = 0.0;  ///< Height from the disc to the cylinder; 0: a flat end.
+    /// True if the profile between disc and cylinder is a straight line. Otherwise the profile is a
+    /// quarter circle, and `tip_height` is radius - flat_radius.
     bool is_cone = false;
-    Vec3 from, to;  ///< Its lowest point on its axis.
-    Box bounds;     ///< Encloses what it passes over.
+    Vec3 from, to;  ///< Positions of the tip.
+    Box bounds;     ///< Box around the volume.
     Origin origin = kStockOrigin;
 };
 

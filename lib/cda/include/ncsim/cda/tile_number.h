@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers of tiles and limits on tiles.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +8,17 @@
 
 namespace ncsim::cda {
 
-/// Of `of` tiles of a part that one.
+/// The number of a tile and the number of tiles of the part.
 struct TileNumber {
     std::uint32_t tile = 0, of = 1;
     bool operator==(const TileNumber&) const = default;
 };
 
-/// A tree has no more blocks, a power of two.
+/// Largest number of halvings of a tree: a tree has at most 2^kMostHalvings blocks.
 inline constexpr int kMostHalvings = 12;
 inline constexpr std::uint32_t kMostTiles = 1U << kMostHalvings;
 
-/// The model whose parts may be cut in tiles.
+/// Name of the model whose parts can be divided into tiles.
 inline constexpr std::string_view kTiledModel = "cda";
 
 }  // namespace ncsim::cda

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A part in tiles: each is cut by somebody else, and what they know is put together to the same
-// part, corner for corner and bit for bit. The blocks of the tree know nothing of each other, so a
-// tile is some of them; everybody makes the same cuts, and takes in what meets its own blocks.
-// docs/cda.md, "Tiles".
+// A part in tiles. Each process simulates one tile; the results are combined to the same part,
+// corner for corner and bit for bit. The blocks of the tree are independent, so a tile is a set of
+// blocks. Every process executes the same cuts and inserts the cells that meet the blocks of the
+// tile. See docs/cda.md, "Tiles".
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -21,18 +21,19 @@ namespace ncsim::cda {
 
 class Outlines;
 
-/// What all tiles of a part know. Of most of it only where it is: tiles are read when somebody asks
-/// for a surface, and again when somebody asks again.
+/// The results of all tiles of a part. Headers and borders stay in memory; a tile's surface is read
+/// again on every request.
 class Tiles {
 public:
-    /// What WorkpieceModel::write_tile wrote for the tile of that number. Many threads may ask.
+    /// Returns the output of WorkpieceModel::write_tile for the tile of the given number. Called
+    /// from many threads.
     using Read = std::function<std::string(std::size_t)>;
 
-    /// Reads all `count` of them, one by one, and keeps their volumes and borders. Throws
-    /// std::invalid_argument, "tile I: why", if one is no tile, or they are not of one part; and
-    /// what `read` throws.
+    /// Reads all `count` tiles one by one and keeps volumes and borders.
+    /// Throws: std::invalid_argument, "tile I: why", if the data is not a tile, or the tiles belong
+    /// to different parts; and the exceptions of `read`.
     Tiles(std::size_t count, Read read, std::size_t threads = 0);
-    /// The same of tiles that somebody has.
+    /// The same for tiles in memory.
     explicit Tiles(std::vector<std::string> tiles);
     ~Tiles();
     Tiles(const Tiles&) = delete;
@@ -40,16 +41,16 @@ public:
 
     std::size_t size() const;
 
-    /// The part, as a prototype: whoever makes the cuts once more, which cost nothing then, and
-    /// asks for volumes when the tiles did, is told what they found, together. Points are computed
-    /// again from their planes: where one is elsewhere, or the surface is not closed, boundary()
-    /// throws std::runtime_error.
+    /// Returns the part as a prototype. If the caller repeats the cuts, which cost no time, and
+    /// asks for volumes at the same places as the tiles did, the prototype returns the sums of the
+    /// tiles' volumes. Points are computed again from planes. boundary() throws std::runtime_error
+    /// if a point differs or the surface is not closed.
     static std::unique_ptr<WorkpieceModel> model(std::shared_ptr<const Tiles> tiles);
 
-    /// The surface of the part as far as the tile goes: open at its walls, and cut there where the
-    /// neighbours' is. The open edges of all tiles together are pairs of opposite directions with
-    /// the same ends, to the last bit. Reads this tile. Throws as boundary() does. May be asked by
-    /// many threads.
+    /// Returns the surface of the part within the tile: open at the tile's walls, and divided there
+    /// at the same points as in adjacent tiles. The open edges of all tiles together are pairs of
+    /// opposite directions with the same end points, to the last bit. Reads this tile. May be
+    /// called from many threads. Throws: same as boundary().
     Boundary surface(std::size_t tile, const Lattice& lattice) const;
 
 private:
@@ -58,7 +59,7 @@ private:
 
     std::vector<Outlines> outlines_of(std::size_t tile) const;
 
-    // Which one has a block, as the how manieth of its own.
+    // Tile of a block, and the index among the tile's blocks.
     struct OfTile {
         std::size_t tile;
         std::uint32_t number;
@@ -68,7 +69,7 @@ private:
     std::size_t threads_;
     std::vector<Tile> tiles_;
     std::vector<OfTile> blocks_;
-    std::size_t volumes_ = 0;  // how often they were asked for
+    std::size_t volumes_ = 0;  // number of volume requests
 };
 
 }  // namespace ncsim::cda

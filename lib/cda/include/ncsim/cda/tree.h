@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tree of Convex Difference Aggregates: the same aggregate as flat.h, P \ (N1 ∪ … ∪ Nn),
-// without zero cells and without its quadratic cost. docs/cda.md, "The tree".
+// The tree of Convex Difference Aggregates: the same aggregate P \ (N1 ∪ … ∪ Nn) as in flat.h,
+// without zero cells and without quadratic cost. See docs/cda.md, "The tree".
 #pragma once
 
 #include "ncsim/cda/tile_number.h"
@@ -29,38 +29,40 @@ struct WaitingCell;
 class CellTable;
 struct Evaluation;
 
-/// What work was done, counted: the same on every machine.
+/// Counts of work; the same on every machine.
 struct TreeCounts {
-    std::uint64_t cells = 0;          ///< Kept: not outside of the stock.
-    std::uint64_t planes = 0;         ///< Of those, without the ones all of the stock satisfies.
-    std::uint64_t nodes = 0;          ///< Alive now.
-    std::uint64_t bytes = 0;          ///< Held by the tree now, about.
-    std::uint64_t spared = 0;         ///< Questions of contact that let cells wait on.
-    std::uint64_t leaves = 0;         ///< Looked at for the last boundary or volume.
+    std::uint64_t cells = 0;  ///< Inserted cells, without cells outside of the stock.
+    /// Planes of the inserted cells, without planes that the whole stock satisfies.
+    std::uint64_t planes = 0;
+    std::uint64_t nodes = 0;          ///< Nodes of all trees at present.
+    std::uint64_t bytes = 0;          ///< Memory of the tree at present, approximately.
+    std::uint64_t spared = 0;         ///< Contact queries answered without inserting waiting cells.
+    std::uint64_t leaves = 0;         ///< Leaves visited for the last boundary().
     std::uint64_t facets_tested = 0;  ///< Facets in leaves.
-    std::uint64_t facets_alive = 0;   ///< Of those, with something left.
-    std::uint64_t pieces = 0;         ///< Of outlines, handed to the stitching.
-    std::uint64_t forgotten = 0;      ///< Cells within a deeper one on the same way.
+    std::uint64_t facets_alive = 0;   ///< Facets with a visible remainder.
+    std::uint64_t pieces = 0;         ///< Edge pieces of outlines handed to the stitching.
+    std::uint64_t forgotten = 0;  ///< Dropped cells that lie within a deeper cell on the same path.
 };
 
-/// How the tree works; none of it changes a part.
+/// Parameters of the tree; no parameter changes the part.
 struct TreeParameters {
-    std::uint32_t leaf = 80;      ///< Planes in a leaf before it is split.
-    std::uint32_t threads = 0;    ///< 0: as many as the machine has.
-    std::uint32_t batch = 32768;  ///< Cells that may wait, or steps.
-    /// So often the stock is halved, into blocks that know nothing of each other: more blocks than
-    /// threads or tiles, so that none waits for long; not so many that most of their surface is
-    /// seams. kMostHalvings at most. Sums of volumes may differ in their last bits.
+    std::uint32_t leaf = 80;      ///< Planes in a leaf before the leaf is split.
+    std::uint32_t threads = 0;    ///< 0: one per hardware thread.
+    std::uint32_t batch = 32768;  ///< Largest number of waiting cells or steps.
+    /// Number of times that the stock is halved into independent blocks, at most kMostHalvings.
+    /// More blocks than threads or tiles balance the load; too many blocks make most of the surface
+    /// seams. The value may change the last bits of summed volumes.
     int halvings = 6;
-    /// Only some of its blocks: volumes are a share then, write_tile() is what it is for, and
-    /// nothing else may be asked.
+    /// Restricts the tree to the blocks of a tile. Volumes are then shares of the part's, the
+    /// result is written by write_tile(), and no other query is valid.
     std::optional<TileNumber> tile = std::nullopt;
 };
 
-/// Cells that were taken away may wait until somebody asks about the part where they are: many at a
-/// time are cheaper, and what one of them covers is not looked at for the others. Other threads
-/// take in what waited while more comes. So asking changes the tree, though not the part; who asks
-/// waits for others that do. A part that nobody cuts may be asked, and copied, by many threads.
+/// Workpiece model with a tree of cells. Subtracted cells may wait until a query concerns their
+/// place, because many cells at a time are cheaper, and cells covered by a later cell are skipped.
+/// Background threads insert waiting cells while more cells arrive. So a query changes the tree,
+/// though not the part; queries of one part exclude each other. Several threads may query and copy
+/// a part that no thread cuts.
 class TreeCda final : public WorkpieceModel {
 public:
     static constexpr std::string_view kName = kTiledModel;
@@ -68,7 +70,7 @@ public:
     explicit TreeCda(TreeParameters parameters = {});
     TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters = {});
     ~TreeCda() override;
-    /// Copies share what neither of them changes.
+    /// Copies share unmodified blocks.
     TreeCda(const TreeCda&);
     TreeCda& operator=(const TreeCda&);
     TreeCda(TreeCda&&) noexcept;
@@ -77,40 +79,42 @@ public:
     std::string_view name() const override { return kName; }
     std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                            const Lattice& lattice) const override;
-    /// Expected O(surface of the cell), whatever was cut before, plus the evaluation of what it
-    /// overlaps: the price of knowing the volume.
+    /// Cost: expected O(surface of the cell), independent of previous cuts, plus the evaluation of
+    /// the volume within the cell.
     double subtract(const Cell& cell) override;
     using WorkpieceModel::subtract_unmeasured;
-    /// The same without. Many cells at a time are shared between threads.
+    /// The same without the volume. Threads share the insertion of many cells.
     void subtract_unmeasured(std::span<const Cell> cells) override;
     void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {},
                        std::span<const Cell> before = {}) override;
     std::optional<Box> wanted() const override;
-    /// Lets no cell wait any longer.
+    /// Inserts all waiting cells.
     void settle() const;
-    /// In one pass over many cells at a time: about as dear as taking them away.
+    /// Computes the account in one pass over many cells at a time; the cost is about that of the
+    /// insertion.
     void keep_account() override;
     Account account() const override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
-    /// The evaluation of blocks that changed since it was last asked for.
+    /// Evaluates the blocks that changed since the last request.
     double volume() const override;
     Boundary boundary() const override;
     bool contains(Vec3 point) const override;
 
-    /// Stops at the first place. Cells that wait are only taken in where it matters.
+    /// Stops at the first common point. Waiting cells are inserted only where they affect the
+    /// answer.
     std::optional<Vec3> contact(const Cell& cell) const override;
     double common_volume(const Cell& cell) const override;
 
-    /// Of what `tile` in the parameters says.
+    /// Writes the tile that `tile` in the parameters selects.
     void write_tile(std::ostream& out) const override;
 
     const Lattice& lattice() const override { return lattice_; }
-    /// Of the cutting so far and of the last evaluation.
+    /// Returns counts of the cutting so far and of the last boundary().
     TreeCounts counts() const;
 
 private:
-    // Held by whoever asks; each part has its own.
+    // Mutex held during a query; each part has a separate mutex.
     struct Asking {
         std::mutex mutex;
 
@@ -118,7 +122,7 @@ private:
         Asking(const Asking&) noexcept {}
         Asking& operator=(const Asking&) noexcept { return *this; }
     };
-    // Who asks waits for others that do, and for what goes down the tree meanwhile.
+    // Lock of a query: waits for concurrent queries and for running insertions.
     class Asked {
     public:
         explicit Asked(const TreeCda& part) : lock_(part.asking_.mutex) { part.finish_settling(); }
@@ -129,11 +133,12 @@ private:
 
     TreeCda(const TreeCda& other, const Asked&);
 
-    // Where a block may have material, half units; known without a look at its tree.
+    // Box in which a block may have material, half units; readable without access to the block's
+    // tree.
     struct Place {
         std::array<double, 3> min, max;
     };
-    // A cell's line in the table of cells, before it has one.
+    // A cell's row in the table of cells, before the row is added.
     struct Listed {
         Origin origin;
         std::int32_t rank;
@@ -159,38 +164,40 @@ private:
     bool contains_as_it_is(const QueryPoint& query) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
 
-    // Blocks take in what waited, while more cells come; the first of all, so that this ends before
-    // what it works on is assigned.
+    // Blocks insert waiting cells in the background while more cells arrive. First member,
+    // so that a move assignment ends this work before the data is replaced.
     mutable std::unique_ptr<Background> settling_;
     TreeParameters parameters_;
     Lattice lattice_;
     Cell stock_;
-    Vec3 centre_;    // of the stock, in units
-    Box stock_box_;  // in units
+    Vec3 centre_;    // centre of the stock, in units
+    Box stock_box_;  // bounds of the stock, in units
     std::vector<Plane> stock_planes_;
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
-    std::unique_ptr<NormalsPool> normals_;            // of cells that came
-    std::vector<std::uint32_t> own_;                  // blocks, ascending: all, or the tile's
-    std::array<std::vector<std::int64_t>, 3> walls_;  // where blocks meet, half units, by axis
-    // What asking changes.
+    std::unique_ptr<NormalsPool> normals_;  // normals of all cells
+    std::vector<std::uint32_t> own_;        // blocks, ascending: all, or the tile's
+    // coordinates of planes between blocks, half units, by axis
+    std::array<std::vector<std::int64_t>, 3> walls_;
+    // State that queries change.
     mutable Asking asking_;
-    mutable std::vector<Block*> changing_;  // by settling_
-    mutable std::vector<Listed> listed_;    // cells that came meanwhile
+    mutable std::vector<Block*> changing_;  // blocks in work by settling_
+    mutable std::vector<Listed> listed_;    // cells that arrived meanwhile
     mutable std::vector<Block> blocks_;
-    mutable std::vector<Place> places_;  // of these, when none was changing
-    mutable std::size_t waiting_ = 0;    // cells since the last time that none waited
-    std::uint64_t steps_ = 0;            // or cells, ever
-    // The last cell for each way of a body, seen from above, by a hash of both: of the last
-    // kWhile steps or more, and of kWhile steps before these.
+    // places of blocks_, as of the last time when no block was changing
+    mutable std::vector<Place> places_;
+    mutable std::size_t waiting_ = 0;  // cells or steps since no cell waited
+    std::uint64_t steps_ = 0;          // all steps (or cells) so far
+    // The last cell for each path of a body, seen from above, by a hash of both. recent_ways_ holds
+    // at least the last kWhile steps, older_ways_ the kWhile steps before.
     using CellsByWay = std::unordered_map<std::uint64_t, std::weak_ptr<const WaitingCell>>;
     CellsByWay recent_ways_, older_ways_;
-    std::vector<bool> forgotten_;             // cells by number that need not go down any more
-    std::size_t forgotten_waiting_ = 0;       // at most so many of these wait
-    mutable std::optional<Account> account_;  // cubic units; where it is kept
+    std::vector<bool> forgotten_;        // by cell number: true if the cell need not be inserted
+    std::size_t forgotten_waiting_ = 0;  // upper bound of the forgotten cells that wait
+    mutable std::optional<Account> account_;  // cubic units; empty if no account is kept
     mutable TreeCounts counts_;
     mutable std::vector<std::vector<double>>
-        volumes_asked_;  // of own blocks, cubic units; of a tile
+        volumes_asked_;  // by request and own block, cubic units; only for a tile
 };
 
 }  // namespace ncsim::cda

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A closed surface of triangles, ready to be asked what lies near a place and what is inside: a
-// tree of boxes, halved at the median of the triangles' middles along the longest side.
+// A closed surface of triangles with an index for queries of distance and containment: a tree of
+// boxes, halved at the median of the triangles' centres along the longest side.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -16,38 +16,42 @@ namespace ncsim::cda {
 
 using Corners = std::array<Vec3, 3>;
 
+/// Returns the corners of a triangle of a mesh, mm.
 Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle);
 
-/// Of a point and a segment, mm.
+/// Returns the distance of a point and a segment, mm.
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b);
 
-/// Of a point and a triangle with all of its border, mm. Triangles without area are segments.
+/// Returns the distance of a point and a triangle including border, mm. Triangles without area
+/// count as segments.
 double distance(Vec3 p, const Corners& triangle);
 
+/// Index of the triangles of a mesh. Requires: the mesh outlives the index.
 class TriangleTree {
 public:
-    /// Keeps a reference to `mesh`. O(n log n).
+    /// Keeps a reference to `mesh`. Cost: O(n log n).
     explicit TriangleTree(const TriangleMesh& mesh);
-    /// Of some of its triangles only: those of one surface, for instance.
+    /// The same for a subset of the triangles, for instance those of one surface.
     TriangleTree(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles);
 
     struct Nearest {
         double distance_mm = Box::kInf;
         std::uint32_t triangle = 0;
     };
-    /// The triangle nearest to `p`; infinitely far for an empty mesh. Expected O(log n).
+    /// Returns the triangle nearest to `p`; infinitely far for an empty mesh. Cost: expected O(log
+    /// n).
     Nearest nearest(Vec3 p) const;
 
-    /// Is `p` inside of the surface? By the signed crossings of a ray, so that bodies may overlap.
-    /// Not on the surface, nor nearer to it than rounding.
+    /// True if `p` is inside the surface. Counts signed crossings of a ray, so bodies may overlap.
+    /// Requires: `p` is farther from the surface than rounding errors.
     bool contains(Vec3 p) const;
 
-    /// Calls `take` for every triangle in a box that `wants` accepts, in an order that depends on
-    /// the mesh only.
+    /// Calls `take` for every triangle in a box that `wants` accepts, in an order that depends only
+    /// on the mesh.
     template <class Wants, class Take>
     void visit(const Wants& wants, const Take& take) const {
         if (nodes_.empty()) return;
-        // Halves of halves: one node waits for each level, of which there are 32 at most.
+        // Depth-first search by halving: one node waits per level, and there are at most 32 levels.
         std::array<std::size_t, 40> open{};
         for (std::size_t count = 1; count > 0;) {
             const Node& node = nodes_[open[--count]];
@@ -82,7 +86,8 @@ private:
     std::vector<Node> nodes_;
 };
 
-/// Does the box have a point of the segment from `a` to `b`, or one nearly so? Never a wrong no.
+/// True if the box contains, within rounding, a point of the segment from `a` to `b`.
+/// A negative answer is exact; a positive answer may be wrong by rounding.
 bool meets_segment(const Box& box, Vec3 a, Vec3 b);
 
 }  // namespace ncsim::cda

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vectors and boxes of doubles. In all of lib/cda a double is a length in millimetres in
-// the workpiece frame W, right-handed, unless its name says otherwise.
+// Vectors and boxes of doubles. In lib/cda a double is a length in millimetres in the workpiece
+// frame, right-handed, unless the name states otherwise.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 namespace ncsim::cda {
 
+/// A vector or a point.
 struct Vec3 {
     double x = 0.0, y = 0.0, z = 0.0;
 
@@ -31,13 +32,13 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) {
 inline double norm(Vec3 a) {
     return std::sqrt(dot(a, a));
 }
-/// Of length 1; the zero vector stays zero.
+/// Returns the vector scaled to length 1; the zero vector stays zero.
 inline Vec3 normalized(Vec3 a) {
     const double length = norm(a);
     return length > 0.0 ? (1.0 / length) * a : a;
 }
 
-/// An axis-parallel box; empty where a minimum exceeds its maximum, as it does at first.
+/// An axis-parallel box; empty if a minimum exceeds the maximum, as in a new box.
 struct Box {
     static constexpr double kInf = std::numeric_limits<double>::infinity();
     Vec3 min{kInf, kInf, kInf};
@@ -55,7 +56,7 @@ struct Box {
     void add(const Box& b) {
         if (!b.is_empty()) add(b.min), add(b.max);
     }
-    /// Closed boxes: touching counts as overlapping.
+    /// True if the closed boxes have a common point; touching counts as overlapping.
     constexpr bool overlaps(const Box& b) const {
         return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y &&
                min.z <= b.max.z && b.min.z <= max.z;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Operations on the flat CDA that are not its own business: thesis 6.3 (CDA::CVisitor). Rendering,
-// statistics and XML are visitors.
+// Visitors of the flat CDA, thesis 6.3 (CDA::CVisitor). Rendering, statistics and XML are visitors.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +12,18 @@ struct CdaCell;
 struct Contact;
 struct FacetRef;
 
+/// Base class of visitors of a FlatCda.
 class CdaVisitor {
 public:
     virtual ~CdaVisitor() = default;
-    /// Before everything.
+    /// Called first.
     virtual void visit_cda(const FlatCda& cda) = 0;
-    /// The positive cell, then the negative ones, then the zero cells, each before its facets.
+    /// Called for the positive cell, then the negative cells, then the zero cells, each before the
+    /// cell's facets.
     virtual void visit_cell(const CdaCell& cell, std::uint32_t index) = 0;
     virtual void visit_facet(const CdaCell& cell, const FacetRef& facet) = 0;
     virtual void visit_contact(const Contact& contact, std::uint32_t index) = 0;
-    /// After everything.
+    /// Called last.
     virtual void leave_cda(const FlatCda& cda) = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workpiece as the simulation sees it: what can be done to it, whatever it is made
-// of. Schüppel, Using Boolean Operations to Simulate CNC-Milling, 2001, chapter 1
+// Interface between the simulation and workpiece models.
+// Source: Schüppel, Using Boolean Operations to Simulate CNC-Milling, 2001, chapter 1
 // (CstaWpModel): create, subtract, render, clone.
 #pragma once
 
@@ -24,146 +24,150 @@
 
 namespace ncsim::cda {
 
-/// One facet to be drawn and the regions of it that must not be: convex polygons in its plane,
+/// A facet to be drawn and the regions to be left out: convex polygons in the facet's plane,
 /// corners counter-clockwise seen from outside the material, in mm.
 struct MaskedFacet {
-    Vec3 normal;  ///< Unit, out of the material.
+    Vec3 normal;  ///< Unit vector out of the material.
     Origin origin = kStockOrigin;
     std::span<const Vec3> outline;
     std::span<const std::vector<Vec3>> masks;
 };
 
-/// Something that can draw facets, a stencil buffer for instance (thesis 5.1).
+/// A canvas that can draw facets, for instance with a stencil buffer (thesis 5.1).
 class FacetCanvas {
 public:
     virtual ~FacetCanvas() = default;
     virtual void draw(const MaskedFacet& facet) = 0;
 };
 
-/// What the cells of an origin took from a part.
+/// Volume that the cells of one origin removed from a part.
 struct Taking {
     double volume = 0.0;  ///< mm³
-    Box bounds;           ///< Around those of the cells that took something, mm; empty: none did.
+    Box bounds;           ///< Box around the cells that removed volume, mm; empty if no cell did.
     bool operator==(const Taking&) const = default;
 };
+/// Removed volumes by origin.
 using Account = std::map<Origin, Taking>;
 
-/// Where a part is thinner than what a model of limited resolution can show.
+/// Places where a part is thinner than a model of limited resolution can represent.
 struct ThinPlaces {
-    std::uint64_t count = 0;    ///< Of rays that cross one.
-    std::uint64_t missing = 0;  ///< Those of them that the surface does not have.
-    double missing_mm3 = 0.0;   ///< What these amount to, as the direction has it that sees most.
-    double thinnest_mm = 0.0;   ///< Along a ray; 0: there is none.
-    Vec3 at;                    ///< There, mm.
-    Origin origin = kStockOrigin;  ///< The later of the two motions that made it.
+    std::uint64_t count = 0;    ///< Number of rays that cross a thin place.
+    std::uint64_t missing = 0;  ///< Number of such rays on which the surface lacks the thin place.
+    /// Volume of the missing places, by the ray direction that finds the largest.
+    double missing_mm3 = 0.0;
+    double thinnest_mm = 0.0;      ///< Smallest thickness along a ray; 0: no thin place.
+    Vec3 at;                       ///< Position of the smallest thickness, mm.
+    Origin origin = kStockOrigin;  ///< The later of the two motions that made the place.
 };
+/// Thin places of a model with limited resolution.
 struct Aliasing {
     ThinPlaces material, gaps;
-    bool is_seen_along_z_alone = false;  ///< Walls and slots are not looked for then.
+    bool is_seen_along_z_alone = false;  ///< True if walls and slots are not checked.
 };
 
-/// A model was asked what it does not know; models.h tells beforehand what each is for.
+/// Thrown if a model does not support a query; models.h lists the abilities of each model.
 class CannotAnswer : public std::logic_error {
 public:
-    /// "the model cda-flat does not tell `what`"
+    /// Builds the message from the name of the model and the missing answer.
     CannotAnswer(std::string_view model, std::string_view what)
         : std::logic_error("the model " + std::string(model) + " does not tell " +
                            std::string(what)) {}
 };
 
-/// A workpiece being machined. The one abstract class of the flow: the user picks the model by
-/// name (models.h). A prototype: `create` makes a new workpiece of the same kind.
+/// A workpiece being machined. The only abstract class of the data flow: the user selects the model
+/// by name (models.h). A prototype: `create` makes a new workpiece of the same model.
 ///
-/// Nobody asks what class a part is of. Questions that not every model can answer have an answer
-/// here, which is to throw CannotAnswer.
+/// Callers do not depend on the dynamic type. Queries that not every model supports throw
+/// CannotAnswer by default.
 class WorkpieceModel {
 public:
     virtual ~WorkpieceModel() = default;
 
-    /// As in models().
+    /// Returns the name in models().
     virtual std::string_view name() const = 0;
     virtual const Lattice& lattice() const = 0;
 
-    /// A new, unharmed workpiece of this kind. Throws std::invalid_argument if `stock` has no
-    /// volume.
+    /// Returns a new, uncut workpiece of this model. Throws: std::invalid_argument if `stock` has
+    /// no volume.
     virtual std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                                    const Lattice& lattice) const = 0;
-    /// Takes `cell` away and returns how much of the part that was, in mm³; exactly 0 if the part
-    /// lost nothing. Flat cells, and cells that only touch the part, change nothing. Of a tile:
-    /// what it adds to the volume, less than nothing maybe; of all tiles together it is that.
+    /// Removes `cell` and returns the removed volume of the part in mm³; exactly 0 if the part lost
+    /// none. Flat cells, and cells that only touch the part, change nothing. For a tile the result
+    /// is the tile's summand of the volume and may be negative; the sum over all tiles is the
+    /// volume.
     virtual double subtract(const Cell& cell) = 0;
-    /// The same for callers that do not ask how much it was; many at a time are taken away faster.
+    /// The same without the volume; many cells at a time are removed faster.
     virtual void subtract_unmeasured(std::span<const Cell> cells) {
         for (const Cell& cell : cells)
             subtract(cell);
     }
     void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
-    /// Does it take round tools as they are? Then it is given these where they are upright and go
-    /// straight ahead, and cells where not.
+    /// True if the model subtracts round tools directly. Callers then pass sweeps for upright tools
+    /// on straight motions, and cells otherwise.
     virtual bool takes_sweeps() const { return false; }
     virtual void subtract_sweep(const RoundSweep&) {
         throw CannotAnswer(name(), "what a round tool takes away");
     }
-    /// From now on it is booked what the cells of each origin take away.
+    /// Starts the account of the volume that the cells of each origin remove.
     virtual void keep_account() {}
-    /// What is in the books; less than 1e-15 of the stock is told as 0.
+    /// Returns the account. Volumes below 1e-15 of the stock are returned as 0.
     virtual Account account() const = 0;
-    /// Draws every facet once with its masks, in an order that depends on the input only.
+    /// Draws every facet once with masks, in an order that depends only on the input.
     virtual void render(FacetCanvas& canvas) const = 0;
     virtual std::unique_ptr<WorkpieceModel> clone() const = 0;
 
-    /// Volume of what is left, in mm³.
+    /// Returns the volume of the part, in mm³.
     virtual double volume() const = 0;
-    /// How much that may be off to either side, as far as the model itself can tell; exact: 0.
+    /// Returns the largest error of volume() in either direction, as far as the model can bound the
+    /// error; 0 if the model is exact.
     virtual double volume_error() const { return 0.0; }
-    /// Of models that have a resolution.
+    /// Returns thin places; only for models with a resolution.
     virtual std::optional<Aliasing> aliasing() const { return std::nullopt; }
-    /// The surface of what is left.
+    /// Returns the surface of the part.
     virtual Boundary boundary() const = 0;
-    /// Is the point in the part? Points of the surface count as inside. Exact for the point rounded
-    /// to 2^-16 of a lattice unit.
+    /// True if the point is in the part or on the surface. Exact for the point rounded to 2^-16 of
+    /// a lattice unit.
     virtual bool contains(Vec3 point) const = 0;
 
-    // Of models that programs can be verified with.
+    // Queries of models that support verification.
 
-    /// Where the cell and the part have volume in common: a point (mm) with inner points of both as
-    /// near to it as anybody likes; nothing if they touch at most. Exact, and cheaper than the
-    /// volume.
+    /// Returns a point (mm) whose every neighbourhood contains inner points of the cell and of the
+    /// part; empty if the two touch at most. Exact, and cheaper than the volume.
     virtual std::optional<Vec3> contact(const Cell&) const {
         throw CannotAnswer(name(), "where a body meets the part");
     }
-    /// Volume (mm³) that the cell has in common with the part; exactly 0 if they touch at most. Of
-    /// a tile: as of subtract().
+    /// Returns the common volume (mm³) of the cell and the part; exactly 0 if the two touch at
+    /// most. For a tile: a summand, as in subtract().
     virtual double common_volume(const Cell&) const {
         throw CannotAnswer(name(), "what a body has in common with the part");
     }
 
-    // Of models that may be cut in tiles.
+    // Operations of models that support tiles.
 
-    /// Takes away the cells of one step of a tool near the stock: those that are wanted, and maybe
-    /// others. When what waits is taken in depends on the number of steps then, not on their cells:
-    /// who gets fewer of them makes of his share the same, to the last bit.
-    /// `covering`: lie within what was taken away with these; who takes them in may forget the
-    /// others. `before`: within what was taken away before, likewise.
+    /// Removes the cells of one step of a tool near the stock: all cells near wanted(), and perhaps
+    /// more. Waiting cells are inserted after a fixed number of steps, not cells, so that a tile
+    /// that receives fewer cells produces bit-identical results. `covering`: cells within the space
+    /// removed by `cells`. If the model inserts `covering`, the model may drop cells that
+    /// `covering` contains. `before`: the same, within the space removed by previous steps.
     virtual void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {},
                                std::span<const Cell> before = {}) {
         subtract_unmeasured(before);
         subtract_unmeasured(cells);
         subtract_unmeasured(covering);
     }
-    /// Near which place (mm) cells are wanted; nothing: near all of the part.
+    /// Returns the box (mm) near which cells are needed; empty: near the whole part.
     virtual std::optional<Box> wanted() const { return std::nullopt; }
-    /// What this tile of a part knows, for Tiles.
+    /// Writes the tile's data for Tiles.
     virtual void write_tile(std::ostream&) const { throw CannotAnswer(name(), "tiles of it"); }
 
-    // Of models that are made of cells which people look at.
+    // Output of models made of cells.
 
-    /// One row a subtraction, comma-separated, after a row of names: costs in milliseconds and
-    /// numbers of facets as in thesis figures 7.1, 7.2 and 7.6.
+    /// Writes one row per subtraction, comma-separated, after a row of names: costs in milliseconds
+    /// and numbers of facets as in thesis figures 7.1, 7.2 and 7.6.
     virtual void write_statistics(std::ostream&) const {
         throw CannotAnswer(name(), "what each hull cost");
     }
-    /// The whole structure as XML: cells with their corners (mm), facets with plane and bindings.
+    /// Writes the whole structure as XML: cells with corners (mm), facets with planes and bindings.
     virtual void write_cells(std::ostream&) const { throw CannotAnswer(name(), "its cells"); }
 };
 

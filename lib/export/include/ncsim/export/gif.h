@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moving pictures that play everywhere: GIF89a, through giflib.
+// Animated pictures: GIF89a, written with giflib.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -10,22 +10,26 @@
 
 namespace ncsim::exporter {
 
-/// Writes an animation frame by frame; it repeats for ever. A frame holds only what differs from
-/// the one before, in the 255 colours that suit it best: what does not change never flickers.
+/// Writes an animation frame by frame; the animation repeats for ever. Each frame after the first
+/// holds only the pixels that differ from the frame before, in a palette of 255 colours of its own.
+/// Unchanged pixels therefore never flicker.
 ///
-/// Equal input gives equal bytes. All members throw std::runtime_error if the stream fails.
+/// Guarantees: equal input gives equal bytes.
+/// Throws: every member throws std::runtime_error if the stream fails.
 class GifWriter {
 public:
-    /// `out` must outlive the writer.
+    /// Requires: `out` outlives the writer.
     explicit GifWriter(std::ostream& out);
     ~GifWriter();
     GifWriter(const GifWriter&) = delete;
     GifWriter& operator=(const GifWriter&) = delete;
 
-    /// Shows `frame` for `hundredths` of a second. All frames must be as large as the first, which
-    /// must have pixels; throws std::runtime_error if not.
+    /// Shows `frame` for `hundredths` of a second.
+    /// Throws: std::runtime_error if the frame has no pixels, has a side of more than 65535 pixels,
+    ///     or differs in size from the first frame.
     void add(const Image& frame, int hundredths);
-    /// Ends the file. Requires a frame.
+    /// Ends the file.
+    /// Requires: at least one frame was added.
     void finish();
 
 private:

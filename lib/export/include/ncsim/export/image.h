@@ -9,13 +9,14 @@
 
 namespace ncsim::exporter {
 
+/// Colour of a pixel; `a` is the opacity.
 struct Rgba8 {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
 
     constexpr bool operator==(const Rgba8&) const = default;
 };
 
-/// Pixel (x, y) is pixels[y * width + x]; (0, 0) is the top left one. Colours are sRGB.
+/// A picture in sRGB. Pixel (x, y) is pixels[y * width + x]; (0, 0) is at the top left.
 struct Image {
     std::uint32_t width = 0, height = 0;
     std::vector<Rgba8> pixels;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A machine with a part and tools in it that move: a tree of nodes, each with at most one joint
-// between it and the one that carries it. What files can tell that have animations.
+// A machine with a moving part and moving tools: a tree of nodes, each with at most one joint to
+// its parent. Input of the file formats that support animation.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -16,44 +16,48 @@
 
 namespace ncsim::exporter {
 
-/// Where a joint stands at one time: mm or degrees.
+/// Position of a joint at one time, in mm or degrees.
 struct JointKey {
     double seconds = 0.0;
     double value = 0.0;
 };
 
-/// As it moves the node: along `direction`, or about it with the right hand through the node's
-/// origin.
+/// Joint of a node: translation along `direction`, or right-handed rotation about `direction`
+/// through the origin of the node.
 struct SceneJoint {
     char letter = 'X';
     bool turns = false;
-    cda::Vec3 direction;         ///< Of unit length.
-    std::vector<JointKey> keys;  ///< By time, which rises; evenly from each to the next.
+    cda::Vec3 direction;         ///< Unit vector.
+    std::vector<JointKey> keys;  ///< Ascending in time; linear between keys.
 };
 
-/// All in machine coordinates M, mm, with all joints at 0. Frames of nodes are parallel to M then.
+/// Node of the tree. Values are in machine coordinates M, in mm, with all joints at 0. In that
+/// position the frames of nodes are parallel to M.
 struct SceneNode {
     std::string name;
-    std::optional<std::size_t> parent;  ///< One that stands before it; none: what does not move.
-    cda::Vec3 origin;                   ///< Of its frame.
+    /// Number of the parent, which precedes the node; nullopt: the fixed base.
+    std::optional<std::size_t> parent;
+    cda::Vec3 origin;  ///< Origin of the node's frame.
     std::optional<SceneJoint> joint;
     std::vector<Body> bodies;
-    /// It is there from the first to the second, seconds, again and again; none: always.
+    /// Intervals in seconds during which the node is visible; empty: always.
     std::vector<std::pair<double, double>> shown;
 };
 
+/// Start time of a line of the program.
 struct SceneLine {
-    double seconds = 0.0;  ///< When it begins.
+    double seconds = 0.0;  ///< Start time.
     std::uint32_t line = 0;
 };
 
+/// The machine, its motion and the lines of the program that cause it.
 struct MovingScene {
     std::vector<SceneNode> nodes;
-    /// Which of them carries the part; none: what does not move.
+    /// Number of the node that carries the part; nullopt: the fixed base.
     std::optional<std::size_t> part_on;
-    cda::Vec3 zero;        ///< Of W, with all joints at 0.
-    double seconds = 0.0;  ///< How long it all takes.
-    /// Between keys nothing is farther than this from where it is in truth.
+    cda::Vec3 zero;        ///< Origin of W, with all joints at 0.
+    double seconds = 0.0;  ///< Duration of the motion.
+    /// Largest distance between the animated and the true position between keys.
     double missed_mm = 0.0;
     std::vector<SceneLine> lines;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a picture shows besides the part: where the tool went, and where it stands.
+// Parts of a picture in addition to the workpiece: tool paths, tools and outlines of stock.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -11,25 +11,27 @@
 
 namespace ncsim::exporter {
 
-/// A line through `points` (mm, W), drawn where nothing stands before it.
+/// A line through `points` (mm, W), drawn where no body hides it.
 struct PathLine {
     std::vector<cda::Vec3> points;
-    bool is_rapid = false;  ///< Dashed, and in a colour of its own.
+    bool is_rapid = false;  ///< Rapid: dashed, and in a different colour.
 };
 
-/// The edges of a block of which nobody knows that it was there; hidden by what stands before them
-/// or in the same plane.
+/// Box of an assumed stock. Its edges are drawn; bodies in front of an edge, or in its plane, hide
+/// the edge.
 struct Ghost {
     cda::Box box;  ///< mm, W.
 };
 
-/// A body beside the part, closed, in mm, W. Where its colour is not opaque (all of a picture by
-/// the same share), what is behind it is seen: of several such bodies, the nearest one counts.
+/// A closed body in addition to the part, in mm, W. A colour that is not opaque shows the objects
+/// behind; if several bodies of a picture are not opaque, the opacity of the first applies to all,
+/// and only the nearest on a line of sight counts.
 struct Body {
     cda::Boundary surface;
     Rgba8 colour;
 };
 
+/// All additional objects of a picture.
 struct Overlay {
     std::vector<PathLine> paths;
     std::vector<Body> bodies;

@@ -9,9 +9,10 @@
 
 namespace ncsim::exporter {
 
-/// Writes `image` as a PNG, without an alpha channel where every pixel is opaque. No time stamp and
-/// no program name: equal images give equal bytes. Throws std::runtime_error if the image has no
-/// pixels, is too large for the format, or the stream fails.
+/// Writes `image` as PNG, without an alpha channel if every pixel is opaque.
+/// Guarantees: equal images give equal bytes; the file has no time stamp and no program name.
+/// Throws: std::runtime_error if the image has no pixels, is too large for the format, or the
+///     stream fails.
 void write_png(std::ostream& out, const Image& image);
 
 }  // namespace ncsim::exporter

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a picture is drawn: size, camera, colours.
+// Size, camera and colours of a picture.
 #pragma once
 
 #include "ncsim/export/camera.h"
@@ -9,42 +9,44 @@
 
 namespace ncsim::exporter {
 
-/// Pixels along a side of the largest picture.
+/// Largest width or height of a picture, in pixels.
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 
+/// Colour behind the part.
 enum class Background { White, Dark };
 
-/// What the colour of a cut face says. Uncut stock is grey in any case.
+/// Meaning of the colour of a cut face. Uncut stock is always grey.
 enum class Colouring {
-    Tool,   ///< Which tool made it, as in all file formats.
-    Line,   ///< How late in the program it was made: yellow, green, blue, violet.
-    Depth,  ///< How deep it lies, point by point: yellow, green, blue, violet.
+    Tool,   ///< Tool that cut the face, as in all file formats.
+    Line,   ///< Position of the line in the program: yellow, green, blue, violet.
+    Depth,  ///< Depth of each point: yellow, green, blue, violet.
 };
 
-/// Drawing of polygons. Pictures of both differ in a few pixels at edges.
+/// Program that draws polygons. Pictures of the two programs differ in a few pixels at edges.
 enum class Renderer {
-    Own,     ///< Rasteriser of ncsim: the same bytes on every machine.
-    Osmesa,  ///< OSMesa, which is loaded at run time. Slower.
+    Own,     ///< The rasteriser of ncsim: the same bytes on every machine.
+    Osmesa,  ///< OSMesa, loaded at run time; slower.
 };
 
+/// Size, camera and colours of a picture.
 struct RenderOptions {
-    std::uint32_t width = 1280, height = 960;  ///< In pixels, 1 … kMaxImageSide each.
-    Camera camera;  ///< For instance fit_camera(stock, View::Iso, 4 / 3.).
+    std::uint32_t width = 1280, height = 960;  ///< In pixels, each from 1 to kMaxImageSide.
+    Camera camera;                             ///< Example: fit_camera(stock, View::Iso, 4 / 3.).
     Background background = Background::White;
     Renderer renderer = Renderer::Own;
     Colouring colouring = Colouring::Tool;
-    /// In mm, z of the workpiece: where the colours of Colouring::Depth begin and end.
+    /// z in the workpiece frame, in mm, at which the colours of Colouring::Depth begin and end.
     double depth_top = 0.0, depth_bottom = -10.0;
-    /// Every pixel is the mean of samples × samples; 1 … 4.
+    /// Each pixel is the mean of samples × samples; 1 to 4.
     std::uint32_t samples = 2;
-    /// Samples that are drawn at once, about, some 16 bytes each: bounds the memory of a picture
-    /// and changes no byte of it.
+    /// Approximate number of samples drawn at once, at some 16 bytes each. Limits the memory of a
+    /// picture and changes no byte of the result.
     std::uint32_t band_samples = 1U << 19;
-    /// Draws all samples of all pixels, also where no edge is near: slower, the same bytes.
+    /// Draws all samples of all pixels, also far from edges: slower, with the same bytes.
     bool samples_everywhere = false;
-    /// Uncut stock is pale, as if the background shone through it: nobody told what it is.
+    /// Draws uncut stock pale, as if the background shone through, because the stock was assumed.
     bool ghost_stock = false;
-    bool edges = true;  ///< Lines where faces meet at an angle and around the silhouette.
+    bool edges = true;  ///< Draws lines where faces meet at an angle and around the silhouette.
 };
 
 }  // namespace ncsim::exporter

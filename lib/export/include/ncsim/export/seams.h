@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface in several files: where one of them ends, another goes on.
+// Check that a surface split into several files is closed: each open edge of a file has its partner
+// in another file.
 #pragma once
 
 #include <array>
@@ -11,27 +12,27 @@
 
 namespace ncsim::exporter {
 
-/// An edge of a triangle, from corner to corner, by their coordinates as files have them: mm, as
-/// seen from the place that all files of a surface have in common.
+/// Directed edge of a triangle, as the coordinates of its two corners in the files: mm, relative to
+/// the centre that all files of a surface share.
 using FloatEdge = std::array<std::array<float, 3>, 2>;
 
-/// Edges of triangles that have no partner yet: one with the same corners in the other direction,
-/// of whichever file.
+/// Edges of triangles without a partner. The partner of an edge is an edge with the same corners in
+/// the opposite direction, in any of the files.
 class Seams {
 public:
-    /// Expected O(1).
+    /// Cost: O(1) expected.
     void add(const FloatEdge& edge);
     void add(std::span<const FloatEdge> edges);
-    /// How many there are.
+    /// Returns the number of edges without a partner.
     std::size_t open() const { return open_; }
-    /// All of them, sorted.
+    /// Returns the edges without a partner, sorted.
     std::vector<FloatEdge> edges() const;
 
 private:
     struct Hash {
         std::size_t operator()(const FloatEdge& edge) const;
     };
-    // The smaller corner first: how often there, less how often back.
+    // Uses from the smaller corner to the larger minus uses in the opposite direction.
     std::unordered_map<FloatEdge, int, Hash> net_;
     std::size_t open_ = 0;
 };

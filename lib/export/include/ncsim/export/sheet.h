@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several pictures on one sheet, with what there is to say about them.
+// Several pictures on one sheet, with a caption.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -11,20 +11,20 @@
 
 namespace ncsim::exporter {
 
-/// A picture and the words in its upper left corner.
+/// A picture and the text in its upper left corner.
 struct LabelledImage {
     std::string label;
     Image picture;
 };
 
-/// Puts `pictures`, which must be equally large, side by side (up to three in a row, more in as
-/// square a grid as possible) and the lines of `caption` below them. Text is ASCII; other
-/// characters show as a box. The size of letters follows that of the pictures; a line of the
-/// caption that would not fit has smaller ones. The size of the sheet follows from that of the
-/// pictures and the number of lines.
+/// Puts `pictures` side by side and the lines of `caption` below. Up to three pictures are in a
+/// row; more are in a grid that is as square as possible. Text is ASCII; any other character is
+/// drawn as a box. The letters scale with the pictures; a line of the caption that would not fit
+/// gets smaller letters. The size of the sheet depends on the size of the pictures and the number
+/// of lines only.
 ///
-/// Throws std::runtime_error if there is no picture, if pictures differ in size, or if the sheet
-/// would have a side of more than kMaxImageSide.
+/// Throws: std::runtime_error if there is no picture, if pictures differ in size, or if a side of
+///     the sheet would exceed kMaxImageSide.
 Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std::string> caption,
                     Background background = Background::White);
 

@@ -10,16 +10,19 @@
 
 namespace ncsim::exporter {
 
+/// A boundary with fewer faces.
 struct Simplified {
-    /// `origin` of a face is the smallest of those it is made of, or, where lines are kept apart,
-    /// that of its largest one. Some vertices may be unused.
+    /// The simplified boundary. The `origin` of a face is the smallest origin of the faces that
+    /// were joined, or, if simplify() kept program lines apart, that of the largest face. Some
+    /// vertices may be unused.
     cda::Boundary boundary;
-    /// For each face the origins of the faces it is made of, ascending, each once.
+    /// For each face the origins of the faces that were joined, ascending, without repetition.
     std::vector<std::vector<cda::Origin>> origins;
-    /// In mm, measured: the farthest that a corner or the middle of a triangle of one surface lies
-    /// from the other, shells that vanished aside. Never more than the tolerance.
+    /// Measured deviation in mm, at most the tolerance: the largest distance from a corner or the
+    /// middle of a triangle of either surface to the other surface. Shells that vanished are not
+    /// measured.
     double deviation_mm = 0.0;
-    /// `boundary`, as cda::triangulate() cuts it.
+    /// The triangles of cda::triangulate(boundary).
     cda::TriangleMesh mesh;
 };
 

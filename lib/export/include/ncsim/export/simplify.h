@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The same part with fewer faces, within a tolerance: for readers that have one of their own.
+// Fewer faces for the same part, within a tolerance.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -9,22 +9,27 @@
 
 namespace ncsim::exporter {
 
-/// mm. Below what any machine or gauge sees, above the 10 nm of the lattice that makes several
-/// facets of one flat wall: within it, faces are those that a person counts on the part.
+/// Tolerance in mm, below the resolution of machines and gauges but above the 10 nm of the lattice,
+/// which splits a flat wall into several facets. With this tolerance, the faces are those that are
+/// visible on the part.
 inline constexpr double kFlatTolerance = 1e-4;
 
-/// Takes out what is thinner than a quarter of `tolerance_mm` (edges become vertices, bands between
-/// two faces become edges), makes one face of neighbours that lie in one plane within a quarter of
-/// it, and leaves out vertices that lie within a quarter of it on a straight edge between two
-/// faces; less than a quarter, if that adds up to more than the tolerance somewhere. Faces that
-/// turn away from each other by more than 15° stay apart, unless one of them is thinner than the
-/// tolerance.
+/// Simplifies `boundary` within a distance of a quarter of `tolerance_mm`, or less if the steps add
+/// up to more than the tolerance somewhere:
+/// - Thin features are removed: short edges become vertices, thin bands between two faces become
+///   edges.
+/// - Adjacent faces that lie in one plane within that distance become one face.
+/// - Vertices that lie within that distance of a straight edge between two faces are removed.
 ///
-/// A closed surface stays closed, with the same shells, save those thinner than the tolerance,
-/// which vanish: what hangs together through a thin band or a short edge keeps it.
-/// Faces are flat within half the tolerance, no longer exactly. Where `lines` is given, faces
-/// that different program lines cut stay apart too, with the same exception. Requires a tolerance ≥
-/// 0; with 0, only what is exactly coplanar is joined. Expected O(n log n).
+/// Faces whose normals differ by more than 15° stay separate, unless one is thinner than the
+/// tolerance. If `lines` is provided, faces cut by different program lines stay separate too, with
+/// the same exception. With a tolerance of 0, only exactly coplanar faces are joined.
+///
+/// Requires: `tolerance_mm` >= 0.
+/// Guarantees: a closed surface stays closed, with the same shells, except that shells thinner than
+///     the tolerance vanish; parts connected through a thin band or a short edge stay connected.
+///     Faces are flat within half the tolerance, not exactly.
+/// Cost: O(n log n) expected.
 Simplified simplify(const cda::Boundary& boundary, double tolerance_mm,
                     const Provenance* lines = nullptr);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is written in one line of an NC program, and nothing that was concluded from it:
-// letters, numbers, comments and their places. What G91 does to an X is not known here.
+// A block of an NC program as written: letters, numbers, comments and positions in the text. Blocks
+// carry no modal state; for example, the effect of G91 on an X word is not known here.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -12,39 +12,39 @@
 
 namespace ncsim::gcode {
 
-/// A letter and its value: X12.5, G2, M6, X[#1 * 2]. Letters are upper case; '@' and '^' are
-/// the polar words of RS274/NGC.
+/// A letter and a value: X12.5, G2, M6, X[#1 * 2]. Letters are upper case; '@' and '^' are the
+/// polar words of RS274/NGC.
 struct Word {
     char letter = 0;
-    bool comma = false;     ///< Written with a comma before it: ",R2" (corner rounding).
-    bool literal = true;    ///< `number` is the value; else `text` has to be evaluated.
-    double number = 0.0;    ///< In the units of the moment; valid if `literal`.
+    bool comma = false;     ///< A comma precedes the letter: ",R2" (corner rounding).
+    bool literal = true;    ///< True if `number` is the value; false if `text` is to be evaluated.
+    double number = 0.0;    ///< Value in the active units of the program; valid if `literal`.
     SourceSpan span;        ///< Letter and value.
-    std::string_view text;  ///< If not `literal`: the expression, lower case, without blanks.
+    std::string_view text;  ///< The expression, lower case, without blanks; valid unless `literal`.
 };
 
-/// A remark of the programmer, "( … )" or "; …". `text` is what stands between, as written.
+/// A comment in the program, "( … )" or "; …". `text` excludes the delimiters.
 struct Comment {
     std::string_view text;
-    SourceSpan span;         ///< With its parentheses or semicolon.
+    SourceSpan span;         ///< Includes the parentheses or the semicolon.
     bool semicolon = false;  ///< "; …", to the end of the line.
 };
 
-/// "#1 = 2", "#<depth> = [#3 - 1]". Texts are lower case and without blanks.
+/// An assignment: "#1 = 2", "#<depth> = [#3 - 1]". Texts are lower case, without blanks.
 struct Assignment {
-    std::string_view target;  ///< What follows the '#': "1", "<depth>", "[#3+1]", "#2".
+    std::string_view target;  ///< Text after the '#': "1", "<depth>", "[#3+1]", "#2".
     std::string_view value;
     SourceSpan span;
 };
 
-/// What steers the course of a program, in both languages that are used for it.
+/// Control words of RS274/NGC and of Fanuc Macro B: subprograms, branches, loops and jumps.
 enum class ControlWord : std::uint8_t {
     None,
-    ProgramNumber,  ///< "O1234", ":1234": a Fanuc program or subprogram starts here.
+    ProgramNumber,  ///< "O1234", ":1234": start of a Fanuc program or subprogram.
     Sub,
     EndSub,
     Call,
-    Return,  // RS274/NGC O-words
+    Return,  // Last of the O-words of RS274/NGC.
     OIf,
     OElseIf,
     OElse,
@@ -59,46 +59,49 @@ enum class ControlWord : std::uint8_t {
     If,
     Goto,
     While,
-    End,  // Fanuc Macro B
+    End,  // Last of the words of Fanuc Macro B.
 };
 
-/// The control word of a block. Texts are lower case and without blanks.
+/// The control word of a block. Texts are lower case, without blanks.
 struct Control {
     ControlWord word = ControlWord::None;
-    /// O-words: "100", "<name>", "[#1]". WHILE and END: the digits of DO n. IF, GOTO: the
-    /// line to go to; empty for IF … THEN.
+    /// O-words: "100", "<name>", "[#1]". WHILE and END: the digits of DO n. IF, GOTO: number of the
+    /// target line; empty for IF … THEN.
     std::string_view label;
-    /// The condition, or the arguments of a call: "[1][2]". Empty if there is none.
+    /// Condition, or arguments of a call, as in "[1][2]"; empty if absent.
     std::string_view expression;
     SourceSpan span;
     SourceSpan rest;  ///< What is behind it, where the language does not read it; length 0: none.
 };
 
+/// Kind of a line.
 enum class BlockKind : std::uint8_t {
-    Words,    ///< Words, assignments, a control word, or nothing but comments.
+    Words,    ///< Words, assignments, a control word, or only comments.
     Percent,  ///< A line that starts with '%'.
-    Command,  ///< A line for the sender or the control's console: "$H", "?", "<NAME>", "DPRNT[…]".
-    Unreadable,  ///< Reported; nothing in it may be executed.
+    /// A line for the sender or the console of the control: "$H", "?", "<NAME>", "DPRNT[…]".
+    Command,
+    Unreadable,  ///< Reported as an error; must not be executed.
 };
 
-/// One line. Views point into the program text (comments) or into the reader, and are good until
-/// the next block is read.
+/// One line of a program. The views point into the program text (comments) or into the reader, and
+/// are valid until the next block is read.
 struct Block {
     BlockKind kind = BlockKind::Words;
-    std::uint32_t line = 0;     ///< From 1.
-    bool block_delete = false;  ///< Starts with '/'.
-    bool has_number = false;    ///< Starts with N…
-    std::uint32_t number = 0;   ///< The value of N, cut to whole numbers.
+    std::uint32_t line = 0;     ///< Counted from 1.
+    bool block_delete = false;  ///< The line starts with '/'.
+    bool has_number = false;    ///< The line starts with N.
+    std::uint32_t number = 0;   ///< Value of N, truncated to a whole number.
     Control control;
-    std::vector<Word> words;  ///< Without N and O, in the order of writing.
+    std::vector<Word> words;  ///< Words except N and O, in the order of the text.
     std::vector<Assignment> assignments;
     std::vector<Comment> comments;
-    std::string_view text;  ///< The whole line without its line end.
+    std::string_view text;  ///< The whole line without the line end.
 
     SourceSpan line_span() const { return {line, 1, static_cast<std::uint32_t>(text.size())}; }
 };
 
-/// The first word of `block` with this letter (upper case), or nullptr.
+/// Returns the first word of `block` with the upper-case letter `letter` and without a comma, or
+/// nullptr.
 inline const Word* find_word(const Block& block, char letter) {
     for (const Word& word : block.words) {
         if (word.letter == letter && !word.comma) return &word;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What we have to say about a program: a severity, a stable code for searching and for
-// tests, a message for people and a place. Each library has its messages in one table of rows
-// (MessageText); those of this one stand in src/text/diagnostics.def.
+// Messages about a program: a severity, a stable code for searches and tests, a text for the user
+// and a position. Each library has a table of messages (MessageText); the table of lib/gcode is
+// src/text/diagnostics.def.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -18,37 +18,41 @@
 
 namespace ncsim::gcode {
 
+/// Severity of a diagnostic.
 enum class Severity : std::uint8_t { Note, Warning, Error };
 
+/// A message about a position in a program.
 struct Diagnostic {
     Severity severity = Severity::Error;
     std::string code;     ///< Stable, kebab-case: "arc-without-centre".
-    std::string message;  ///< Lower case, no full stop, in the machinist's words.
+    std::string message;  ///< Lower case, without a full stop, in machinists' terms.
     SourceSpan span;
-    std::string file;         ///< Set where the place is not in the main program (O-files).
-    std::uint32_t count = 1;  ///< How often it was met; the span is the first place.
+    std::string file;         ///< Name of the file; empty for the main program.
+    std::uint32_t count = 1;  ///< Number of occurrences; `span` is the first.
     bool operator==(const Diagnostic&) const = default;
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// True if `diagnostics` contains an error.
 bool has_errors(const Diagnostics& diagnostics);
 
-/// A row of a table of messages: what can be said, before it is said of something.
+/// A row of a table of messages: severity, code and text with placeholders.
 struct MessageText {
-    Severity severity = Severity::Error;  ///< Unless who says it knows better.
-    std::string_view code;                ///< As in Diagnostic.
-    std::string_view text;                ///< "{}" is filled in order.
+    /// Default severity; the caller may override the default.
+    Severity severity = Severity::Error;
+    std::string_view code;  ///< Value of Diagnostic::code.
+    std::string_view text;  ///< Text in which each "{}" stands for an argument, in order.
 };
 
-/// `message` said of `span`, with its "{}" filled. Control characters, which programs may contain,
-/// become blanks.
+/// Returns `message` for `span`, with each "{}" replaced by the next of `arguments`. Control
+/// characters, which programs may contain, become blanks.
 Diagnostic diagnostic_of(const MessageText& message, SourceSpan span,
                          std::initializer_list<std::string_view> arguments = {});
 
-/// Collects diagnostics. What says the same (code and message) in the same file is told once,
-/// with a count; after kMaxDifferent different ones only a closing one is added, so that a file of
-/// garbage costs neither memory nor the reader's patience.
+/// Collects diagnostics. Equal diagnostics (severity, code, message and file) are stored once, with
+/// a count. After kMaxDifferent different diagnostics only kTooMany is added, so a corrupt file
+/// costs little memory and gives a readable list.
 class DiagnosticLog {
 public:
     static constexpr std::size_t kMaxDifferent = 400;
@@ -56,16 +60,16 @@ public:
         Severity::Note, "too-many-diagnostics",
         "there are more faults than are worth listing; the rest is not shown"};
 
-    /// Adds `message` with its "{}" filled in order.
+    /// Adds `message` for `span`, with each "{}" replaced by the next of `arguments`.
     void add(const MessageText& message, SourceSpan span,
              std::initializer_list<std::string_view> arguments = {});
     void add(Severity severity, const MessageText& message, SourceSpan span,
              std::initializer_list<std::string_view> arguments = {});
 
-    /// The name of the file that spans belong to from here on; empty: the main program.
+    /// Sets the name of the file of the following diagnostics; empty: the main program.
     void set_file(std::string name) { file_ = std::move(name); }
 
-    /// How many errors were added, repetitions included.
+    /// Returns the number of added errors, repetitions included.
     std::size_t errors() const { return errors_; }
 
     const Diagnostics& diagnostics() const { return diagnostics_; }
@@ -73,24 +77,25 @@ public:
 
 private:
     Diagnostics diagnostics_;
-    std::map<std::string, std::size_t, std::less<>> index_;  // code, message, file -> place
+    // Index into diagnostics_, by code, message, file and severity.
+    std::map<std::string, std::size_t, std::less<>> index_;
     std::string file_;
     std::string key_;
     std::size_t errors_ = 0;
     bool closed_ = false;
 };
 
-/// What stands before a line that is quoted, so that nothing in it is taken for a message, or for a
-/// command to the service whose log it ends in.
+/// Prefix of a quoted line of a program. With the prefix, a quoted line cannot be mistaken for a
+/// message or for a command to the service that shows the log.
 inline constexpr std::string_view kQuoteMark = "  | ";
 
-/// The diagnostic as people read it, with the line and a caret, ending in a newline:
+/// Returns `diagnostic` as text, with the quoted line and a caret, ending in a newline:
 ///
 ///     pocket.nc:3:5: error: G2 needs a centre (I J) or a radius (R) [arc-without-centre]
 ///       | N30 G2 X10 Y0
 ///       |     ^~
 ///
-/// A name that begins like a command ("::", "##") has "./" before it.
+/// A file name that begins like a command ("::", "##") gets the prefix "./".
 std::string render(const Diagnostic& diagnostic, const SourceFile& file);
 
 }  // namespace ncsim::gcode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which control a program was written for.
+// Detection of the control for which a program was written.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -12,6 +12,7 @@
 
 namespace ncsim::gcode {
 
+/// A dialect: the rules by which a family of controls reads blocks.
 enum class Dialect : std::uint8_t { Auto, Rs274, Fanuc, Haas, Grbl, Mach3 };
 
 /// Direction of the offset at the end of the first move with cutter compensation: square to the
@@ -20,10 +21,10 @@ enum class Dialect : std::uint8_t { Auto, Rs274, Fanuc, Haas, Grbl, Mach3 };
 /// Haas Mill Operator's Manual, "Entry and Exit from Cutter Compensation".
 enum class CompensationStart : std::uint8_t { SquareToItself, SquareToNext };
 
-/// "rs274", "fanuc" …
+/// Returns the name of `dialect`: "rs274", "fanuc" …
 std::string_view name_of(Dialect dialect);
 
-/// Programs for other machines, and in other languages.
+/// Kinds of programs by machine and language. Milling programs in G-code are `Milling`.
 enum class Kind : std::uint8_t {
     Milling,
     Heidenhain,
@@ -37,28 +38,30 @@ enum class Kind : std::uint8_t {
     Printer,
     NotAProgram,
 };
+/// Returns the name of `kind` for messages: "Siemens controls", "a lathe" …
 std::string_view name_of(Kind kind);
 
-/// One thing that speaks for a conclusion, with the place where it was seen first.
+/// A sign that supports a conclusion, with the first line that has the sign.
 struct Evidence {
     std::string text;
     std::uint32_t line = 0;
 };
 
+/// Dialect and kind of a program, with the evidence.
 struct DialectFindings {
     Dialect dialect = Dialect::Rs274;  ///< Never Auto.
-    bool stated = false;               ///< Given by the user, not concluded.
+    bool stated = false;               ///< Specified by the user, not concluded.
     Kind kind = Kind::Milling;
     std::vector<Evidence> evidence;       ///< For `dialect`.
     std::vector<Evidence> kind_evidence;  ///< For `kind`.
-    /// C stands only beside X or Y of straight lines, and is small and above 0: the size of a
-    /// chamfer, as lathes have it, rather than a turn of an axis.
+    /// C words occur only with X or Y of straight lines and have small positive values. Such words
+    /// may be sizes of chamfers, as on lathes, instead of positions of a rotary axis.
     bool c_may_be_corner = false;
 };
 
-/// Looks at the program and concludes. Without any sign: Rs274, the common core. Every line of the
-/// first 128 kB counts; behind them, lines of plain words (G1 X1.5 Y2) are passed by, since they
-/// look alike on all controls.
+/// Concludes the dialect and the kind of `program` from signs in the text. Without a sign the
+/// dialect is Rs274, the common core. After the first 128 kB, lines of plain words such as G2 X1.5
+/// I2 are not searched for signs because plain words look alike on all controls.
 DialectFindings detect_dialect(const SourceFile& program);
 
 }  // namespace ncsim::gcode

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the interpreter asks of somebody who knows how the machine is built: this library itself
-// knows no joints.
+// Interface to the kinematics of the machine, implemented outside lib/gcode; lib/gcode itself knows
+// no joints.
 #pragma once
 
 #include "ncsim/gcode/feature_frame.h"
@@ -12,41 +12,47 @@
 
 namespace ncsim::gcode {
 
-/// Places are machine coordinates of the controlled point, without the length of the tool: mm and
-/// degrees. While no axis is turned they are those of the tip on the part, W; where one is, the
-/// part turns with its table, and its places are told as they are when all stand at 0.
+/// Solves the kinematics of a machine. Joint positions are machine coordinates of the controlled
+/// point without the tool length, in mm and degrees. Tip positions are positions on the part (frame
+/// W) in the same numbers. If all rotary axes are at 0, joint and tip positions are equal. A turned
+/// table turns the part; tip positions on the part are given as with all rotary axes at 0.
 class JointSolver {
 public:
     virtual ~JointSolver() = default;
 
-    /// Does the machine turn at all?
+    /// True if the machine has rotary axes.
     virtual bool turns() const = 0;
 
-    /// The tip of a tool of `length_mm`, and the direction from it to the spindle, on the part.
+    /// Tip of a tool, and the direction from the tip to the spindle, on the part.
     struct Stand {
         Triple tip{};
         Triple axis{0, 0, 1};
     };
+    /// Returns the tip and direction of a tool of length `length_mm` with the joints at `joints`.
     virtual Stand stand_of(const Axes& joints, double length_mm) const = 0;
 
-    /// X, Y and Z that bring the tip there with the rest of `joints` as it is; nothing where they
-    /// cannot.
+    /// Returns `joints` with X, Y and Z replaced so that the tip is at `tip`; nullopt if no X, Y
+    /// and Z do this.
     virtual std::optional<Axes> joints_for(const Triple& tip, const Axes& joints,
                                            double length_mm) const = 0;
 
-    /// A direction with a length that is fixed to the table, as the machine has it with the joints
-    /// at `to`: with those at `from` it is `v`.
+    /// Returns the vector `v`, fixed to the table, after the table moved from the joints `from` to
+    /// the joints `to`. `v` and the result are in machine coordinates, mm.
     virtual Triple with_table(const Triple& v, const Axes& from, const Axes& to) const = 0;
 
-    /// Which of several ways to take, of the joint that counts first.
+    /// Choice among several solutions: the preference of the machine, or the first joint in the
+    /// kinematic chain moves up or down.
     enum class Way : unsigned char { Told, Up, Down };
-    /// The turns that give the tool the direction `axis`, of unit length, from where `joints`
-    /// stand.
+    /// Joint values that orient the tool; without `joints` there is no solution, and `why_not`
+    /// states the reason.
     struct Turned {
         std::optional<Axes> joints;
-        bool singular = false;  ///< One of the joints might stand anywhere: it stays.
+        /// A joint may have any value; the solution keeps the present value.
+        bool singular = false;
         std::string why_not;
     };
+    /// Returns rotary axis values that give the tool the direction `axis`, of unit length, starting
+    /// from `joints`.
     virtual Turned turned_to(const Triple& axis, const Axes& joints, Way way) const = 0;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From text to blocks, one line at a time: the grammar of RS274/NGC (Kramer, Proctor, Messina,
-// "The NIST RS274NGC Interpreter, Version 3", 2000) with what other controls write besides.
+// Splits a program into blocks, line by line: the grammar of RS274/NGC with the extensions of other
+// controls.
+// Source: Kramer, Proctor, Messina, "The NIST RS274NGC Interpreter, Version 3", 2000.
 #pragma once
 
 #include "ncsim/gcode/block.h"
@@ -18,34 +19,35 @@
 
 namespace ncsim::gcode {
 
-/// Reads a program line by line. Total: any byte sequence gives blocks; a line that cannot be
-/// read is reported and comes as BlockKind::Unreadable. Memory does not grow with the program.
+/// Reads a program line by line.
+/// Guarantees: any byte sequence gives blocks; an unreadable line is reported and returned as
+/// BlockKind::Unreadable. Memory does not grow with the program.
 ///
 ///     BlockReader reader(file);
 ///     Block block;
 ///     while (reader.next(block, log)) { … }
 class BlockReader {
 public:
-    /// `file` must outlive the reader.
+    /// Requires: `file` outlives the reader.
     explicit BlockReader(const SourceFile& file, ParserOptions options = {});
 
-    /// Reads the next line into `block`; false at the end of the program.
+    /// Reads the next line into `block` and reports faults to `log`.
+    /// Returns: false at the end of the program.
     bool next(Block& block, DiagnosticLog& log) { return next(block, &log); }
-    /// The same for those who want comments and words but no opinion about them.
+    /// Reads the next line into `block` without reporting faults.
     bool next(Block& block) { return next(block, nullptr); }
 
-    /// Where the next line starts. Good for `seek` on the same file.
+    /// Start of the next line; valid for `seek` on the same file.
     struct Place {
         std::size_t offset = 0;
-        std::uint32_t line = 0;  ///< Lines before it.
+        std::uint32_t line = 0;  ///< Number of lines before the position.
         bool operator==(const Place&) const = default;
     };
     Place place() const { return place_; }
     void seek(Place place) { place_ = place; }
 
-    /// From here on keeps what it reads of lines that are more than plain words, up to kMostKept
-    /// lines, so that those of a loop are read once. Lines of which something was said are read
-    /// anew, and it is said again.
+    /// Keeps the parsed blocks of subsequent lines that are more than plain words, up to kMostKept
+    /// lines, so lines in loops are parsed once. Lines with a report are parsed and reported again.
     void keep_lines();
     static constexpr std::size_t kMostKept = 2000;
 
@@ -56,17 +58,18 @@ private:
     const SourceFile* file_;
     ParserOptions options_;
     Place place_;
-    // The line under way, lower case and without blanks and comments, and the column each
-    // byte came from. Only lines that are more than plain words need them.
+    // Buffer for the current line in lower case without blanks and comments, and the column of each
+    // byte. Used only for lines that are more than plain words.
     std::string clean_;
     std::vector<std::uint32_t> columns_;
 
-    struct Kept;  // lines, by where they begin
+    struct Kept;  // Parsed lines by start offset.
     std::shared_ptr<Kept> kept_;
 };
 
-/// Reads the tool change that a comment holds and nothing else: the 3 of "( M6 T3 )". -1: none.
-/// FreeCAD's post for grbl writes tool changes so, and an operator makes them.
+/// Returns the tool number of a comment that consists of a tool change: 3 for "( M6 T3 )"; -1 for
+/// other comments. FreeCAD's post processor for grbl writes tool changes as comments, which the
+/// operator executes.
 int tool_called_in(const Comment& comment);
 
 }  // namespace ncsim::gcode

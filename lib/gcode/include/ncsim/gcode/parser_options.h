@@ -5,8 +5,9 @@
 
 namespace ncsim::gcode {
 
+/// Options of BlockReader.
 struct ParserOptions {
-    /// Report as errors what RS274/NGC does not know, even if other controls do: nested comments,
+    /// Reports as errors the extensions of other controls that RS274/NGC lacks: nested comments,
     /// checksums, expressions without brackets, console commands.
     bool strict = false;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Decides whether a file is an NC program: by its text, whatever its name.
+// Decides from the text of a file whether the file is an NC program.
 #pragma once
 
 #include <cstddef>
@@ -23,22 +23,22 @@ enum class TextKind : std::uint8_t {
     Text,      ///< Any other text.
 };
 
-/// "program", "binary file" …
+/// Returns the name of `kind`: "program", "binary file" …
 std::string_view name_of(TextKind kind);
 
-/// Bytes at the beginning of a file that `kind_of_text` needs at most.
+/// Largest number of bytes at the beginning of a file that `kind_of_text` needs.
 inline constexpr std::size_t kMostHeadBytes = 65536;
 
-/// Returns the kind of a text of which `head` is the beginning.
-/// Guarantees: never reads more than kMostHeadBytes; any bytes give a result.
+/// Returns the kind of a text that begins with `head`.
+/// Guarantees: reads at most kMostHeadBytes; any bytes give a result.
 TextKind kind_of_text(std::string_view head);
 
-/// True if the ending of the file name `name` means NC programs only: ".nc", ".NGC", ".mpf" … A
-/// file of such a name is a program even if its text is damaged.
+/// True if the extension of the file name `name` is used for NC programs only: ".nc", ".NGC",
+/// ".mpf" … A file with such a name is a program even if the text is damaged.
 bool names_program(std::string_view name);
 
-/// True if a text, of which `head` and `tail` are the first and the last bytes, only acts when
-/// another program calls it: it ends with M99, or has nothing but subroutines.
+/// True if a text with the first bytes `head` and the last bytes `tail` acts only when another
+/// program calls it: the text ends with M99, or contains only subroutines.
 bool is_subprogram_text(std::string_view head, std::string_view tail);
 
 }  // namespace ncsim::gcode

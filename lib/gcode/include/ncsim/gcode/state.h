@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a control remembers between two blocks. A value: to go back, keep a copy.
+// The state of a control between two blocks, as a value: a copy restores the state.
 //
-// Numbers that a program can write are kept as it writes them, in *program coordinates* and in
-// the units that are active, so that they stay exact until they leave as motions:
+// Numbers that a program can write are stored as written, in *program coordinates* and in the
+// active units, so the numbers stay exact until motions are made:
 //
 //     machine = rotate_z(rotation) * (plane * (position + offset_92) + outer_92) + work_offset +
 //               tool_offset
@@ -19,54 +19,56 @@
 
 namespace ncsim::gcode {
 
-/// X Y Z A B C U V W: lengths in the units of the moment (or mm, where said), angles in degrees.
+/// Values of X Y Z A B C U V W: lengths in active units (or mm, where stated), angles in degrees.
 using Axes = std::array<double, 9>;
 
-/// A G code; the names are those of src/control/codes.def. -1: none, else ten times the number.
+/// A G code, with the names of src/control/codes.def. Value: ten times the number; -1: none.
 enum class Code : std::int16_t;
 
+/// Index of an axis in Axes.
 enum Axis : std::uint8_t { kX, kY, kZ, kA, kB, kC, kU, kV, kW };
 
 constexpr bool is_rotary(std::size_t axis) {
     return axis >= kA && axis <= kC;
 }
 
-/// On which side of the programmed path the cutter goes (G41, G42).
+/// Side of the programmed path on which the cutter moves (G41, G42).
 enum class CutterSide : std::uint8_t { Off, Left, Right };
 
-/// What a canned cycle keeps from block to block. Program coordinates.
+/// Modal data of a canned cycle, in program coordinates.
 struct CycleState {
-    double r = 0.0, z = 0.0, q = 0.0;  ///< z: the depth, along the axis that drills.
+    double r = 0.0, z = 0.0, q = 0.0;  ///< z: the depth, along the drilling axis.
     double p = 0.0;                    ///< Seconds.
-    /// Pecks of Haas by I, J, K: the first, how much less each next is, the least. 0: by q.
+    /// Peck depths of Haas by I, J, K: first depth, reduction per peck, minimum. 0: all pecks by q.
     double first_peck = 0.0, peck_reduction = 0.0, least_peck = 0.0;
     bool has_r = false, has_z = false, has_p = false;
-    Code code{-1};         ///< Of the cycle.
-    double initial = 0.0;  ///< Where the drilling axis stood before the first cycle of the series.
+    Code code{-1};         ///< The G code of the cycle.
+    double initial = 0.0;  ///< Position of the drilling axis before the first cycle of the series.
     bool running = false;
     bool operator==(const CycleState&) const = default;
 };
 
-/// G68, G51 and G16 of Fanuc and its kin: what happens to programmed coordinates first.
+/// G68, G51 and G16 of Fanuc and similar controls: transformation of programmed coordinates,
+/// applied first.
 struct Programmed {
     bool rotated = false, scaled = false, polar = false;
-    Plane plane = Plane::XY;  ///< Of G68 and G16.
+    Plane plane = Plane::XY;  ///< Plane of G68 and G16.
     double angle = 0.0;       ///< Degrees, G68.
     double centre_1 = 0.0, centre_2 = 0.0;
-    std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< G51; negative mirrors.
+    std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< G51; a negative factor mirrors.
     std::array<double, 3> scale_centre{};
     bool operator==(const Programmed&) const = default;
 };
 
-/// What the origin of a coordinate system is known from, an axis (X, Y, Z): 0 is the machine, any
-/// other number some place that nobody told. How far two systems are apart is known where they have
-/// the same.
+/// Reference of a coordinate system's origin for each axis (X, Y, Z). 0: the machine; any nonzero
+/// number: an unknown position with that number. The distance between two systems is known along
+/// the axes with equal references.
 using OriginFrame = std::array<int, 3>;
 
-/// In MachineState::place_frame: the axis is at a place of the machine (G28, G30, G53).
+/// Value of MachineState::place_frame: the axis is at a position of the machine (G28, G30, G53).
 constexpr int kMachinePlace = -1;
 
-/// One coordinate system G54 … G59.3. Millimetres and degrees, machine coordinates.
+/// A coordinate system G54 … G59.3, in machine coordinates, mm and degrees.
 struct WorkOffset {
     Axes origin{};
     double rotation = 0.0;  ///< Degrees about Z.
@@ -74,13 +76,14 @@ struct WorkOffset {
     bool operator==(const WorkOffset&) const = default;
 };
 
-/// Registers of tool lengths that are no number of a tool table.
+/// Tool length registers that are not numbers of a tool table.
 enum LengthRegister : int {
-    kNoLength = 0,        ///< G49, H0, or never anything else.
-    kStatedLength = -1,   ///< G43.1: the program says the length itself.
+    kNoLength = 0,        ///< G49, H0, or no length code yet.
+    kStatedLength = -1,   ///< G43.1: the program states the length itself.
     kNegatedLength = -2,  ///< G44.
 };
 
+/// The modes, values and positions of a control.
 struct MachineState {
     // Modes
     bool inches = false;
@@ -92,91 +95,94 @@ struct MachineState {
     bool lathe_diameter = false;          ///< G7
     Plane plane = Plane::XY;
     FeedMode feed_mode = FeedMode::PerMinute;
-    bool spindle_in_doubt = false;  ///< M0 came after M3; on many machines that stops the spindle.
-    bool previous_was_spline = false;  ///< G5 may leave out its first control point.
+    bool spindle_in_doubt = false;     ///< M0 came after M3; on many machines M0 stops the spindle.
+    bool previous_was_spline = false;  ///< The next G5 may omit the first control point.
     bool units_stated = false;
     bool first_length_seen = false, first_length_in_inches = false;
     bool just_left_compensation = false;
     /// After G40 on Fanuc and Haas: the vector from the tool to the programmed point. The next move
-    /// in the plane goes along it, too. Active units.
+    /// in the plane includes the vector. Active units.
     Axes uncancelled{};
-    Code motion{-1};  ///< The motion mode; G80 after that; -1: none yet.
-    Code last_straight{
-        0};  ///< G0 or G1: what bare axis words after G80 mean where that is allowed.
+    Code motion{-1};  ///< The motion mode; G80 after a G80; -1: none yet.
+    /// G0 or G1: mode of bare axis words after G80, where allowed.
+    Code last_straight{0};
 
     // Values
     double feed = 0.0;  ///< In active units per minute or revolution; 0: never set.
     double spindle_rpm = 0.0;
     SpindleTurning spindle = SpindleTurning::Stopped;
     Coolant coolant;
-    int selected_tool = -1;  ///< T; -1: none yet.
-    int tool = 0;            ///< In the spindle.
+    int selected_tool = -1;  ///< By T; -1: none yet.
+    int tool = 0;            ///< Tool in the spindle.
     CutterSide cutter_side = CutterSide::Off;
-    double cutter_radius = 0.0;         ///< Active units; with `cutter_side`.
-    int length_register = kNoLength;    ///< H of G43, or a LengthRegister.
-    bool length_told = false;           ///< Of that register.
-    std::optional<double> tool_length;  ///< Of the tool in the spindle, mm, where it is told.
-    /// The M code that last chose how the machine turns (M428 …), if nobody told it; 0: none.
+    double cutter_radius = 0.0;       ///< Active units; with `cutter_side`.
+    int length_register = kNoLength;  ///< H of G43, or a LengthRegister.
+    bool length_told = false;         ///< The length of `length_register` is specified.
+    /// Length of the tool in the spindle, mm; empty: unspecified.
+    std::optional<double> tool_length;
+    /// M code (M428 …) that last chose the kinematics, if unspecified; 0: none.
     int kinematics = 0;
     Coordinates coordinates = Coordinates::Axes;
-    Coordinates chosen = Coordinates::Axes;  ///< What they are as soon as no plane is tilted.
-    bool tip_by_length = false;              ///< By G43.4.
-    bool by_vector = false;                  ///< G43.5: I, J and K tell the direction of the tool.
-    /// Of a tilted plane: what program coordinates are counted in. Active units.
+    Coordinates chosen = Coordinates::Axes;  ///< Meaning of X, Y and Z while no plane is tilted.
+    bool tip_by_length = false;              ///< Chosen by G43.4.
+    bool by_vector = false;                  ///< G43.5: I, J and K are the direction of the tool.
+    /// Tilted working plane: frame of program coordinates, active units.
     std::optional<FeatureFrame> plane_frame;
-    std::array<double, 3> outer_92{};  ///< What offset_92 was outside of the plane; X, Y, Z.
-    std::array<bool, 3> clamped{};     ///< A, B and C.
-    /// G12.1: X and C are places across the axis of C, in a plane_frame of its own.
+    std::array<double, 3> outer_92{};  ///< Value of offset_92 outside of the plane; X, Y, Z.
+    std::array<bool, 3> clamped{};     ///< A, B and C are clamped.
+    /// G12.1 (polar interpolation): X and C are positions in the plane normal to the axis of C, in
+    /// a separate plane_frame.
     struct Face {
-        double angle = 0.0;       ///< Of its X, on the part; degrees.
-        double start = 0.0;       ///< Where C stood when it began, degrees.
-        double sign = 1.0;        ///< Of C, seen on the part.
-        Plane plane = Plane::XY;  ///< Of before.
+        double angle = 0.0;       ///< Direction of the frame's X axis on the part, degrees.
+        double start = 0.0;       ///< Position of C at G12.1, degrees.
+        double sign = 1.0;        ///< Sense of C seen on the part: 1 or -1.
+        Plane plane = Plane::XY;  ///< Plane before G12.1.
         bool operator==(const Face&) const = default;
     };
     std::optional<Face> face;
-    /// G7.1: a rotary axis turns a cylinder.
+    /// G7.1 (cylindrical interpolation): a rotary axis turns a cylinder.
     struct Cylinder {
         std::size_t axis = 5;
         double radius = 0.0;  ///< Active units.
         bool operator==(const Cylinder&) const = default;
     };
     std::optional<Cylinder> cylinder;
-    /// G254, G54.2, G54.4: how far the zero of the system went with the table. Machine coordinates,
-    /// active units.
+    /// G254, G54.2, G54.4: displacement of the zero of the system with the table, in machine
+    /// coordinates, active units.
     std::optional<std::array<double, 3>> carried;
-    /// Of G54.2 and G54.4: where that is with all rotary axes at 0,
+    /// G54.2 and G54.4: `carried` with all rotary axes at 0.
     std::array<double, 3> carried_home{};
-    int table_offset = 0;           ///< and its number; 0: none.
-    bool is_setting_error = false;  ///< It is of G54.4.
+    int table_offset = 0;           ///< Number of the offset (P); 0: none.
+    bool is_setting_error = false;  ///< The offset is a setting error (G54.4).
 
     // Places
-    Axes position{};     ///< Of the controlled point, program coordinates.
-    Axes work_offset{};  ///< Of the active system.
+    Axes position{};     ///< Position of the controlled point, program coordinates.
+    Axes work_offset{};  ///< Origin of the active system.
     Axes offset_92{};    ///< G92 and G52.
-    Axes tool_offset{};  ///< G43
-    /// How often the tip got elsewhere though nothing moved: a tool length came or went.
+    Axes tool_offset{};  ///< G43.
+    /// Number of changes of the tip's position without a motion: a new tool length, a new meaning
+    /// of X, Y and Z, a new start position.
     std::uint32_t length_changes = 0;
-    double rotation = 0.0;  ///< Of the active system, degrees.
-    OriginFrame frame{};    ///< Of the active system.
-    /// Frames in which the places of X, Y and Z are known: of the system that was active when the
-    /// axis moved last, or kMachinePlace.
+    double rotation = 0.0;  ///< Rotation of the active system, degrees.
+    OriginFrame frame{};    ///< Reference of the active system.
+    /// References in which the positions of X, Y and Z are known: the reference of the system that
+    /// was active when the axis last moved, or kMachinePlace.
     OriginFrame place_frame{};
-    /// How far unspecified frames were shifted by assumptions, mm.
+    /// Shift of unspecified references by assumptions, mm.
     std::array<double, 3> frame_shift{};
-    /// Nothing has moved, and no G92 or G10 L20 refers to the place of the tool.
+    /// No motion yet, and no G92 or G10 L20 refers to the position of the tool.
     bool is_at_start = true;
     int system = 1;  ///< 1: G54 … 9: G59.3; 9 + n: G54.1 Pn.
     KnownAxes known{false, false, false};
-    /// Of those, the ones that incremental words moved from where nobody knows,
+    /// Axes of `known` that incremental words moved from an unknown position.
     KnownAxes relative{false, false, false};
-    /// and the ones that stand at a place of the machine of which nobody knows where it is.
+    /// Axes of `known` that are at a position of the machine unknown in the active system.
     KnownAxes of_machine{false, false, false};
-    /// The part of offset_92 that said where an axis stands of which nobody knew it: it is where
-    /// the program has its zero, and no shift from there.
+    /// Part of offset_92 by which G92 set the position of an axis whose position was unknown. This
+    /// part defines the program zero; it is not a shift of the zero.
     Axes zero_92{};
     std::array<bool, 3> is_zero_by_hand{};  ///< X, Y, Z of zero_92 are set, to 0 or another value.
-    std::array<double, 2> last_pq{};        ///< Of the last G5.
+    std::array<double, 2> last_pq{};        ///< P and Q of the last G5.
 
     Programmed programmed;
     CycleState cycle;
@@ -185,8 +191,8 @@ struct MachineState {
     bool operator==(const MachineState&) const = default;
 };
 
-/// The frame a motion was programmed in, for those who want to show it as it was written.
-/// Lengths in the active units, angles in degrees.
+/// The frame in which a motion was programmed, for display in program coordinates. Lengths in the
+/// active units, angles in degrees.
 struct ProgramFrame {
     bool inches = false;
     int system = 1;
@@ -196,8 +202,9 @@ struct ProgramFrame {
     double rotation = 0.0;
     Plane plane = Plane::XY;
     int length_register = kNoLength;
-    bool length_told = false;           ///< Of that register.
-    std::optional<double> tool_length;  ///< Of the tool in the spindle, mm, where it is told.
+    bool length_told = false;  ///< The length of `length_register` is specified.
+    /// Length of the tool in the spindle, mm; empty: unspecified.
+    std::optional<double> tool_length;
     bool operator==(const ProgramFrame&) const = default;
 };
 

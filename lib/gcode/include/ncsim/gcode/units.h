@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Quantities that NC programs write in several units. A number in a program has the
-// unit of the moment; a Length or an Angle has none to mistake.
+// Length and Angle: quantities with a fixed unit. A number in a program has the active unit of the
+// program; a Length or an Angle is independent of the active unit.
 #pragma once
 
 #include <compare>
@@ -33,8 +33,8 @@ private:
     double mm_ = 0.0;
 };
 
-/// An angle, kept in degrees: rotary axes are programmed in degrees and run far beyond
-/// a full turn, so a value is never wrapped.
+/// An angle, stored in degrees because rotary axes are programmed in degrees. A value is never
+/// wrapped because rotary axes may turn far beyond a full turn.
 class Angle {
 public:
     constexpr Angle() = default;

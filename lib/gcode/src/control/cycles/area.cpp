@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Distances and scan lines of a polygon.
 #include "control/cycles/area.h"
 
 #include "ncsim/trig/angles.h"
@@ -12,8 +14,8 @@
 namespace ncsim::gcode {
 namespace {
 
-/// Nearer than it should be by less than this is near enough, as a share of the distance and of
-/// the outline: rounding.
+/// Rounding tolerances of strokes and of connections, relative to the sum of the distance and the
+/// height of the outline.
 constexpr double kRounding = 1e-12;
 constexpr double kOfWays = 1e-9;
 
@@ -37,7 +39,8 @@ double distance(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
     return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
 }
 
-/// What of the line `y` is nearer to the segment than `radius`.
+/// Returns the part of the horizontal line at `y` whose distance from the segment is below
+/// `radius`.
 std::optional<Stroke> near_segment(PlanePoint a, PlanePoint b, double radius, double y) {
     std::optional<Stroke> out;
     const auto add = [&](double from, double to) {
@@ -51,7 +54,7 @@ std::optional<Stroke> near_segment(PlanePoint a, PlanePoint b, double radius, do
         const double half = std::sqrt((radius - up) * (radius + up));
         add(p.x - half, p.x + half);
     }
-    // The two sides of the band between the ends.
+    // The two sides of the band between the end circles.
     const double length = trig::length_of(b.x - a.x, b.y - a.y);
     if (length == 0.0) return out;
     const PlanePoint n{-(b.y - a.y) / length * radius, (b.x - a.x) / length * radius};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G150 of Haas: a pocket of any shape. Its outline stands in a subprogram, which is not run but
-// listened to: a line from the starting hole to the outline, and around it once.
+// G150 of Haas: a pocket of any shape. The outline is in a subprogram that is not executed but
+// recorded: a line from the starting hole to the outline, then once around the outline.
 #include "ncsim/trig/angles.h"
 
 #include "control/cycles/area.h"
@@ -15,21 +15,21 @@
 namespace ncsim::gcode {
 namespace {
 
-/// More than these nobody has cut: a word is wrong.
-constexpr double kMostStrokes = 100'000.0;  // at all levels
-constexpr double kMostWork = 1e9;           // strokes, by sides of the outline
-constexpr double kMostPieces = 2000.0;      // of an arc
+/// Limits above any real program; a larger value is a wrong word.
+constexpr double kMostStrokes = 100'000.0;  // Strokes at all levels.
+constexpr double kMostWork = 1e9;           // Strokes × sides of the outline.
+constexpr double kMostPieces = 2000.0;      // Segments of an arc.
 
-/// How far chords of the outline's arcs lie off, mm.
+/// Chord tolerance of the outline's arcs, mm.
 constexpr double kChord = 0.001;
 
-/// Ends that should meet and lie no farther apart do, mm.
+/// Largest distance between the ends of a closed outline, mm.
 constexpr double kMeets = 0.005;
 
-/// An arc whose ends are no farther apart, seen from the centre, is a full circle. In degrees.
+/// An arc whose ends subtend at most this angle at the centre is a full circle, degrees.
 constexpr double kNoTurn = 1e-9 * 180.0 / std::numbers::pi;
 
-/// In degrees, positive counter-clockwise.
+/// Returns the angle that the arc `move` turns by, in degrees, positive counter-clockwise.
 double sweep_of(const OutlineMove& move) {
     const double from = trig::angle_of(move.from.x - move.centre.x, move.from.y - move.centre.y);
     const double to = trig::angle_of(move.to.x - move.centre.x, move.to.y - move.centre.y);
@@ -51,7 +51,7 @@ PlanePoint along(const OutlineMove& move, double share) {
             move.centre.y + x * turn.sin + y * turn.cos};
 }
 
-/// The outline as a polygon.
+/// Returns the outline as a polygon with the chord tolerance `chord`.
 std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double chord) {
     std::vector<PlanePoint> points;
     for (const OutlineMove& move : loop) {
@@ -72,7 +72,7 @@ std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double 
 
 }  // namespace
 
-/// From here on moves are listened to; they begin at the X and Y of the G150.
+/// Starts recording moves instead of making moves, at X and Y of the G150 block.
 bool Machine::begin_outline(const Command& command) {
     if (control_.corner) settle_corner();
     Axes start{};
@@ -84,11 +84,12 @@ bool Machine::begin_outline(const Command& command) {
     state_.motion = Code::G1;
     state_.cycle = {};
     state_.feed_mode = FeedMode::PerMinute;
-    state_.feed = std::max(state_.feed, 1.0);  // the one of the G150 counts
+    // Satisfies the feed check of the outline; the feed of the G150 block counts.
+    state_.feed = std::max(state_.feed, 1.0);
     return true;
 }
 
-/// What was heard is kept for the G150, and all else is as before.
+/// Keeps the recorded moves for the G150 block and restores the control.
 void Machine::end_outline() {
     if (control_.corner) settle_corner();
     restore(outline_->before);
@@ -110,7 +111,7 @@ bool Machine::belongs_to_outline(const Command& command) {
            command.group(MGroup::Stop) == kNone && command.group(MGroup::ToolChange) == kNone;
 }
 
-/// A move of the outline: a line, or with `arc` an arc.
+/// Records a move of the outline: a line to `end`, or the arc `arc`.
 bool Machine::hear(const Axes& end, const ProgramArc* arc) {
     const Axes& from = state_.position;
     OutlineMove move;
@@ -126,11 +127,12 @@ bool Machine::hear(const Axes& end, const ProgramArc* arc) {
     return true;
 }
 
-/// At each level: down at the starting hole, strokes along Y (I) or X (J) over all that is a
-/// cutter's radius and the finishing allowance away from the outline, then around it; at the last
-/// level around it once more, on size. Haas tells the order and the words, not the strokes: which
-/// they are makes no difference to what is left. Where no straight way leads from one stroke to
-/// the next, the tool is lifted to R.
+/// Mills the pocket. At each level: down at the starting hole; strokes along Y (I) or X (J) over
+/// the area whose distance from the outline is at least the cutter radius plus the finishing
+/// allowance; once around this area. At the last level, once more around the outline on size.
+/// Between strokes without a straight connection inside the area the tool retracts to R. The Haas
+/// manual gives the order and the words but not the strokes; the choice of strokes does not change
+/// the material left.
 bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
     const SourceSpan span = span_of_g(command, Code::G150);
     const auto needs = [&](std::string_view what) {
@@ -166,7 +168,7 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
     if (step <= 0.0 || depth / step > kMostStrokes)
         return needs("an increment of depth (Q) above 0, and not that small");
 
-    // The outline: without the way to it, closed.
+    // The outline without the line from the starting hole; must be closed.
     if (!heard_well_ || heard_.size() < 2) return needs("an outline of G1, G2 and G3 in X and Y");
     if (heard_.front().turns != 0)
         return needs("a line (G1) from the starting hole to the outline");
@@ -247,7 +249,8 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
     return true;
 }
 
-/// Around the outline, `radius` inside of it, from the middle of its first move.
+/// Mills around the outline at the distance `radius` inside, starting at the middle of the first
+/// move.
 bool Machine::mill_around(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
                           const Area& area, bool along_y, double level, double clear) {
     const OutlineMove& first = loop.front();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ,R and ,C of Fanuc and its kin: an arc or a chamfer in the corner between a line and the next;
-// ,A: the direction of a line, of whose end one coordinate is told, or which meets the next line. A
-// line is held back, because only the next one tells where it ends.
+// ,R and ,C of Fanuc and similar controls: an arc or a chamfer between a line and the next line.
+// ,A: the direction of a line for which one coordinate of the end is given, or which ends at the
+// next line. Each such line is held back because the end depends on the next line.
 #include "ncsim/trig/angles.h"
 
 #include "control/machine.h"
@@ -13,12 +13,12 @@
 namespace ncsim::gcode {
 namespace {
 
-/// Lengths that differ by less are one, in units of the program: rounding.
+/// Rounding tolerance of lengths, in program units.
 constexpr double kCornerRounding = 1e-9;
 
 }  // namespace
 
-/// A G1 with axis words of its own.
+/// True for G1 with axis words that no other code of the block uses.
 bool Machine::is_line(const Command& command) const {
     const Code named = command.group(Group::Motion);
     if ((named == Code::None ? state_.motion : named) != Code::G1 || !command.axis_words)
@@ -34,7 +34,7 @@ bool Machine::ends_in_corner(const Command& command) const {
     return is_line(command) && command.group(MGroup::Stop) == kNone;
 }
 
-/// A line in the coordinates of the one before, with nothing between them.
+/// True for a line in the coordinate frame of the line before.
 bool Machine::goes_on_from_corner(const Command& command) const {
     for (const Group group :
          {Group::Plane, Group::Units, Group::CutterSide, Group::ToolLength, Group::WorkOffset,
@@ -78,7 +78,7 @@ bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask
     return true;
 }
 
-/// The held line up to its corner, and the corner itself, now that the next line goes to `next`.
+/// Makes the held line up to the corner, and the corner itself. `next`: end of the next line.
 bool Machine::cut_corner(const Axes& next) {
     const PlaneAxes axes = axes_of(state_.plane);
     const HeldCorner held = *control_.corner;
@@ -101,9 +101,9 @@ bool Machine::cut_corner(const Axes& next) {
     const double cross = (x1 * y2 - y1 * x2) / (length_1 * length_2);
     if (std::abs(cross) <= kCornerRounding) {
         if (dot < 0.0) return refuse("a next line that does not turn back");
-        return make_held_line(held.end, nullptr, nullptr);  // straight on: no corner
+        return make_held_line(held.end, nullptr, nullptr);  // Collinear lines have no corner.
     }
-    // How much of each line the corner takes away.
+    // Length that the corner removes from each line.
     const double cut = held.letter == 'R' ? held.size * std::abs(cross) / (1.0 + dot) : held.size;
     if (cut > std::min(length_1, length_2) + kCornerRounding) {
         return refuse("lines that are long enough for it");
@@ -111,20 +111,21 @@ bool Machine::cut_corner(const Axes& next) {
     Axes first = held.end;
     first[axes.first] -= cut * (x1 / length_1);
     first[axes.second] -= cut * (y1 / length_1);
-    if (length_1 - cut <= kCornerRounding) first = from;  // nothing of the line is left
+    if (length_1 - cut <= kCornerRounding) first = from;  // The corner consumes the whole line.
     Axes second = held.end;
     second[axes.first] += cut * (x2 / length_2);
     second[axes.second] += cut * (y2 / length_2);
     if (length_2 - cut <= kCornerRounding) second = next;
     if (held.letter == 'C') return make_held_line(first, &second, nullptr);
-    const double side = cross > 0.0 ? held.size : -held.size;  // left of the line: to the left
+    // A left turn has the arc's centre on the left.
+    const double side = cross > 0.0 ? held.size : -held.size;
     const ProgramArc arc{second, first[axes.first] - side * (y1 / length_1),
                          first[axes.second] + side * (x1 / length_1), cross > 0.0 ? 1 : -1};
     return make_held_line(first, nullptr, &arc);
 }
 
-/// The held line to `end`, then a chamfer to `second` or an arc, as the block of the line had them
-/// made. Puts `state_.position` where they end.
+/// Makes the held line to `end`, then the chamfer to `second` or the arc, with the state and the
+/// origin of the held block. Sets `state_.position` to the end.
 bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc) {
     const HeldCorner held = *control_.corner;
     control_.corner.reset();
@@ -152,8 +153,8 @@ bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramA
     return made;
 }
 
-/// "X50. ,A30.": the other coordinate of the end follows from the direction. Where both are told,
-/// they must agree with it, within what three decimals leave open.
+/// Completes the end of a line with a direction: "X50. ,A30.". If both coordinates are given, both
+/// must agree with the direction within the rounding of three decimals.
 bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
     const auto refuse = [&](std::string_view what) {
         return fail(Message::AngleForm, command.angle_span, {what});
@@ -171,7 +172,8 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
     const bool tells_first = (mask & 1U << axes.first) != 0;
     const bool tells_second = (mask & 1U << axes.second) != 0;
     if (tells_first && tells_second) {
-        constexpr double kThousandth = 0.002;  // of both ends, in units of the program
+        // Tolerance for the rounding of both ends, in program units.
+        constexpr double kThousandth = 0.002;
         if (std::abs(x * d.sin - y * d.cos) > kThousandth)
             return refuse("an end that lies in its direction");
         return true;
@@ -190,7 +192,7 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
     return true;
 }
 
-/// "G1 ,A30.": it ends where it meets the next line.
+/// Holds back a line without coordinates, "G1 ,A30.", which ends at the next line.
 bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask) {
     if (mask != 0)
         return fail(Message::AngleForm, command.angle_span,
@@ -216,7 +218,7 @@ bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask)
     return true;
 }
 
-/// Where the held line meets the next one, of which end and direction are told.
+/// Computes where the held line meets the next line, whose end `next` and direction are given.
 bool Machine::find_corner(const Command& command, const Axes& next) {
     HeldCorner& held = *control_.corner;
     const auto refuse = [&](std::string_view what) {
@@ -249,7 +251,8 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     return true;
 }
 
-/// What comes after the held line makes no corner with it.
+/// Reports that the next block is no line. Makes the held line to the programmed corner; a line
+/// with unknown end is discarded.
 void Machine::settle_corner() {
     if (control_.corner->angle) {
         const SourceSpan span = control_.corner->word;

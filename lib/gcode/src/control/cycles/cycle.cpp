@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Canned cycles, expanded into the moves they stand for (RS274/NGC version 3, section 3.5.16).
+// Canned cycles, expanded into moves.
+// Source: RS274/NGC version 3, section 3.5.16.
 #include "control/machine.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ constexpr char kAxisLetters9[] = {'X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'};
 
 }  // namespace
 
-/// Takes over the sticky words, and refuses what a cycle cannot use.
+/// Updates the modal words of the cycle. Reports words that the cycle cannot use.
 bool Machine::cycle_words(const Command& command, Code motion) {
     CycleState& cycle = state_.cycle;
     const PlaneAxes axes = axes_of(state_.plane);
@@ -21,7 +22,8 @@ bool Machine::cycle_words(const Command& command, Code motion) {
     if (!cycle.running || cycle.code != motion) {
         const double initial = cycle.running ? cycle.initial : state_.position[axes.third];
         if (!cycle.running || rules_.strict) {
-            const double p = cycle.p;  // G74 and G84 of LinuxCNC dwell as the last cycle with a P
+            // G74 and G84 of LinuxCNC dwell for the P of the last cycle with a P.
+            const double p = cycle.p;
             cycle = {};
             if (rules_.is_linuxcnc()) cycle.p = p;
         }
@@ -32,7 +34,7 @@ bool Machine::cycle_words(const Command& command, Code motion) {
     if (command.has('R')) cycle.r = command['R'], cycle.has_r = true;
     if (command.has(depth)) cycle.z = command[depth], cycle.has_z = true;
     if (rules_.macro_b && state_.incremental) {
-        // Data of holes are kept as heights there, whatever G90 and G91 say later.
+        // Fanuc and Haas store the data of holes as heights, independent of later G90 and G91.
         if (command.has('R')) cycle.r += cycle.initial;
         if (command.has(depth)) cycle.z += cycle.r;
     }
@@ -81,15 +83,15 @@ bool Machine::cycle_words(const Command& command, Code motion) {
     return true;
 }
 
-/// Forgets the cycle, but for the dwell that LinuxCNC keeps.
+/// Ends the cycle. LinuxCNC keeps the dwell.
 void Machine::end_cycle() {
     const double p = state_.cycle.p;
     state_.cycle = {};
     if (rules_.is_linuxcnc()) state_.cycle.p = p;
 }
 
-/// Taps have to turn the right way, and cycles that stop the spindle need one that turns: LinuxCNC
-/// refuses others.
+/// Checks the spindle as LinuxCNC does: taps need the right direction, and cycles that stop the
+/// spindle need a turning spindle.
 bool Machine::check_spindle(const Command& command, Code motion) {
     using enum SpindleTurning;
     const SpindleTurning turning = state_.spindle;
@@ -108,7 +110,7 @@ bool Machine::cycle(const Command& command, Code motion) {
         return fail(Message::LatheCycle, command.span, {name});
     }
     if (!command.axis_words) {
-        // Words without a place to drill only set what the next block uses.
+        // Words without a hole position are stored for the next block.
         if (rules_.strict) return fail(Message::AxesMissing, command.span, {name});
         if (command.has('R')) state_.cycle.r = command['R'], state_.cycle.has_r = true;
         if (command.has('Q')) state_.cycle.q = std::abs(command['Q']);
@@ -127,7 +129,7 @@ bool Machine::cycle(const Command& command, Code motion) {
         repeats = command['K'];
     }
     if (repeats < 1.0 && rules_.strict) return fail(Message::CycleRepeats, span_of(command, 'L'));
-    if (repeats < 1.0) return true;  // L0, K0: define only
+    if (repeats < 1.0) return true;  // L0, K0 define the cycle only.
     if (repeats > 100'000.0) return fail(Message::CycleRepeats, span_of(command, 'L'));
 
     Axes hole{};
@@ -147,7 +149,7 @@ bool Machine::cycle(const Command& command, Code motion) {
     return true;
 }
 
-/// The place of the (first) hole, without the depth word, which means the bottom here.
+/// Computes the position of the first hole, excluding the depth word.
 bool Machine::hole_place(const Command& command, Axes& hole, AxisMask& mask) {
     const std::size_t depth_axis = axes_of(state_.plane).third;
     Command in_plane = command;
@@ -156,7 +158,7 @@ bool Machine::hole_place(const Command& command, Axes& hole, AxisMask& mask) {
     return find_ends(in_plane, hole, mask);
 }
 
-/// The heights, and the move up to R where the tool is below it.
+/// Computes the heights, and moves up to R if the tool is below R.
 std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command, Code motion) {
     const std::size_t depth_axis = axes_of(state_.plane).third;
     const CycleState& cycle = state_.cycle;
@@ -172,9 +174,8 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
     }
     if (bottom == r) warn(Message::CycleDrillsNothing, command.span, {name_of(motion)});
     const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
-    // If the initial plane is above R and the tool is below R, LinuxCNC goes to the next hole
-    // and up to R in one move. Fanuc goes across first; other readings would hide what is in the
-    // way.
+    // If the initial plane is above R and the tool is below R, LinuxCNC moves to the next hole and
+    // up to R in a single move. Fanuc moves across first; a different reading would hide obstacles.
     const bool slants = !rules_.macro_b;
     if (slants ? cycle.initial < r && (rules_.strict || height != r) : height < r) {
         Axes up = state_.position;
@@ -186,7 +187,7 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
     return Drilling{motion, depth_axis, r, bottom, clear, across};
 }
 
-/// At the height of now over the hole, down to R, and one hole drilled.
+/// Moves over the hole at the height of `drilling`, down to R, and drills the hole.
 bool Machine::hole_at(Drilling& drilling, const Axes& hole, AxisMask mask) {
     const std::size_t depth_axis = drilling.depth_axis;
     Axes above = hole;
@@ -201,10 +202,10 @@ bool Machine::hole_at(Drilling& drilling, const Axes& hole, AxisMask mask) {
     return drill(drilling, above);
 }
 
-/// The depths of the pecks above the bottom; nothing if there are too many.
+/// Returns the depths of the pecks above the bottom; nullopt if there are too many.
 std::optional<std::vector<double>> Machine::peck_depths(double r, double bottom) const {
     constexpr double kMostPecks = 100'000.0;
-    constexpr double kPeckRounding = 1e-9;  // a last peck of rounding errors is no peck
+    constexpr double kPeckRounding = 1e-9;  // A last peck of this size is a rounding error.
     const CycleState& cycle = state_.cycle;
     std::vector<double> depths;
     if (cycle.first_peck > 0.0) {
@@ -226,7 +227,7 @@ std::optional<std::vector<double>> Machine::peck_depths(double r, double bottom)
     return depths;
 }
 
-/// From above the hole at R down to `bottom` and back to `clear`.
+/// Drills from R above the hole to the bottom and retracts to the clear height.
 bool Machine::drill(const Drilling& drilling, const Axes& above) {
     const Code motion = drilling.motion;
     const std::size_t depth_axis = drilling.depth_axis;
@@ -285,7 +286,7 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
         case Code::G86:
         case Code::G87:
         case Code::G88:
-            // The spindle stops (G76: orients and steps aside by Q), and the tool goes out.
+            // The spindle stops (G76: also orients, then moves aside by Q), and the tool retracts.
             if (cycle.has_p) path_.dwell(state_, seconds);
             state_.spindle = SpindleTurning::Stopped;
             to(clear, MoveKind::Rapid);

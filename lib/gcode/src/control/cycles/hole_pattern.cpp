@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G70, G71, G72 as Haas has them: the cycle that is on drills on a circle, an arc, a line. They
-// hold for their block alone.
+// G70, G71, G72 of Haas: the active cycle drills holes on a circle, an arc or a line. Each code
+// acts in its block only.
 #include "ncsim/trig/angles.h"
 
 #include "control/machine.h"
@@ -11,14 +11,14 @@
 namespace ncsim::gcode {
 namespace {
 
-/// More holes than this nobody drills in a row: a word is wrong.
+/// Limit above any real program; a larger number is a wrong word.
 constexpr double kMostHoles = 9999.0;
 
 }  // namespace
 
-/// About the place of X and Y in this block, else where the tool stands: G70 and G71 have their
-/// centre there, G72 its first hole. Angles count from the first axis of the plane to the second,
-/// a negative radius or distance turns the direction.
+/// Drills the holes of a pattern about the position of X and Y in the block, or about the position
+/// of the tool: the centre of G70 and G71, the first hole of G72. Angles count from the first axis
+/// of the plane to the second. A negative radius or distance reverses the direction.
 bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) {
     const SourceSpan span = span_of_g(command, code);
     const std::string_view name = name_of(code);
@@ -58,7 +58,7 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
 
     const Axes centre = programmed_from(at);
     const double sense = command['I'] < 0.0 ? -1.0 : 1.0;
-    // Of an axis whose place is not known, the holes tell no place either.
+    // An axis with an unknown position stays unknown after the holes.
     for (const std::size_t axis : {kX, kY}) {
         if (is_known(axis)) mask |= 1U << axis;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G12 and G13 of Haas: a circular pocket, clockwise and counter-clockwise, with the compensation of
-// the cutter in it. They hold for their block alone.
+// G12 and G13 of Haas: a circular pocket, clockwise and counter-clockwise, including cutter
+// compensation. Each code acts in its block only.
 #include "control/machine.h"
 
 #include <cmath>
@@ -10,18 +10,18 @@
 namespace ncsim::gcode {
 namespace {
 
-/// More circles than this no pocket has: a word is wrong.
+/// Limit above any real program; a larger number is a wrong word.
 constexpr double kMostCircles = 100'000.0;
 
-/// Below this radius there is no circle, mm.
+/// Smallest radius of a circle, mm.
 constexpr double kMinCircleRadius = 0.00127;
 
 }  // namespace
 
-/// From the centre (X Y of the block, else where the tool stands) to the depth; on a half circle
-/// out to the first circle, around it, on half circles out to the next ones, around each, and on a
-/// half circle back to the centre; L times. The manual gives the circles; which way the tool takes
-/// from one to the next, it only draws, and all ways lie within the circle that comes next.
+/// Mills a circular pocket about X Y of the block, or about the position of the tool. Each of the L
+/// passes: down to the depth; a half circle to the first circle; around the circle; half circles to
+/// the next circles, around each; a half circle back to the centre. The manual gives the circles
+/// and only draws the connections; every connection is inside the next circle.
 bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     const SourceSpan span = span_of_g(command, code);
     const std::string_view name = name_of(code);
@@ -66,7 +66,8 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     const double tiny = kMinCircleRadius / state_.unit_mm();
     if (first - cutter < tiny) return fail(Message::CompensationArc, span);
     std::vector<double> radii;
-    // Counted, not added again and again: a last step of rounding errors is no circle.
+    // Computed by multiplication, not by repeated addition; a last step of rounding errors is no
+    // circle.
     for (int i = 0; first + i * step < last - tiny; ++i)
         radii.push_back(first + i * step - cutter);
     radii.push_back(last - cutter);
@@ -85,7 +86,7 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     Axes centre = end;
     centre[kZ] = state_.position[kZ];
     if ((mask & ~kDepth) != 0) path_.straight(state_, centre, MoveKind::Rapid, mask & ~kDepth);
-    // Of an axis whose place is not known, the circles tell no place either.
+    // An axis with an unknown position stays unknown after the circles.
     AxisMask plane = 0;
     for (const std::size_t axis : {kX, kY}) {
         if (is_known(axis)) plane |= 1U << axis;
@@ -100,8 +101,9 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     return true;
 }
 
-/// In the plane of `centre`, where the tool stands before and after it. Half circles lead from the
-/// centre to one side, and between circles to the other side, always the way round.
+/// Mills the circles `radii` in the plane of `centre`, where the tool is before and after. Half
+/// circles lead from the centre to a side, and between circles to the opposite side, always in the
+/// same sense.
 void Machine::mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
                            AxisMask mask) {
     const int turns = clockwise ? -1 : 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Zeros that go with the table: G254 of Haas, where the table stands then; G54.2 and G54.4 of
-// Fanuc, wherever it turns to.
+// Dynamic work offsets, whose zero moves with the table: G254 of Haas, for the present table
+// position; G54.2 and G54.4 of Fanuc, for every table position.
 #include "ncsim/gcode/print.h"
 
 #include "control/machine.h"
@@ -12,7 +12,7 @@
 
 namespace ncsim::gcode {
 
-/// The place stays, and has other numbers.
+/// Sets the displacement of the zero. The machine position stays; the program coordinates change.
 void Machine::carry(const std::optional<std::array<double, 3>>& shift) {
     if (shift == state_.carried) return;
     const Axes machine = machine_position();
@@ -20,8 +20,8 @@ void Machine::carry(const std::optional<std::array<double, 3>>& shift) {
     recompute_position(machine);
 }
 
-/// G254: the zero of the system goes with the table as its axes stand, X, Y and Z stay those of the
-/// machine. G255 ends it.
+/// G254: the zero moves with the table to the present rotary positions; X, Y and Z keep the
+/// directions of the machine. G255 ends the mode.
 bool Machine::carry_zero(const Command& command) {
     const Code code = command.group(Group::Carried);
     if (code == Code::None) return true;
@@ -56,8 +56,8 @@ const TableOffsets& Machine::table_offsets() const {
     return state_.is_setting_error ? options_.setting_errors : options_.fixture_offsets;
 }
 
-/// Where the zero is from that of the system, with the rotary axes at those of `stand`; active
-/// units.
+/// Returns the displacement of the zero with the rotary axes of `stand`, in machine coordinates,
+/// active units.
 std::array<double, 3> Machine::carried_at(const Axes& stand) const {
     const TableOffsets::One& told = table_offsets().by_number.at(state_.table_offset);
     Axes from{};
@@ -69,8 +69,8 @@ std::array<double, 3> Machine::carried_at(const Axes& stand) const {
     return shift;
 }
 
-/// G54.2 Pn, G54.4 Pn: from now on the vector n of the control goes with the table, and its end is
-/// the zero. P0 ends it.
+/// G54.2 Pn, G54.4 Pn: the vector n of the control moves with the table, and its end is the zero.
+/// P0 ends the mode.
 bool Machine::offset_table(const Command& command, Code code) {
     const SourceSpan span = span_of_g(command, code);
     const bool is_setting_error = code == Code::G54_4;
@@ -107,7 +107,7 @@ bool Machine::offset_table(const Command& command, Code code) {
     if (!*told.moves) {
         recompute_position(machine);
     } else if (!command.axis_words || command.axes_are_taken()) {
-        // As far as the zero moved; which axes that are is not said.
+        // Moves by the displacement of the zero; no axis counts as named.
         const bool feeds = state_.feed > 0.0 && state_.motion == Code::G1;
         if (machine_position() != machine)
             path_.straight(state_, state_.position, feeds ? MoveKind::Feed : MoveKind::Rapid, 0);
@@ -115,8 +115,8 @@ bool Machine::offset_table(const Command& command, Code code) {
     return true;
 }
 
-/// A part that is set up askew: on it everything is where it is told, as long as the tool does not
-/// lean.
+/// Accepts a part that is rotated on the table, if the tool stays normal to the part: positions on
+/// the part are as programmed.
 bool Machine::take_setting(const TableOffsets::One& one, const TableOffsets& all,
                            std::string_view name, SourceSpan span) {
     const auto& [about_x, about_y, about_z] = one.turns;
@@ -131,8 +131,8 @@ bool Machine::take_setting(const TableOffsets::One& one, const TableOffsets& all
     return true;
 }
 
-/// A straight move of axes that turns the table: `end`, of which those of `mask` are told, is
-/// counted from where the zero is at its end.
+/// For a straight move that turns the table: `end`, with the named axes `mask`, refers to the zero
+/// at the end of the move.
 void Machine::go_with_table(Axes& end, AxisMask mask) {
     if (state_.table_offset == 0 || (mask & kRotaryAxes) == 0) return;
     if (state_.plane_frame || state_.coordinates == Coordinates::Tip) return;
@@ -148,7 +148,7 @@ void Machine::go_with_table(Axes& end, AxisMask mask) {
     }
 }
 
-/// What a zero that goes with the table does not go with.
+/// Reports codes that are not simulated with a dynamic work offset.
 bool Machine::check_carried(const Command& command) {
     if (!state_.carried) return true;
     const bool turns = command.has_any(letters('A', 'B', 'C')) && !command.axes_are_taken();
@@ -162,7 +162,7 @@ bool Machine::check_carried(const Command& command) {
     for (const Group group : {Group::Face, Group::Cylinder}) {
         if (const Code code = command.group(group); code != Code::None) return forbid(code);
     }
-    // Under G54.4 they are of the part as it lies.
+    // Under G54.4 planes refer to the rotated part.
     for (const Group group : {Group::TiltedPlane, Group::Orient}) {
         const Code code = command.group(group);
         if (code != Code::None && !state_.is_setting_error) return forbid(code);

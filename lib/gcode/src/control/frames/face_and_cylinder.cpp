@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polar interpolation (G12.1, G112): X and C tell places in the plane across the axis that C turns
-// about. Cylindrical interpolation (G7.1, G107): arcs on a cylinder that is laid flat.
+// Polar interpolation (G12.1, G112): X and C are positions in the plane normal to the axis of C.
+// Cylindrical interpolation (G7.1, G107): arcs on an unrolled cylinder.
 #include "ncsim/trig/angles.h"
 
 #include "control/machine.h"
@@ -13,7 +13,7 @@
 namespace ncsim::gcode {
 namespace {
 
-// The axis along which a rotary one turns, as everywhere in RS274/NGC.
+// Returns the linear axis about which the rotary axis turns (A about X …).
 std::size_t along(std::size_t rotary) {
     return rotary - kA + kX;
 }
@@ -51,7 +51,7 @@ bool Machine::face(const Command& command) {
     face.plane = state_.plane;
     face.start = state_.position[kC];
     if (options_.joints && options_.joints->turns()) {
-        // Which way X of the machine points on the part, and which way C turns it.
+        // Computes the direction of the machine's X axis on the part, and the sense of C.
         const auto direction = [&](double c) {
             Axes from = stand(), to = stand();
             from[kC] = to[kC] = c;
@@ -67,7 +67,7 @@ bool Machine::face(const Command& command) {
             std::abs(turned - kQuarter) < 1.0 || std::abs(turned + 3 * kQuarter) < 1.0 ? 1.0 : -1.0;
         take_coordinates(Coordinates::Tip);
     } else {
-        // C turns the tool about the zero of the program.
+        // C turns the tool about the program zero.
         face.angle = face.start;
         turn(state_.position[kX], state_.position[kY], face.angle);
         state_.coordinates = Coordinates::Tip;
@@ -79,7 +79,7 @@ bool Machine::face(const Command& command) {
     return true;
 }
 
-/// X is the distance from the axis again, and C where the tip is.
+/// Ends polar interpolation: X is the distance from the axis again, and C the angle of the tip.
 void Machine::end_face() {
     if (!state_.face) return;
     const MachineState::Face face = *state_.face;
@@ -97,7 +97,8 @@ void Machine::end_face() {
     ++state_.length_changes;
 }
 
-/// Of LinuxCNC the same words choose one of the kinematics of the machine by its number.
+/// G12.1 of LinuxCNC chooses a kinematics of the machine by number (P); G13.1 chooses axis
+/// positions.
 bool Machine::choose_kinematics(const Command& command, bool by_number, SourceSpan span) {
     const auto& known = options_.tip_control.kinematics;
     const double p = by_number ? command.get('P', 0.0) : 0.0;
@@ -113,7 +114,7 @@ bool Machine::choose_kinematics(const Command& command, bool by_number, SourceSp
 
 // --- The cylinder ---
 
-/// G7.1 C25: C turns a cylinder of that radius; 0 ends it.
+/// G7.1 C25: C turns a cylinder with this radius; radius 0 ends the mode.
 bool Machine::cylinder(const Command& command) {
     const Code code = command.group(Group::Cylinder);
     if (code == Code::None) return true;
@@ -140,10 +141,11 @@ bool Machine::cylinder(const Command& command) {
     return true;
 }
 
-/// The feed is that on the cylinder; of a motion it is that of X, Y and Z, or of the angle alone.
+/// Converts the feed on the cylinder to the feed of a motion, which is the feed of X, Y and Z, or
+/// of the angle if only the angle moves.
 double Machine::feed_on_cylinder(const Axes& end) const {
     const MachineState::Cylinder& c = *state_.cylinder;
-    const double degree = c.radius * std::numbers::pi / 180.0;  // of arc
+    const double degree = c.radius * std::numbers::pi / 180.0;  // Arc length per degree.
     const double turned = (end[c.axis] - state_.position[c.axis]) * degree;
     double squares = 0.0;
     for (std::size_t i = kX; i <= kZ; ++i) {
@@ -164,7 +166,7 @@ bool Machine::straight_on_cylinder(const Axes& end, MoveKind kind, AxisMask mask
     return true;
 }
 
-/// An arc in the plane of the cylinder's axis and its circumference, by chords.
+/// Makes an arc in the plane of the cylinder's axis and the circumference, by chords.
 bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     const MachineState::Cylinder c = *state_.cylinder;
     const std::string_view name = clockwise ? "G2" : "G3";
@@ -179,7 +181,7 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     if (!find_ends(command, end, mask)) return false;
     const double degree = c.radius * std::numbers::pi / 180.0;
     const bool level_first = axes.first == level;
-    // First and second axis of the plane, laid flat.
+    // Unrolled coordinates along the first and second axis of the plane.
     const auto flat = [&](const Axes& p) {
         const double along_axis = p[level], around = p[c.axis] * degree;
         return level_first ? std::array{along_axis, around} : std::array{around, along_axis};
@@ -201,8 +203,8 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     double sweep = trig::angle_of(u1 - cu, v1 - cv) - start;
     if (clockwise && sweep > 0.0) sweep -= 360.0;
     if (!clockwise && sweep < 0.0) sweep += 360.0;
-    // So many chords that none is off by more than a micrometre.
-    constexpr double kOff = 1e-3;  // mm
+    // The number of chords keeps the chord tolerance kOff.
+    constexpr double kOff = 1e-3;  // Chord tolerance, mm.
     const double radius = std::max(std::abs(r), half);
     const double step =
         std::sqrt(8.0 * kOff / (radius * state_.unit_mm())) * 180.0 / std::numbers::pi;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G28 and G30: over the intermediate point to a place of the machine; G29: back over it. G28.2:
-// to the switches.
+// G28 and G30: via the intermediate point to a position of the machine. G29: back via the
+// intermediate point. G28.2: to the home switches.
 #include "control/machine.h"
 
 namespace ncsim::gcode {
@@ -15,7 +15,8 @@ bool Machine::home(const Command& command, bool second) {
     AxisMask mask = 0;
     if (command.axis_words && !find_ends(command, via, mask)) return false;
     if (mask == 0) mask = kAllAxes;
-    // G91 G28 Z0, the usual way home: no intermediate point, so nothing is known there yet.
+    // G91 G28 Z0, the usual homing block, has no intermediate point, so no position becomes known
+    // there.
     AxisMask moved = command.axis_words ? mask : 0;
     for (std::size_t i = 0; i < via.size(); ++i) {
         if (state_.incremental && via[i] == state_.position[i]) moved &= ~(1U << i);
@@ -46,8 +47,8 @@ bool Machine::home(const Command& command, bool second) {
     return true;
 }
 
-/// G28.2 of TinyG, g2core, Smoothieware: looks for the switches of the named axes (or of all), Z
-/// first; the values say nothing.
+/// G28.2 of TinyG, g2core, Smoothieware: moves to the switches of the named axes (or of X, Y and
+/// Z), Z first. The values of the words have no meaning.
 bool Machine::seek_home(const Command& command) {
     constexpr std::string_view kLetters = "XYZABCUVW";
     AxisMask named = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Offsets that a program sets by their variables: #5223 = -370.
+// Offsets that a program sets by variables: #5223 = -370.
 #include "control/machine.h"
 
 #include <cmath>
@@ -17,14 +17,14 @@ void Machine::set_work_variable(const SystemVariable& variable, double value, bo
     if (item == kRotation) {
         offset.rotation = value;
     } else {
-        // Fanuc takes the units of the program, LinuxCNC those of the machine: here mm.
+        // Fanuc uses the units of the program, LinuxCNC the units of the machine: here mm.
         const double unit = rules_.macro_b && !is_rotary(item) ? state_.unit_mm() : 1.0;
         offset.origin[item] = value * unit + control_.store->external[item];
         if (item <= kZ && !is_relative) offset.frame[item] = 0;
     }
     if (state_.is_at_start && rules_.macro_b && place_at_start()) return;
     if (variable.index != state_.system) return;
-    // LinuxCNC takes up the numbers of the active system when another one was chosen in between.
+    // LinuxCNC applies the new numbers of the active system only after another system was selected.
     if (!rules_.macro_b) {
         const std::string name = std::string("#").append(std::to_string(variable.number));
         if (!rules_.linuxcnc_planes && !rules_.strict) warn(Message::VariableTiming, span, {name});
@@ -67,7 +67,7 @@ bool Machine::set_variable(const SystemVariable& variable, double value, bool is
     const bool is_wear =
         variable.effect == Effect::LengthWear || variable.effect == Effect::DiameterWear;
     const double mm = value * state_.unit_mm();
-    // Half of a diameter: registers hold radii.
+    // Variables hold diameters, registers hold radii.
     set_register_value(*entry, of_length, is_wear, of_length ? mm : mm / 2.0, false);
     return false;
 }

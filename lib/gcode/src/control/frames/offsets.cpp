@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coordinate systems: G54 … G59.3, G92 and G52, G10, G43, G41's radius, G68, G51, G16.
+// Coordinate systems: G54 … G59.3, G92 and G52, G10, G43, radius of G41, G68, G51, G16.
 #include "ncsim/trig/angles.h"
 
 #include "control/machine.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 
-/// mm to the active units, rotary axes left alone.
+/// Converts mm to active units of size `unit`; rotary axes stay.
 Axes from_mm(const Axes& mm, double unit) {
     Axes out = mm;
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -56,12 +56,12 @@ Axes Machine::from_machine(const Axes& machine) const {
     return p;
 }
 
-/// Offsets changed and the machine did not move: the same place has other numbers.
+/// Updates the program coordinates after a change of offsets; the machine position `machine` stays.
 void Machine::recompute_position(const Axes& machine) {
     state_.position = from_machine(machine);
 }
 
-/// 1 … 9 are G54 … G59.3, and kExtended + n is G54.1 Pn.
+/// Returns the offset of `system`: 1 … 9 are G54 … G59.3, kExtended + n is G54.1 Pn.
 WorkOffset& Machine::offset_of(int system) {
     Store& store = control_.store.change();
     if (system <= kExtended) return store.work_offsets[static_cast<std::size_t>(system - 1)];
@@ -81,7 +81,7 @@ void Machine::select_system(int system) {
     use_system(machine);
 }
 
-/// Makes the numbers of the active system effective, with the axes at `machine`.
+/// Applies the stored origin of the active system, with the axes at `machine`.
 void Machine::use_system(const Axes& machine) {
     const WorkOffset& offset = offset_of(state_.system);
     state_.work_offset = from_mm(offset.origin, state_.unit_mm());
@@ -90,14 +90,14 @@ void Machine::use_system(const Axes& machine) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (!is_known(i)) state_.place_frame[i] = state_.frame[i];
     }
-    // Frame 0 is the machine, so a place of the machine is known in it.
+    // Reference 0 is the machine, so a machine position is known in a system with reference 0.
     state_.of_machine.x &= state_.frame[kX] != 0;
     state_.of_machine.y &= state_.frame[kY] != 0;
     state_.of_machine.z &= state_.frame[kZ] != 0;
     recompute_position(machine);
 }
 
-/// Adds `distance_mm` to the origins that are known in `frame`.
+/// Adds `distance_mm` to the origins with the reference `frame` along `axis`.
 void Machine::shift_frame(std::size_t axis, int frame, double distance_mm) {
     Store& store = control_.store.change();
     for (WorkOffset& offset : store.work_offsets) {
@@ -108,10 +108,10 @@ void Machine::shift_frame(std::size_t axis, int frame, double distance_mm) {
     }
 }
 
-/// Relates the active system, whose stored numbers are not in effect yet, to the numbers that are
-/// in effect. Along an axis whose distance is not specified both zeros are assumed to be at one
-/// place, so that the position keeps its value; the frame that is not specified is shifted.
-/// `machine`: the place of the axes, which goes with the shift.
+/// Relates the stored origin of the active system, which is not in effect yet, to the origin in
+/// effect. Along an axis with an unspecified distance, both zeros are assumed to coincide, so the
+/// position keeps its value, and the unspecified reference is shifted. `machine`: position of the
+/// axes; moves with the shift.
 void Machine::assume_same_zero(Axes& machine) {
     const double unit = state_.unit_mm();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -133,8 +133,9 @@ void Machine::assume_same_zero(Axes& machine) {
     }
 }
 
-/// Before the first move: places the axes at the specified start in G54 as it is now, and relates
-/// the active system to G54. False, with nothing done, where X, Y and Z are no places of the axes.
+/// Before the first move: places the axes at the specified start in the present G54, and relates
+/// the active system to G54.
+/// Returns: false, without effect, if X, Y and Z are not axis positions.
 bool Machine::place_at_start() {
     if (state_.plane_frame || state_.carried || state_.coordinates != Coordinates::Axes)
         return false;
@@ -156,7 +157,7 @@ bool Machine::place_at_start() {
     state_.frame = state_.place_frame = g54.frame;
     assume_same_zero(machine);
     use_system(machine);
-    // A G54 without a place has no other meaning for the start than the system of the first move.
+    // If the origin of G54 is unspecified, the start refers to the system of the first move.
     for (std::size_t i = 0; i < 3; ++i) {
         if (state_.place_frame[i] != 0) state_.place_frame[i] = state_.frame[i];
     }
@@ -164,7 +165,7 @@ bool Machine::place_at_start() {
     return true;
 }
 
-/// The P of G54.1 Pn and its kin.
+/// Returns the P of G54.1 Pn and similar codes; nullopt if P is invalid.
 std::optional<int> Machine::extended_number(const Command& command) {
     constexpr double kMost = 300.0;
     const double p = command.get('P', 0.0);
@@ -172,20 +173,20 @@ std::optional<int> Machine::extended_number(const Command& command) {
     return static_cast<int>(p);
 }
 
-/// The number of the system that a code chooses without a P; 1, if it has none.
+/// Returns the number of the system that `code` selects without P; 1 for other codes.
 int Machine::system_of(Code code) {
     constexpr std::array kNamed = {Code::G54, Code::G55,   Code::G56,   Code::G57,  Code::G58,
                                    Code::G59, Code::G59_1, Code::G59_2, Code::G59_3};
     const auto* const named = std::ranges::find(kNamed, code);
     if (named != kNamed.end()) return static_cast<int>(named - kNamed.begin()) + 1;
-    // Of Haas: G110 is G154 P1.
+    // Haas: G110 is G154 P1.
     if (code >= Code::G110 && code <= Code::G129) {
         return kExtended + (tenths_of(code) - tenths_of(Code::G110)) / 10 + 1;
     }
     return 1;
 }
 
-/// True if a code of another group than the coordinate system uses the word.
+/// True if a code of `command` other than the coordinate system uses the word `letter`.
 bool Machine::has_other_use(const Command& command, char letter) const {
     Code motion = command.group(Group::Motion);
     if (motion == Code::None && command.axis_words) motion = state_.motion;
@@ -211,8 +212,8 @@ bool Machine::set_work_offset(const Command& command) {
     if (state_.cutter_side != CutterSide::Off && system != state_.system && rules_.strict) {
         return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G54 … G59.3"});
     }
-    // LinuxCNC passes over the system that is active: numbers written as variables wait for
-    // another.
+    // LinuxCNC ignores the selection of the active system; values written as variables take effect
+    // with the selection of another system.
     const bool stays = rules_.dialect == Dialect::Rs274 && system == state_.system;
     if (!stays) select_system(system);
     return true;
@@ -228,11 +229,12 @@ bool Machine::offset_92(const Command& command, Code code) {
     Axes offset = state_.offset_92;
     switch (code) {
         case Code::G92:
-        case Code::G92_4:  // Smoothieware, Carvera: "here is A0", said of the machine itself
-        case Code::G28_3:  // TinyG, g2core: the same
+        // Smoothieware, Carvera: sets the position of the machine axis, as in "A0 is here".
+        case Code::G92_4:
+        case Code::G28_3:  // TinyG, g2core: same as G92.4.
         case Code::G52:
             if (!command.axis_words) {
-                // Fanuc: "G92 S2000" limits the spindle.
+                // Fanuc: "G92 S2000" limits the spindle speed.
                 if (rules_.strict) return fail(Message::AxesMissing, command.span, {"G92"});
                 return true;
             }
@@ -241,7 +243,8 @@ bool Machine::offset_92(const Command& command, Code code) {
                 const double value = command[kAxisNames[i]];
                 offset[i] =
                     code == Code::G52 ? value : state_.position[i] + state_.offset_92[i] - value;
-                // Where nobody knew the axis to stand, this tells it, and where the zero is.
+                // If the position of the axis was unknown, G92 defines the position and the program
+                // zero.
                 if (code == Code::G52 || i > kZ || is_known(i) || state_.plane_frame) continue;
                 state_.zero_92[i] = offset[i];
                 state_.is_zero_by_hand[i] = true;
@@ -282,7 +285,7 @@ bool Machine::set_data(const Command& command) {
         case 2:
         case 20:
             if (l == 20 && rules_.macro_b) {
-                // Fanuc and Haas: the origin of G54.1 Pn, not the place of now.
+                // Fanuc and Haas: the origin of G54.1 Pn, not the present position.
                 const std::optional<int> number = extended_number(command);
                 if (!number) return fail(Message::ExtendedNumber, span, {"G10 L20"});
                 return set_work_data(command, kExtended + *number, false);
@@ -315,7 +318,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     if (command.has('R') && from_position && rules_.strict)
         return fail(Message::WordUnused, span_of(command, 'R'), {"R"});
     if (command.has('R') && !from_position) offset.rotation = command['R'];
-    // L20: the place of now shall have these coordinates.
+    // L20: the present position gets the coordinates of the block.
     double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
     double y = machine[kY] - state_.tool_offset[kY] - offset.origin[kY] / unit;
     trig::rotate(x, y, -offset.rotation);
@@ -350,9 +353,8 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
             const int frame = state_.place_frame[i];
             offset.frame[i] = frame == kMachinePlace ? 0 : frame;
         } else {
-            offset.frame[i] = index;  // an unknown place
-            // The origin that was computed is as good as any: the place has the number of the
-            // block.
+            offset.frame[i] = index;  // An unknown position.
+            // The computed origin is arbitrary; the position gets the number of the block.
             control_.store.change().used_frames[i].insert(index);
         }
     }
@@ -367,7 +369,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     return true;
 }
 
-/// G10 L2 P0 of Fanuc and Haas: the external offset, which is added to all origins.
+/// G10 L2 P0 of Fanuc and Haas: sets the external offset, which is part of all origins.
 bool Machine::set_external(const Command& command) {
     Axes external = control_.store->external;
     for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
@@ -405,14 +407,16 @@ ToolTableEntry* Machine::register_of(int index) {
     return &*entry;
 }
 
-/// Fanuc and Haas: "G10 L10 P1 R120." sets one register, and names no axis.
+/// True for G10 of Fanuc and Haas that sets a register without naming an axis: "G10 L10 P1 R120.".
 bool Machine::is_register(const Command& command, int l) const {
     if (rules_.strict || !command.has('R') || command.has_any(letters('X', 'Y', 'Z'))) return false;
-    return l != 1 || rules_.dialect == Dialect::Haas;  // L1: wear there, a table elsewhere
+    // L1 is wear on Haas, a tool table on other controls.
+    return l != 1 || rules_.dialect == Dialect::Haas;
 }
 
-/// L10: length, L11 and Haas's L1: its wear, L12: radius, L13: its wear. A control adds wear to
-/// what it belongs to. In G91 the value is added.
+/// Sets a register. L10: length; L11, and L1 of Haas: wear of the length; L12: radius; L13: wear of
+/// the radius. The control adds wear to length and radius. Under G91 the value is added to the old
+/// value.
 bool Machine::set_register(const Command& command, int index, int l) {
     ToolTableEntry* entry = register_of(index);
     if (!entry) return fail(Message::G10Form, command.span);
@@ -429,14 +433,14 @@ bool Machine::set_register(const Command& command, int index, int l) {
     return true;
 }
 
-/// `mm`: a length or a radius; `adds`: to the old value.
+/// Sets the length or radius of `entry`, or the wear, to `mm`; `adds`: adds `mm` to the old value.
 void Machine::set_register_value(ToolTableEntry& entry, bool of_length, bool is_wear, double mm,
                                  bool adds) {
     Wear& wear = control_.store.change().wear[entry.number];
     double& worn = of_length ? wear.length_mm : wear.radius_mm;
     const double sum =
         of_length ? entry.offset[2].mm() : entry.diameter.value_or(Length()).mm() / 2.0;
-    double whole = sum - worn;  // without the wear
+    double whole = sum - worn;  // Value without the wear.
     double& told = is_wear ? worn : whole;
     told = adds ? told + mm : mm;
     if (of_length) {
@@ -448,8 +452,9 @@ void Machine::set_register_value(ToolTableEntry& entry, bool of_length, bool is_
     }
 }
 
-/// Haas controls can be set to either (setting 40), as a rule to diameters: what is nearer to the
-/// tool, where it is told.
+/// True if `mm` is a diameter. Haas controls use diameters by default, radii by setting 40. If the
+/// tool's diameter is specified, the nearer of diameter and radius decides. Wear counts as a
+/// diameter.
 bool Machine::is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const {
     const auto& told = options_.tools;
     const auto tool = std::ranges::find(told, entry.number, &ToolTableEntry::number);
@@ -470,7 +475,7 @@ bool Machine::set_tool_data(const Command& command, int index) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (!command.has(kAxisNames[i])) continue;
         const double value = command[kAxisNames[i]];
-        // L10 and L11: with this offset the place of now has these coordinates.
+        // L10 and L11: with the new offset the present position has the coordinates of the block.
         const double offset =
             l == 1 ? value : machine[i] - zero[i] - value - (l == 10 ? state_.offset_92[i] : 0.0);
         entry->offset[i] = Length::from_mm(unit * offset);
@@ -483,15 +488,15 @@ bool Machine::set_tool_data(const Command& command, int index) {
 
 // --- Tools ---
 
-/// mm; nothing where nobody told it.
+/// Returns the specified length of `tool`, mm; nullopt if unspecified.
 std::optional<double> Machine::told_length(int tool) const {
     const auto entry = std::ranges::find(control_.store->tools, tool, &ToolTableEntry::number);
     if (entry == control_.store->tools.end() || !entry->length_told) return std::nullopt;
     return entry->offset[2].mm();
 }
 
-/// Of the tool in the spindle itself: what was told before the program began, whatever that writes
-/// into the register.
+/// Returns the length of the tool in the spindle, mm: the value specified before the program
+/// starts, even if the program changes the register; otherwise the value of the register.
 std::optional<double> Machine::gauge_length() const {
     const auto& told = options_.tools;
     const auto entry = std::ranges::find(told, state_.tool, &ToolTableEntry::number);
@@ -499,7 +504,8 @@ std::optional<double> Machine::gauge_length() const {
     return told_length(state_.tool);
 }
 
-/// The register of G43: H0 is no offset, and on LinuxCNC the tool in the spindle.
+/// Returns the register of G43. H0 is no offset, except on LinuxCNC, where H0 is the tool in the
+/// spindle.
 int Machine::length_number(const Command& command) const {
     const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
     return h == 0 && rules_.is_linuxcnc() ? state_.tool : h;
@@ -514,7 +520,7 @@ bool Machine::set_tool_length(const Command& command) {
         return stop_with(Message::TurningUntold, span_of_g(command, code), {name_of(code)});
     }
     if (code == Code::G43_4 || code == Code::G43_5 || code == Code::G234) {
-        // Haas fixes the frame to the table as it stands at 0.
+        // Haas fixes the frame to the table at rotary positions 0.
         if (is_turned() && code != Code::G234 && !options_.tip_control.frame_at_zero) {
             stopped_ = true;
             return fail(Message::TipFrameUntold, span_of_g(command, code));
@@ -558,7 +564,8 @@ bool Machine::set_tool_length(const Command& command) {
     return true;
 }
 
-/// Of D, else of the tool in the spindle, in active units; 0, with a warning, where it is not told.
+/// Returns the radius of register D, or of the tool in the spindle, in active units. If the radius
+/// is unspecified, reports a warning and returns 0.
 double Machine::radius_of_register(const Command& command, SourceSpan span) {
     int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
     if (d == 0 && rules_.is_linuxcnc()) d = state_.tool;
@@ -574,7 +581,7 @@ double Machine::radius_of_register(const Command& command, SourceSpan span) {
     return 0.0;
 }
 
-/// Refuses, as LinuxCNC does: a tool that is not in the table, G41.1 without D, an orientation (L)
+/// Refuses words as LinuxCNC does: a tool missing in the table, G41.1 without D, an orientation (L)
 /// outside G18.
 bool Machine::check_compensation_words(const Command& command, bool stated) {
     if (stated) {
@@ -586,7 +593,8 @@ bool Machine::check_compensation_words(const Command& command, bool stated) {
     return !command.has('D') || check_tool(command, 'D');
 }
 
-/// Under strict rules, tool 0 is the one in the spindle; every other number has to be in the table.
+/// Checks a tool number under strict rules: 0 is the tool in the spindle; every other number must
+/// be in the table.
 bool Machine::check_tool(const Command& command, char letter) {
     const double value = command[letter];
     if (value < 0.0) return fail(Message::NegativeValue, span_of(command, letter), {{&letter, 1}});
@@ -602,8 +610,8 @@ bool Machine::set_cutter_side(const Command& command) {
     if (code == Code::None) return true;
     if (code == Code::G40) {
         if (compensation_.is_on()) {
-            // On LinuxCNC the next move begins at the programmed point: the axes of the plane that
-            // it does not name go there, too.
+            // On LinuxCNC the next move begins at the programmed point: axes of the plane that the
+            // next move does not name also move there.
             const std::optional<Axes> programmed = compensation_.programmed_end();
             compensation_.end(state_);
             if (programmed && rules_.is_linuxcnc()) {
@@ -627,7 +635,7 @@ bool Machine::set_cutter_side(const Command& command) {
         return fail(Message::CompensationPlane, span);
     }
     const bool stated =
-        code == Code::G41_1 || code == Code::G42_1;  // G41.1 D3.5: the diameter itself
+        code == Code::G41_1 || code == Code::G42_1;  // G41.1 D3.5: D is the diameter itself.
     if (rules_.strict && !check_compensation_words(command, stated)) return false;
     double radius = 0.0;
     if (stated) {
@@ -636,7 +644,7 @@ bool Machine::set_cutter_side(const Command& command) {
         radius = radius_of_register(command, span);
     }
     const bool is_41 = code == Code::G41 || code == Code::G41_1;
-    const bool left = is_41 == (radius >= 0.0);  // a negative radius is the other side
+    const bool left = is_41 == (radius >= 0.0);  // A negative radius means the opposite side.
     const CutterSide side = left ? CutterSide::Left : CutterSide::Right;
     if (compensation_.is_on() && side == state_.cutter_side &&
         std::abs(radius) == state_.cutter_radius)
@@ -711,7 +719,7 @@ bool Machine::set_programmed(const Command& command) {
     if (scaling == Code::G51) {
         const Axes at = programmed_from(state_.position);
         double all = command.get('P', 1.0);
-        if (all >= 100.0 && all == std::floor(all)) all /= 1000.0;  // P2000 is 2.0 on Fanuc
+        if (all >= 100.0 && all == std::floor(all)) all /= 1000.0;  // P2000 is 2.0 on Fanuc.
         const char factors[] = {'I', 'J', 'K'};
         for (std::size_t i = 0; i < 3; ++i) {
             double factor = command.get(factors[i], all);

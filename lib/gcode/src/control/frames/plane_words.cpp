@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Forms of the definition of a tilted working plane.
 #include "control/frames/plane_words.h"
 
 #include "control/command.h"
@@ -10,7 +12,8 @@ namespace ncsim::gcode {
 namespace {
 
 constexpr int kAboutX = 0, kAboutY = 1, kAboutZ = 2;
-constexpr double kNoVector = 1e-9;  // of unit vectors
+// Smallest length of a sum of unit vectors that defines a direction.
+constexpr double kNoVector = 1e-9;
 
 Triple minus(const Triple& a, const Triple& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -24,7 +27,7 @@ Triple cross(const Triple& a, const Triple& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Nothing, if it has no length.
+// Returns `v` / |v|; nullopt if |v| ≤ `least`.
 std::optional<Triple> unit(const Triple& v, double least = kNoVector) {
     const double length = std::sqrt(dot(v, v));
     if (!(length > least)) return std::nullopt;
@@ -39,8 +42,8 @@ FeatureFrame with_axes(const Triple& x, const Triple& z) {
     return frame;
 }
 
-// The axes of an order such as 313, from the first turn to the last: each 1, 2 or 3, and never one
-// twice in a row.
+// Returns the axes (0, 1 or 2) of an order of rotations such as 313, first to last; nullopt if `q`
+// has other digits or the same axis twice in succession.
 std::optional<std::array<int, 3>> order_of(double q) {
     const double whole = std::round(q);
     if (whole != q || whole < 111.0 || whole > 333.0) return std::nullopt;
@@ -65,13 +68,13 @@ Triple ijk_of(const Command& command) {
     return {command.get('I', 0.0), command.get('J', 0.0), command.get('K', 0.0)};
 }
 
-// About axes that turn along.
+// Returns a sequence of rotations about axes that turn along (intrinsic rotations).
 FeatureFrame turned_along(const std::array<int, 3>& order, const Triple& angles) {
     return turn_about(order[0], angles[0]) * turn_about(order[1], angles[1]) *
            turn_about(order[2], angles[2]);
 }
 
-// About axes that stay; I, J and K belong to X, Y and Z.
+// Returns a sequence of rotations about fixed axes; I, J and K belong to X, Y and Z.
 FeatureFrame turned_at_rest(const std::array<int, 3>& order, const Triple& angles) {
     const auto by = [&](int axis) {
         return turn_about(axis, angles[static_cast<std::size_t>(axis)]);
@@ -95,7 +98,8 @@ PlaneRead by_angles(const Command& command, PlaneDialect dialect, int form) {
     return {along ? turned_along(*order, angles) : turned_at_rest(*order, angles), {}};
 }
 
-// Through three points: X from the first to the second, the third on the side of Y.
+// Returns the plane through three points: X points from the first to the second; the third is on
+// the positive side of Y.
 PlaneRead through(const Triple& p1, const Triple& p2, const Triple& p3) {
     const auto x = unit(minus(p2, p1));
     const auto aside = unit(minus(p3, p1));
@@ -108,7 +112,7 @@ PlaneRead through(const Triple& p1, const Triple& p2, const Triple& p3) {
 PlaneRead by_vectors(const Triple& along_x, const Triple& along_z) {
     const auto x = unit(along_x), z = unit(along_z);
     if (!x || !z) return fault("two vectors that have a length");
-    constexpr double kSkew = 0.087;  // sine of five degrees
+    constexpr double kSkew = 0.087;  // Sine of five degrees.
     const double skew = dot(*x, *z);
     if (std::abs(skew) > kSkew) return fault("two vectors at right angles");
     const Triple level{(*x)[0] - skew * (*z)[0], (*x)[1] - skew * (*z)[1],
@@ -116,7 +120,8 @@ PlaneRead by_vectors(const Triple& along_x, const Triple& along_z) {
     return {with_axes(*unit(level), *z), {}};
 }
 
-// X turned by I about Y, and Y by J about X, span the plane; K turns it about its normal.
+// Returns the plane spanned by X turned by I about Y, and Y turned by J about X; K turns the plane
+// about the normal.
 PlaneRead by_projections(const Triple& angles) {
     const FeatureFrame about_y = turn_about(kAboutY, angles[0]);
     const FeatureFrame about_x = turn_about(kAboutX, angles[1]);
@@ -127,7 +132,7 @@ PlaneRead by_projections(const Triple& angles) {
     return {with_axes(a, *z) * turn_about(kAboutZ, angles[2]), {}};
 }
 
-// The parts of one definition come block by block; Q names them.
+// Reads a part of a definition in several blocks; Q is the number of the part.
 PlaneRead take_part(const Command& command, PlaneDialect dialect, int form, PlaneParts& parts) {
     const bool linuxcnc = dialect == PlaneDialect::LinuxCnc;
     const double q = command.get('Q', linuxcnc ? 0.0 : -1.0);
@@ -148,14 +153,14 @@ PlaneRead take_part(const Command& command, PlaneDialect dialect, int form, Plan
         read = through(all[1]->xyz, all[2]->xyz, all[3]->xyz);
         if (!read.frame) return read;
         turn = all[0] ? all[0]->r : 0.0;
-        // Of Fanuc a shift in the plane from the first point; of LinuxCNC the origin itself.
+        // Fanuc: Q0 is a shift in the plane from the first point. LinuxCNC: Q0 is the origin.
         read.frame->origin = linuxcnc ? Triple{} : all[1]->xyz;
         origin = linuxcnc ? all[0]->xyz : all[0] ? read.frame->outward(all[0]->xyz) : all[1]->xyz;
     } else {
         const auto& one = all[linuxcnc ? 0 : 1];
         const auto& two = all[linuxcnc ? 1 : 2];
         if (!one || !two) return {};
-        // LinuxCNC tells a point on the X axis, not its direction.
+        // LinuxCNC gives a point on the X axis, not the direction.
         read = by_vectors(linuxcnc ? minus(one->ijk, one->xyz) : one->ijk, two->ijk);
         if (!read.frame) return read;
         turn = linuxcnc ? one->r : 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What X, Y and Z are: places of the axes, of the tip (M428, G43.4, G43.5), of the tip in a tilted
-// plane (G68.2, G68.3, G68.4, G268; G53.1, G53.3, G53.6, G253; G69).
+// Meaning of X, Y and Z: positions of the axes, of the tip (M428, G43.4, G43.5), of the tip in a
+// tilted working plane (G68.2, G68.3, G68.4, G268; G53.1, G53.3, G53.6, G253; G69).
 #include "control/machine.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ PlaneDialect dialect_of(Code code, const Rules& rules) {
 
 // --- Places of joints and of the tip ---
 
-/// Where the machine stands as JointSolver counts it.
+/// Returns the axis positions in the convention of JointSolver: mm, without the tool length.
 Axes Machine::stand() const {
     Axes at = machine_position();
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -31,7 +31,7 @@ Axes Machine::stand() const {
     return at;
 }
 
-/// The other way round, as machine_position() is.
+/// Converts axis positions of JointSolver to machine_position() coordinates.
 Axes Machine::from_stand(const Axes& stand) const {
     Axes at = stand;
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -45,7 +45,8 @@ double Machine::length_mm() const {
     return state_.tool_offset[kZ] * state_.unit_mm();
 }
 
-/// What is known of X, Y and Z that became others, each of them out of all three.
+/// Updates the knowledge of X, Y and Z after a rotation: each new coordinate depends on all three
+/// old coordinates.
 void Machine::mix_knowledge() {
     if (!state_.known.all()) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
     const auto all_or_none = [](const KnownAxes& axes) {
@@ -55,8 +56,8 @@ void Machine::mix_knowledge() {
                   Knowledge{{}, all_or_none(state_.relative), all_or_none(state_.of_machine)});
 }
 
-/// From here on X, Y and Z are something else. Nothing moves: where all rotary axes are at 0 the
-/// tip is where the linear axes are, and else only the machine knows.
+/// Changes the meaning of X, Y and Z without a motion. With all rotary axes at 0, tip and linear
+/// axes have equal positions; otherwise the positions depend on the kinematics of the machine.
 void Machine::take_coordinates(Coordinates coordinates) {
     if (coordinates == state_.coordinates) return;
     state_.coordinates = coordinates;
@@ -64,7 +65,7 @@ void Machine::take_coordinates(Coordinates coordinates) {
     if (!options_.joints) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
     asked_for_places_ = true;
     Axes at = stand();
-    // Places of the tip are told as they are with the table at 0, and so is the zero on it.
+    // Positions of the tip refer to the table at 0; so does the zero that moves with the table.
     const bool is_carried = state_.table_offset != 0;
     if (is_carried && coordinates == Coordinates::Tip) state_.carried = state_.carried_home;
     if (is_carried && coordinates != Coordinates::Tip) state_.carried = carried_at(at);
@@ -87,13 +88,14 @@ void Machine::choose(Coordinates coordinates) {
     take_coordinates(state_.plane_frame ? Coordinates::Tip : coordinates);
 }
 
-/// The place stays, and has other numbers.
+/// Sets the tilted plane. The machine position stays; the program coordinates change.
 void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
     if (frame == state_.plane_frame) return;
     const auto is_turned_plane = [](const auto& f) { return f && f->is_turned(); };
     const bool mixes = is_turned_plane(frame) || is_turned_plane(state_.plane_frame);
     const Axes machine = machine_position();
-    // G92 and G52 from before shift the plane as a whole; those in it end with it.
+    // G92 and G52 set before the plane shift the whole plane; G92 and G52 in the plane end with the
+    // plane.
     if (frame && !state_.plane_frame)
         std::copy_n(state_.offset_92.begin(), 3, state_.outer_92.begin());
     const std::array<double, 3> shift = frame ? std::array<double, 3>{} : state_.outer_92;
@@ -105,7 +107,7 @@ void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
     if (mixes) mix_knowledge();
 }
 
-/// Until resume(), X, Y and Z are places of the joints.
+/// Makes X, Y and Z positions of the joints until resume().
 Machine::Suspended Machine::as_joints() {
     const Suspended before{state_.plane_frame, state_.coordinates, state_.offset_92};
     set_plane_frame(std::nullopt);
@@ -121,13 +123,14 @@ void Machine::resume(const Suspended& before) {
     recompute_position(machine);
 }
 
-/// Is a place of the machine another one than that of the tip?
+/// True if positions of the joints differ from positions of the tip.
 bool Machine::hides_joints() const {
     return options_.joints && state_.coordinates == Coordinates::Tip &&
            (is_turned() || state_.plane_frame);
 }
 
-/// Rotary axes are told in a plane: all axes go straight to where the tip is at `end` then.
+/// Makes a move with rotary words in a tilted plane: all axes move linearly to the joint positions
+/// that bring the tip to `end`.
 bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) {
     const Axes start = state_.position;
     const bool tells_lengths = (mask & ~kRotaryAxes) != 0;
@@ -163,7 +166,7 @@ bool Machine::stop_with(const MessageText& message, SourceSpan span,
     return fail(message, span, arguments);
 }
 
-/// What would lead elsewhere than the words say.
+/// Reports codes that would move incorrectly in a tilted plane.
 bool Machine::check_plane(const Command& command) {
     if (!state_.plane_frame) return true;
     const Code one_shot = command.group(Group::OneShot);
@@ -196,7 +199,7 @@ bool Machine::set_plane(const Command& command) {
     if (state_.cutter_side != CutterSide::Off)
         return stop_with(Message::ForbiddenWithCompensation, span, {name_of(code)});
     const PlaneDialect dialect = dialect_of(code, rules_);
-    const bool waits = dialect == PlaneDialect::LinuxCnc;  // for G53.1
+    const bool waits = dialect == PlaneDialect::LinuxCnc;  // LinuxCNC activates the plane at G53.1.
     const auto& told = control_.store->told_plane;
     std::optional<FeatureFrame> frame;
     if (code == Code::G68_3) {
@@ -208,7 +211,7 @@ bool Machine::set_plane(const Command& command) {
         if (!(parts == control_.store->plane_parts)) control_.store.change().plane_parts = parts;
         if (!read.wants.empty())
             return stop_with(Message::PlaneForm, span, {name_of(code), read.wants});
-        if (!read.frame) return true;  // there are blocks to come
+        if (!read.frame) return true;  // Further blocks of the definition follow.
         frame = read.frame;
         if (code == Code::G68_4) {
             const auto& base = waits && told ? told : state_.plane_frame;
@@ -225,7 +228,7 @@ bool Machine::set_plane(const Command& command) {
     return true;
 }
 
-/// G68.3: Z is where the tool points.
+/// Returns the plane of G68.3, whose Z axis is the direction of the tool.
 std::optional<FeatureFrame> Machine::plane_of_tool(const Command& command, PlaneDialect dialect) {
     const SourceSpan span = span_of_g(command, Code::G68_3);
     const bool has_all = command.has('X') && command.has('Y') && command.has('Z');
@@ -262,8 +265,8 @@ void Machine::end_plane() {
 
 // --- The direction of the tool ---
 
-/// The rotary axes for `axis`, a direction in the coordinates of the program; nothing after an
-/// error.
+/// Returns the rotary positions that give the tool the direction `axis`, in program coordinates;
+/// nullopt after reporting an error.
 std::optional<Axes> Machine::turned_to(const Triple& axis, JointSolver::Way way, Code code,
                                        SourceSpan span) {
     Triple d = state_.plane_frame ? state_.plane_frame->turned(axis) : axis;
@@ -276,7 +279,7 @@ std::optional<Axes> Machine::turned_to(const Triple& axis, JointSolver::Way way,
     return from_machine(from_stand(*turned.joints));
 }
 
-/// G53.1 and its kin.
+/// G53.1 and similar codes: turn the tool normal to the plane.
 bool Machine::orient(const Command& command) {
     const Code code = command.group(Group::Orient);
     if (code == Code::None) return true;
@@ -310,7 +313,8 @@ bool Machine::orient(const Command& command) {
             end[i] = (*turned)[i];
         return end;
     };
-    if (code == Code::G53_6 || code == Code::G53_3) {  // the tip stays, or goes straight
+    // The tip stays (G53.6), or moves in a straight line (G53.3).
+    if (code == Code::G53_6 || code == Code::G53_3) {
         Axes end = state_.position;
         if (code == Code::G53_3) {
             Command in_plane = command;
@@ -330,7 +334,7 @@ bool Machine::orient(const Command& command) {
     return true;
 }
 
-/// I, J and K of a straight move under G43.5.
+/// Applies I, J and K of a straight move under G43.5.
 bool Machine::turn_to_vector(const Command& command, Axes& end, AxisMask& mask) {
     if (!command.has_any(letters('I', 'J', 'K'))) return true;
     const SourceSpan span = command.span;

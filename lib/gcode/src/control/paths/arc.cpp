@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G2 and G3: by centre, by radius, helices, turns, full circles, in every plane.
+// G2 and G3: arcs by centre or radius, helices, several turns, full circles, in every plane.
 #include "ncsim/gcode/print.h"
 #include "ncsim/trig/angles.h"
 
@@ -13,12 +13,12 @@
 namespace ncsim::gcode {
 namespace {
 
-/// How far start and end may differ in their distance from the centre before a control
-/// refuses: LinuxCNC's figures, in the units of the program.
+/// Largest difference between the radii at start and end that a control accepts: limits of
+/// LinuxCNC, in program units.
 struct RadiusTolerance {
     double absolute;
     static constexpr double kRelative = 0.001;
-    static constexpr double kLargest = 100.0;  // times `absolute`, whatever the radius
+    static constexpr double kLargest = 100.0;  // Factor of `absolute`, for any radius.
     bool allows(double r1, double r2) const {
         const double difference = std::abs(r1 - r2);
         if (difference > kLargest * absolute) return false;
@@ -28,13 +28,13 @@ struct RadiusTolerance {
 constexpr RadiusTolerance kMetric{0.0283};
 constexpr RadiusTolerance kInch{0.00283};
 
-/// Below this radius there is no circle; half a chord may be longer than R by as much. 0.00127 mm
-/// is half of a tenth of a thousandth of an inch.
+/// Smallest radius of a circle, and largest excess of half the chord over R: 0.00127 mm = 0.00005
+/// inch.
 constexpr double kMinArcRadius = 0.00127;
 
 constexpr char centre_letter(std::size_t axis) {
     constexpr char kLetters[] = {'I', 'J', 'K'};
-    return kLetters[axis % 3];  // U V W of the second planes use I J K as well
+    return kLetters[axis % 3];  // U V W planes use I J K.
 }
 
 std::string number(double value) {
@@ -55,7 +55,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
     if (state_.cylinder && command.has("ABC"[state_.cylinder->axis - kA]))
         return arc_on_cylinder(command, clockwise);
     if (!command.axis_words && !has_centre && !command.has('R')) {
-        if (!rules_.strict) return true;  // the mode alone
+        if (!rules_.strict) return true;  // Only sets the mode.
         return fail(Message::AxesMissing, command.span, {name});
     }
     if (command.has(c3) && (command[c3] != 0.0 || rules_.strict)) {
@@ -75,7 +75,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
     bool turns_clockwise = clockwise;
     const Programmed& t = state_.programmed;
     if (t.scaled && t.scale[axes.first % 3] * t.scale[axes.second % 3] < 0.0) {
-        turns_clockwise = !turns_clockwise;  // mirrored
+        turns_clockwise = !turns_clockwise;  // Mirrored.
     }
     const bool by_radius = command.has('R') && !has_centre;
     if (by_radius ? !arc_by_radius(command, turns_clockwise, out)
@@ -113,7 +113,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
     return true;
 }
 
-/// True if `arc` is no circle and all around is farther than any machine goes.
+/// True if `arc` is not a full circle and the radius exceeds the travel of any machine.
 bool Machine::is_huge(const ProgramArc& arc, double radius) const {
     constexpr double kHuge = 1e4;  // mm
     const PlaneAxes axes = axes_of(state_.plane);
@@ -122,9 +122,9 @@ bool Machine::is_huge(const ProgramArc& arc, double radius) const {
             arc.end[axes.second] != state_.position[axes.second]);
 }
 
-/// True if the turn of the short way is within the rounding of angles.
+/// True if the angle of the short way is within the rounding of angles.
 bool Machine::is_straight(const ProgramArc& arc, double radius) const {
-    constexpr double kLeastTurn = 1e-9;  // radians; the chord is off by its length times that
+    constexpr double kLeastTurn = 1e-9;  // Radians; the chord deviates by at most length × angle.
     const PlaneAxes axes = axes_of(state_.plane);
     const double chord = trig::length_of(arc.end[axes.first] - state_.position[axes.first],
                                          arc.end[axes.second] - state_.position[axes.second]);
@@ -138,13 +138,13 @@ bool Machine::takes_long_way(const ProgramArc& arc) const {
     const double dy = arc.end[axes.second] - state_.position[axes.second];
     const double cx = arc.centre_1 - state_.position[axes.first];
     const double cy = arc.centre_2 - state_.position[axes.second];
-    // The centre is left of the chord where the short way is counter-clockwise.
+    // The centre is left of the chord if the short way is counter-clockwise.
     const double side = dx * cy - dy * cx;
     return arc.turns > 0 ? side < 0.0 : side > 0.0;
 }
 
-/// Makes `arc` take the short way. Centres that a CAM system rounds can be on the wrong side of a
-/// chord, and controls differ in what they make of it.
+/// Makes `arc` take the short way. Rounding in a CAM system can put the centre on the wrong side of
+/// a chord, and controls execute such arcs differently.
 void Machine::shorten(ProgramArc& arc, double radius, std::string_view name, SourceSpan span) {
     if (!takes_long_way(arc)) return;
     warn(Message::ArcLongWay, span, {name, number(radius)});
@@ -165,9 +165,9 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
     }
     const double half = chord / 2.0;
     const double limit = kMinArcRadius / state_.unit_mm();
-    double height = 0.0;  // of the centre over the chord
+    double height = 0.0;  // Distance of the centre from the chord.
     if (half > std::abs(r) + limit) {
-        // CAM programs round R; a control that is not strict widens it to a semicircle.
+        // CAM systems round R; non-strict controls use a semicircle.
         const double excess = (half - std::abs(r)) * state_.unit_mm();
         if (rules_.strict || excess > 0.05) {
             return fail(Message::ArcRadiusTooSmall, span_of(command, 'R'),
@@ -177,7 +177,7 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
     } else if (half / std::abs(r) < 1.0 - 1e-12) {
         height = std::sqrt((std::abs(r) - half) * (std::abs(r) + half));
     }
-    // Left of the chord for the shorter way round counter-clockwise.
+    // The centre is left of the chord if the shorter way is counter-clockwise.
     const bool left = clockwise == (r < 0.0);
     const double side = left ? height / chord : -height / chord;
     arc.centre_1 = x0 + dx / 2.0 - dy * side;
@@ -185,12 +185,13 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
     return true;
 }
 
-/// Decides how I, J, K of the program are read. Posts of old write them absolute without G90.1.
+/// Decides whether I, J, K of the program are absolute or incremental. Old post processors write
+/// absolute values without G90.1.
 void Machine::settle_centres(bool fits_incremental, bool fits_absolute, bool are_equal,
                              SourceSpan span) {
     if (fits_incremental != fits_absolute)
         ++(fits_absolute ? centres_.absolute : centres_.incremental);
-    // Arcs that fit incremental centres alone, the default of all controls, need no look ahead.
+    // Arcs that fit only incremental centres, the default of all controls, need no second pass.
     if (centres_.counts_only || !fits_absolute || are_equal) return;
     centres_.is_settled = true;
     if (!centres_.are_absolute || !centres_.are_absolute()) return;
@@ -237,7 +238,7 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     if (state_.absolute_centres && rules_.strict && (!command.has(c1) || !command.has(c2))) {
         return fail(Message::ArcWithoutCentre, command.span, {name, {&c1, 1}, {&c2, 1}});
     }
-    // An arc from a place that an error left proves nothing.
+    // The start of an arc after an error may be wrong, so the arc is no evidence.
     if (!rules_.strict && !centres_.is_settled && log_.errors() == 0) {
         centre(true);
         const PlanePoint absolute{arc.centre_1, arc.centre_2};
@@ -252,7 +253,7 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     const double r0 = trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2);
     const double r1 = trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2);
     if (!rules_.strict) {
-        // What grbl and most controls let pass ends up as a spiral.
+        // grbl and most controls accept the difference and make a spiral.
         const double difference = std::abs(r0 - r1);
         const double mm = difference * state_.unit_mm();
         if (mm <= 0.1 || (mm <= 0.5 && difference <= 0.05 * std::max(r0, r1))) {

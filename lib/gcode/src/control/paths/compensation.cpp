@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Offset paths of cutter radius compensation.
 #include "control/paths/compensation.h"
 
 #include "ncsim/trig/angles.h"
@@ -12,10 +14,11 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Corners flatter than this (degrees) are none: the moved paths meet by themselves.
+/// Corners flatter than this angle (degrees) need no connection; the offset paths meet.
 constexpr double kFlat = 1e-5 * kDegrees;
 
-/// Nearer to a reversal than this the corner counts as an outside one (LinuxCNC's figure).
+/// A corner closer to a reversal than this angle (degrees) counts as an outside corner (value of
+/// LinuxCNC).
 constexpr double kReversal = 0.05 * kDegrees;
 
 double cross(double ax, double ay, double bx, double by) {
@@ -46,7 +49,7 @@ double Compensation::radius_of(const Element& e) const {
     return trig::length_of(e.to.x - e.centre.x, e.to.y - e.centre.y);
 }
 
-/// Left of a counter-clockwise arc lies its centre.
+/// Returns the radius of the offset arc. The centre of a counter-clockwise arc is on the left.
 double Compensation::offset_radius(const Element& e) const {
     return radius_of(e) - s_.side * (e.turns > 0 ? s_.radius : -s_.radius);
 }
@@ -79,7 +82,7 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
     const Vec to{end[axes.first], end[axes.second]};
     if (from.x == to.x && from.y == to.y) {
         if (!s_.held) {
-            // At the offset from the programmed path, if the move before was made already.
+            // On the offset path, if the previous move was made already.
             Axes beside_end = end;
             if (s_.made) {
                 state.position = s_.at;
@@ -154,7 +157,7 @@ bool Compensation::take(MachineState& state, Element element) {
     return true;
 }
 
-/// Begins with this element, if the control can.
+/// Starts compensation with `element`, if the control allows this.
 bool Compensation::enter(MachineState& state, Element& element) {
     const double length =
         trig::length_of(element.to.x - element.from.x, element.to.y - element.from.y);
@@ -183,8 +186,10 @@ bool Compensation::enter(MachineState& state, Element& element) {
     return true;
 }
 
-/// Moves the centre of the arc that begins compensation, so that the compensated arc leads from
-/// `at` to the offset point of its end, with the programmed direction. False: none does.
+/// Moves the centre of the first arc so that the compensated arc leads from `at` to the offset
+/// point E of the end, with the programmed end tangent: centre = E + s n with unit normal n and
+/// |centre - at| = s, so s = |at - E|² / (2 (at - E)·n).
+/// Returns: false if there is no such arc.
 bool Compensation::place_centre(Element& element, const Axes& at) const {
     constexpr double kSquare = 1e-4;
     const PlaneAxes axes = axes_of(element.state.plane);
@@ -202,7 +207,7 @@ bool Compensation::place_centre(Element& element, const Axes& at) const {
     return true;
 }
 
-/// Ends the held element where `next` begins.
+/// Ends the held element at the start of `next`.
 bool Compensation::join(const Element& next) {
     const bool is_made = !s_.held;
     const Element held = is_made ? *s_.made : *s_.held;
@@ -228,7 +233,7 @@ bool Compensation::join(const Element& next) {
         return true;
     }
     if (!is_made) emit(held, beside(corner, in));
-    // Round the corner, on behalf of the next move.
+    // The arc around the corner belongs to the next move.
     MachineState state = next.state;
     state.position = s_.at;
     const PlaneAxes axes = axes_of(state.plane);
@@ -250,7 +255,7 @@ bool Compensation::join(const Element& next) {
     return true;
 }
 
-/// Where the two elements meet after they were moved aside: the place nearest to the corner.
+/// Computes the intersection of the two offset elements that is nearest to the corner.
 bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point) const {
     const Vec corner = a.to;
     std::vector<Vec> candidates;
@@ -265,7 +270,8 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
             candidates.push_back({p.x + step * d.x, p.y + step * d.y});
         }
     };
-    // Rounded programs have arcs that end a little nearer or farther than they start.
+    // In rounded programs the radius of an arc differs between start and end; the radius at the
+    // corner counts.
     const auto circle_of = [&](const Element& e) {
         const double at_start = trig::length_of(e.from.x - e.centre.x, e.from.y - e.centre.y);
         const double programmed = &e == &a ? radius_of(e) : at_start;
@@ -300,7 +306,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     if (candidates.empty()) return false;
     point = *std::ranges::min_element(
         candidates, {}, [&](Vec v) { return trig::length_of(v.x - corner.x, v.y - corner.y); });
-    // Trimmed to less than nothing: the cutter does not fit in.
+    // A negative remaining length means that the cutter does not fit.
     const PlaneAxes axes = axes_of(a.state.plane);
     const Vec start{s_.at[axes.first], s_.at[axes.second]};
     const auto backwards = [&](const Element& e, Vec from, Vec to) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cutter radius compensation (G41, G42): the path is moved aside by the radius. Outside corners get
-// an arc about the corner, inside corners end where the moved paths meet. One move is held back,
-// because only the next one tells where it ends.
+// Cutter radius compensation (G41, G42): offsets the path by the radius. Outside corners get an arc
+// about the corner; inside corners end at the intersection of the offset paths. Each move is held
+// back because the end depends on the next move.
 #pragma once
 
 #include "ncsim/gcode/state.h"
@@ -18,16 +18,16 @@
 
 namespace ncsim::gcode {
 
-/// All that cutter compensation remembers between two moves.
+/// State of cutter compensation between two moves.
 struct CompensationState {
-    /// A place in the plane, program coordinates.
+    /// A point in the plane, program coordinates.
     struct Vec {
         double x = 0.0, y = 0.0;
         bool operator==(const Vec&) const = default;
     };
     /// A programmed move in the plane.
     struct Element {
-        MachineState state;  ///< As it was when it was programmed.
+        MachineState state;  ///< State when the move was programmed.
         Axes end{};
         MoveKind kind = MoveKind::Feed;
         AxisMask mask = 0;
@@ -36,11 +36,10 @@ struct CompensationState {
         bool is_arc = false;
         Vec from, to, centre;
         int turns = 1;
-        bool is_open = false;  ///< As ProgramArc.
+        bool is_open = false;  ///< See ProgramArc.
         bool operator==(const Element&) const = default;
     };
-    /// A move that leaves the plane alone, or a pause, to be made when the element before has
-    /// ended.
+    /// A move outside the plane, or a pause, to make after the end of the preceding element.
     struct Follower {
         MachineState state;
         Axes end{};
@@ -58,54 +57,57 @@ struct CompensationState {
     bool entering = true;
     CompensationStart start = CompensationStart::SquareToItself;
     bool held_enters = false;  ///< `held` is the move that begins compensation.
-    /// The programmed end of the last move, while that differs from where the tool is.
+    /// Programmed end of the last move, if different from the position of the tool.
     std::optional<Axes> programmed;
     Rare<Element> held;
-    /// The move before, if it was made to its end before the next one was known (M0 on LinuxCNC).
+    /// The previous move, if made to the end before the next move was known (M0 on LinuxCNC).
     Rare<Element> made;
     GrowingList<Follower> followers;
-    Axes at{};  ///< Where the tool is, program coordinates.
+    Axes at{};  ///< Position of the tool, program coordinates.
     bool operator==(const CompensationState&) const = default;
 };
 
+/// Cutter radius compensation.
 class Compensation {
     using Vec = CompensationState::Vec;
     using Element = CompensationState::Element;
     using Follower = CompensationState::Follower;
 
 public:
-    /// Works on `state`, which somebody else keeps.
+    /// Requires: `state` outlives this object.
     Compensation(CompensationState& state, Path& path, DiagnosticLog& log)
         : s_(state), path_(path), log_(log) {}
 
-    /// From the next move on. `radius` in program units, positive.
+    /// Starts compensation with the next move. `radius` > 0, program units.
     void begin(CutterSide side, double radius, CompensationStart start);
-    /// The same, with the tool beside the start of the next move already, at `at`.
+    /// Starts compensation with the tool already at the offset position `at` of the next move's
+    /// start.
     void begin_beside(CutterSide side, double radius, const Axes& at);
     bool is_on() const { return s_.radius > 0.0; }
-    /// On, and the next move is the first one.
+    /// True if on, and the next move starts the compensation.
     bool is_entering() const { return is_on() && s_.entering; }
 
-    // Like those of Path, for programmed moves. False after reporting a move that cannot be made.
+    // Same as the functions of Path, for programmed moves. Return false after reporting a move that
+    // cannot be made.
     bool straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
                   SourceSpan span, std::uint32_t file);
     bool arc(MachineState& state, const ProgramArc& arc, AxisMask mask, SourceSpan span,
              std::uint32_t file);
     void dwell(const MachineState& state, double seconds, SourceSpan span, std::uint32_t file);
 
-    /// Makes the move held back to its end, without regard to the next one, which goes on from
-    /// there (a stop on LinuxCNC).
+    /// Makes the held move to the end without regard to the next move, which continues from there
+    /// (a stop on LinuxCNC).
     void make_held();
-    /// The programmed end of the last move; nothing before the first one.
+    /// Returns the programmed end of the last move; nullopt before the first move.
     std::optional<Axes> programmed_end() const { return s_.programmed; }
-    /// Does what LinuxCNC does: outside corners before a rapid are cut straight, and a first move
-    /// that is not longer than the radius is an error. Other controls begin square to the next
-    /// move then.
+    /// Selects the behaviour of LinuxCNC: outside corners before a rapid are straight, and a first
+    /// move not longer than the radius is an error. On other controls such a first move starts
+    /// square to the next move.
     void set_linuxcnc(bool on) { is_linuxcnc_ = on; }
-    /// Converts all lengths by `factor`, and states by `convert`.
+    /// Multiplies all lengths by `factor`, and converts states by `convert`.
     void convert_units(double factor, const std::function<void(MachineState&)>& convert);
 
-    /// Lets out the move held back, and puts `state.position` where the tool then is.
+    /// Makes the held move and sets `state.position` to the position of the tool.
     void flush(MachineState& state);
     void end(MachineState& state);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Codes that controls refuse, or execute in different ways, while cutter compensation is on.
+// Codes that controls refuse or execute differently while cutter compensation is on.
 #include "control/machine.h"
 
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace ncsim::gcode {
 
-/// The word of `command` that LinuxCNC refuses while G41 or G42 is on, even if the word changes
-/// nothing; empty: none. M codes and planes come before G40 in a block, the others behind.
+/// Returns the word of `command` that LinuxCNC refuses while G41 or G42 is on, even if the word
+/// changes nothing; empty: none. M codes and planes act before G40 in a block, other words after
+/// G40.
 std::string_view Machine::forbidden_with_compensation(const Command& command) const {
     const Code side = command.group(Group::CutterSide);
     const bool is_on = state_.cutter_side != CutterSide::Off;
@@ -51,7 +52,7 @@ std::string_view Machine::forbidden_with_compensation(const Command& command) co
     return {};
 }
 
-/// True if G10 of `command` sets the coordinate system or the tool length that is active.
+/// True if G10 of `command` sets the active coordinate system or tool length.
 bool Machine::sets_active_data(const Command& command) const {
     const double l = command.get('L', 0.0);
     const double p = command.get('P', 0.0);
@@ -60,8 +61,8 @@ bool Machine::sets_active_data(const Command& command) const {
     return p == 0.0 || (is_extended ? kExtended + p : p) == state_.system;
 }
 
-/// The code of `command` that interrupts cutter compensation, though the mode stays on: the
-/// controls do different things then, from an alarm to a move without offset. Empty: none.
+/// Returns the code of `command` that interrupts cutter compensation without ending the mode;
+/// empty: none. Controls react differently, from an alarm to a move without offset.
 std::string_view Machine::interrupts_compensation(const Command& command) const {
     if (state_.cutter_side == CutterSide::Off) return {};
     if (command.group(MGroup::ToolChange) != kNone) return "a tool change";
@@ -88,8 +89,8 @@ std::string_view Machine::interrupts_compensation(const Command& command) const 
     return {};
 }
 
-/// LinuxCNC refuses what interrupts cutter compensation, Fanuc and Haas another plane. Other
-/// combinations of control and code are a warning.
+/// Reports an interruption of cutter compensation: LinuxCNC refuses every interruption, Fanuc and
+/// Haas a new plane. For other controls and codes the report is a warning.
 bool Machine::check_compensation(const Command& command) {
     const std::string_view code = interrupts_compensation(command);
     if (code.empty()) return true;

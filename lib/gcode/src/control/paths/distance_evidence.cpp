@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Statistics of axis words before any G90 or G91.
 #include "control/paths/distance_evidence.h"
 
 #include "ncsim/trig/angles.h"
@@ -59,10 +61,10 @@ void DistanceEvidence::take_arc(const Command& command, const MachineState& stat
 bool DistanceEvidence::are_places() const {
     if (arcs_of_steps > 0) return false;
     if (arcs_of_places > 0) return true;
-    // A closed contour of steps ends where it began; steps of one direction are repeated values,
-    // which are rests if they are places.
+    // A closed contour of increments ends at the start, so sums stay small. Increments in a
+    // constant direction are repeated values, which are rests if read as positions.
     constexpr double kFar = 4.0;
-    constexpr std::uint64_t kMostRests = 10;  // one in so many
+    constexpr std::uint64_t kMostRests = 10;  // At most 1 rest in kMostRests moves.
     if (rests * kMostRests > moves) return false;
     for (std::size_t i = 0; i < sum.size(); ++i) {
         if (std::abs(sum[i]) > kFar * largest[i]) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether the axis words before any G90 or G91 are places or steps, concluded from their values.
+// Decides from the values whether the axis words before any G90 or G91 are positions or increments.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
@@ -14,19 +14,21 @@
 
 namespace ncsim::gcode {
 
+/// Statistics of the moves before G90 and G91.
 struct DistanceEvidence {
-    std::optional<ProgramPlace> first;       ///< Of the moves.
-    bool is_certain = false;                 ///< G91 follows, so G90 was in force before.
-    std::array<double, 3> sum{}, largest{};  ///< Of the values of X, Y, Z; program units.
+    std::optional<ProgramPlace> first;  ///< First of the moves.
+    bool is_certain = false;            ///< G91 follows, so G90 was in force.
+    /// Sums and largest absolute values of X, Y, Z; program units.
+    std::array<double, 3> sum{}, largest{};
     std::uint64_t moves = 0;
-    std::uint64_t rests = 0;  ///< Moves that lead nowhere if their values are places.
-    /// Arcs whose end lies on their circle only if their values are places, or only if steps.
+    std::uint64_t rests = 0;  ///< Moves without effect if the values are positions.
+    /// Arcs whose end lies on the circle only if the values are positions, or only if increments.
     std::uint64_t arcs_of_places = 0, arcs_of_steps = 0;
 
-    /// Takes a move to be made from `state`.
+    /// Records a move that starts at `state`.
     void take(const Command& command, const MachineState& state, const ProgramPlace& place);
-    /// True if the values are places: the arcs fit as such alone, or as steps the values would lead
-    /// far away from where the program began.
+    /// True if the values are positions: only then the ends of arcs lie on the circles, or as
+    /// increments the values would lead far away from the start.
     bool are_places() const;
 
 private:

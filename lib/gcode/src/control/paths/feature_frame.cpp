@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Transformations between a frame and the parent frame.
 #include "ncsim/gcode/feature_frame.h"
 
 #include "ncsim/trig/angles.h"

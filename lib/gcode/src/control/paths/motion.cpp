@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Accessors of motions.
 #include "ncsim/gcode/motion.h"
 
 namespace ncsim::gcode {
 
 namespace {
 
-// Start or end of whatever moves; null for what does not.
+// Returns the start or end of a move; nullptr if `motion` does not move.
 const Position* place(const Motion& motion, bool start) {
     if (const auto* linear = std::get_if<Linear>(&motion.what))
         return start ? &linear->from : &linear->to;

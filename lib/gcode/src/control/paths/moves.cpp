@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a block moves: from its words to ends, and which motion leads there.
+// Moves of a block: end positions from the words, and the motion to the end.
 #include "ncsim/trig/angles.h"
 
 #include "control/machine.h"
@@ -12,7 +12,8 @@ namespace ncsim::gcode {
 
 bool Machine::move(const Command& command, Code motion) {
     const Code one_shot = command.group(Group::OneShot);
-    // The time of G4 is P, else one of X, U, F and S. With P, X belongs to the motion.
+    // The time of G4 is P, or otherwise the first of X, U, F and S. With P, X belongs to the
+    // motion.
     const bool dwells = one_shot == Code::G4 && !rules_.strict && letter_of_dwell(command) != 'P';
     const bool words_taken =
         (command.axes_are_taken() && !moves_by_new_length(command, motion)) || dwells;
@@ -32,14 +33,14 @@ bool Machine::move(const Command& command, Code motion) {
         if (motion == Code::G80) {
             if (!command.axis_words || words_taken) return true;
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
-            // Others go on as before the cycle: "G80 Z50."
+            // Other controls continue with the last G0 or G1: "G80 Z50."
             motion = state_.last_straight;
             note_move_after_cycle(command, motion);
         } else if (words_taken) {
             return true;  // "G0 G28 Z0": the words belong to G28
         }
     } else {
-        const bool knot = control_.curve.by_knots && command.has('K');  // of G6.2
+        const bool knot = control_.curve.by_knots && command.has('K');  // Knot of G6.2.
         const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));
         if ((!command.axis_words && !by_vector && !is_modal_arc(command) && !knot) || words_taken)
             return true;
@@ -92,31 +93,31 @@ bool Machine::move(const Command& command, Code motion) {
     }
 }
 
-/// LinuxCNC: in "G0 G43.1 Z5" the Z is the length, and where G0 leads.
+/// True for "G0 G43.1 Z5" on LinuxCNC, where Z is both the tool length and the target of G0.
 bool Machine::moves_by_new_length(const Command& command, Code motion) const {
     return rules_.is_linuxcnc() && command.group(Group::ToolLength) == Code::G43_1 &&
            motion != Code::None && motion != Code::G80 &&
            command.group(Group::OneShot) == Code::None;
 }
 
-/// Reports axis words after G80, which move as `motion`. G80 of Fanuc and Haas leaves G0 or G1 as
-/// it was; elsewhere G0 is the reading that is judged most strictly. Only LinuxCNC refuses them,
-/// and a feed where a control may take G0 is a guess.
+/// Reports axis words after G80, which move in the mode `motion`. G80 of Fanuc and Haas keeps G0 or
+/// G1; for other controls G0 is the strictest reading. Only LinuxCNC refuses the words. A feed on a
+/// control that may use G0 is a guess.
 void Machine::note_move_after_cycle(const Command& command, Code motion) {
     const bool is_certain = rules_.macro_b || (motion == Code::G0 && !rules_.linuxcnc_planes);
     log_.add(is_certain ? Severity::Note : Severity::Warning, Message::AxesAfterG80, command.span,
              {name_of(motion)});
 }
 
-/// G5 P10000, G5.1 Q1: modes of Fanuc's kin for fast machining, and no curves; the motion before
-/// them goes on.
+/// True for G5 P10000 and G5.1 Q1, modes of Fanuc and similar controls for high-speed machining,
+/// which are no curves; the motion mode stays.
 bool Machine::is_speed_mode(const Command& command, Code motion) const {
     if (rules_.strict || command.has_any(letters('I', 'J'))) return false;
     return (motion == Code::G5 && !command.axis_words) ||
            (motion == Code::G5_1 && (command.has('Q') || !command.axis_words));
 }
 
-/// "I-7.5 J0" alone is a full circle while G2 or G3 is on.
+/// True for "I-7.5 J0" alone: a full circle while G2 or G3 is active.
 bool Machine::is_modal_arc(const Command& command) const {
     return (state_.motion == Code::G2 || state_.motion == Code::G3) &&
            command.has_any(letters('I', 'J', 'K')) && command.group(Group::OneShot) == Code::None;
@@ -151,7 +152,7 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     for (std::size_t i = 0; i < kLetters.size(); ++i) {
         if (!command.has(kLetters[i])) continue;
         double value = command[kLetters[i]];
-        if (state_.face && i == kC && !machine) {  // a length, across X
+        if (state_.face && i == kC && !machine) {  // A length, normal to X.
             mask |= 1U << kY;
             end[kY] = incremental ? at[kY] + value : value;
             continue;
@@ -170,14 +171,15 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     return true;
 }
 
-/// Where a rotary axis stands that goes from `at` to the place that `value` names: that number, or
-/// it and whole turns. So a place that is named again is the same number, and no move.
+/// Returns the end of a rotary move from `at` to `value`: `value` itself (RotaryWay::Linear), or
+/// plus whole turns as the rotary way of the axis requires. A repeated value gives the same end, so
+/// no move.
 double Machine::rotary_end(std::size_t axis, double value, double at) const {
     constexpr double kTurn = 360.0;
     const RotaryWay way = options_.rotary_ways[axis - kA];
     const double place = way == RotaryWay::Sign ? std::abs(value) : value;
     const auto after = [place](double turns) { return place + kTurn * turns; };
-    // The first of them that is not below `at`.
+    // The first candidate that is not below `at`.
     double turns = std::ceil((at - place) / kTurn);
     if (after(turns - 1) >= at) turns -= 1;
     if (after(turns) < at) turns += 1;
@@ -191,8 +193,8 @@ double Machine::rotary_end(std::size_t axis, double value, double at) const {
     return value;
 }
 
-/// G16: the first axis word of the plane is a radius, the second an angle. "@" and "^" of
-/// RS274/NGC are the same without a mode, about the origin.
+/// Converts polar words. G16: the first axis word of the plane is a radius, the second an angle.
+/// "@" and "^" of RS274/NGC have the same meaning without a mode, about the origin.
 bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
     const PlaneAxes axes = axes_of(state_.plane);
     const Axes at = programmed_from(state_.position);
@@ -234,7 +236,7 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
     AxisMask mask = 0;
     const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));
     if (!command.axis_words && !by_vector) {
-        // "G1" or "G1 F100" alone: the mode was set above.
+        // "G1" or "G1 F100" alone: the mode is already set.
         if (rules_.strict) path_.straight(state_, state_.position, kind, 0);
         return true;
     }
@@ -245,14 +247,16 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
         const PlaneAxes axes = axes_of(state_.plane);
         const bool named = (mask & (1U << axes.first | 1U << axes.second)) != 0;
         if (!named && !control_.corner) return hold_angle(command, end, mask);
-        const bool meets = control_.corner && control_.corner->angle;  // where the line before ends
+        // The line before ends at the intersection.
+        const bool meets = control_.corner && control_.corner->angle;
         if (!meets && !end_by_angle(command, end, mask)) return false;
     }
     if (control_.corner) {
-        // Without the line before, this one begins where the tool stands.
+        // Without the line before, this line begins at the tool.
         const bool meets = !control_.corner->angle || find_corner(command, end);
         if (meets && !cut_corner(end)) return false;
-        if (meets && end == state_.position && command.corner == 0) return true;  // it ends there
+        // The line ends at the intersection.
+        if (meets && end == state_.position && command.corner == 0) return true;
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
     if (!machine) go_with_table(end, mask);
@@ -277,7 +281,7 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
     return true;
 }
 
-/// G33 follows the spindle; G33.1 taps and comes back.
+/// G33 is synchronised with the spindle; G33.1 taps and returns.
 bool Machine::threading(const Command& command, Code motion) {
     if (!command.has('K') && !tolerate(Message::PitchMissing, command.span, {name_of(motion)})) {
         return false;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Motions in machine coordinates and in W, and the choice of W.
 #include "control/paths/path.h"
 
 #include "ncsim/trig/angles.h"
@@ -9,8 +11,9 @@
 namespace ncsim::gcode {
 namespace {
 
-/// An arc whose ends are closer than this, seen from the centre, is a full circle: rounding of
-/// offsets and units must not turn one into nothing. In radians, as grbl has it.
+/// An arc whose ends subtend a smaller angle (radians) at the centre is a full circle; rounding of
+/// offsets and units must not turn a full circle into no motion.
+/// Source: grbl.
 constexpr double kFullCircle = 5e-7;
 constexpr double kFullCircleStrict = 1e-12;
 
@@ -24,14 +27,14 @@ bool is_known(const KnownAxes& known, std::size_t axis) {
     return axis == kX ? known.x : axis == kY ? known.y : known.z;
 }
 
-/// True for increments along an axis of the machine from a known place.
+/// True for an increment parallel to a machine axis from a known position.
 bool keeps_frame(const MachineState& state, std::size_t axis, bool to_machine) {
     return state.incremental && !to_machine && is_known(state.known, axis) &&
            state.rotation == 0.0 && !state.plane_frame && !state.programmed.rotated &&
            !state.programmed.scaled;
 }
 
-/// A program that has not cut after so many motions has chosen its coordinate system.
+/// Largest number of held motions; after this number W is the system of the last motion.
 constexpr std::size_t kMostHeld = 10'000;
 
 ProgramFrame frame_of(const MachineState& state) {
@@ -49,7 +52,7 @@ ProgramFrame frame_of(const MachineState& state) {
     return frame;
 }
 
-/// The origin of a system with what G92 said of its zero, mm and degrees.
+/// Returns the origin of a system with `zero_92`, the zero that G92 set, in mm and degrees.
 WorkOffset zero_of(const Axes& work_offset, const Axes& zero_92, double rotation, double unit) {
     WorkOffset zero;
     zero.rotation = rotation;
@@ -214,7 +217,7 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     motion_.spindle_in_doubt = state.spindle_in_doubt;
 }
 
-// --- Where W is ---
+// --- Choice of W ---
 
 void Path::shift_unspecified(std::size_t axis, double distance_mm) {
     const Length distance = Length::from_mm(distance_mm);
@@ -231,12 +234,12 @@ void Path::shift_unspecified(std::size_t axis, double distance_mm) {
     if (!at_) return;
     const bool goes_on = at_machine_ && *at_machine_ == at_->machine && at_->frame[axis] > 0;
     shift(*at_);
-    // A place of the machine is elsewhere in W after the shift.
+    // A machine position has a different position in W after the shift.
     if (goes_on) at_machine_ = at_->machine;
     if (!goes_on) at_W_.reset();
 }
 
-/// Compares the origin at the first cut in the system of `frame` with the one that the options
+/// Compares the origin at the first cut in the system of `frame` with the origin that the options
 /// specify.
 void Path::compare_offset(const ProgramFrame& frame, const OriginFrame& origin_frame,
                           const std::array<bool, 3>& is_zero_by_hand) {
@@ -274,7 +277,7 @@ void Path::bind(int system, const WorkOffset& workpiece,
     result_.workpiece_system = system;
     result_.workpiece = workpiece;
     frame_W_ = workpiece.frame;
-    // The place of a zero that G92 set at an unknown place is unknown in the machine.
+    // A zero that G92 set at an unknown position is unknown in machine coordinates.
     for (std::size_t i = 0; i < 3; ++i) {
         if (is_zero_by_hand[i]) result_.workpiece.frame[i] = system;
     }
@@ -295,7 +298,7 @@ void Path::bind(const Held& held) {
 
 void Path::finish() {
     if (bound_ || held_.empty()) return;
-    // It never cuts: the coordinates that it comes to count, from where it first has them.
+    // Without a cut, the last system of the program counts, as at the first motion in the system.
     const auto speaks = [](const Held& h) {
         return !h.motion.machine_coordinates && start_of(h.motion);
     };
@@ -326,11 +329,12 @@ void Path::emit(const MachineState& state, const Place& from, const Place& to,
 
 void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
                    const Position& centre, const std::optional<Place>& plane_origin) {
-    // A motion begins where the one before it ended, however that was said.
+    // A motion begins at the end of the motion before, in whatever coordinates the end was given.
     const bool goes_on = at_W_ && *at_machine_ == from.machine;
     const Position from_W = goes_on ? *at_W_ : in_workpiece(from);
     const Position to_W = in_workpiece(to);
-    // At a height of the machine the move that went there is judged, not where X and Y come from.
+    // At a machine height (G28, G53) the move to the height is checked; the origin of X and Y does
+    // not matter.
     const bool is_at_height = from.frame[kZ] == kMachinePlace && to.frame[kZ] == kMachinePlace;
     bool ends_elsewhere = false;
     bool starts_elsewhere = false;
@@ -343,7 +347,7 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
     if (auto* line = std::get_if<Linear>(&motion.what)) {
         *line = {from_W, to_W};
     } else if (auto* tilted = std::get_if<Arc>(&motion.what); tilted && plane_origin) {
-        // Its centre is told in the plane already, and its directions in the machine.
+        // The centre is in plane coordinates already; the directions are in machine coordinates.
         tilted->from = from_W;
         tilted->to = to_W;
         const Position origin_W = in_workpiece(*plane_origin);
@@ -360,7 +364,7 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
         arc->to = to_W;
         arc->centre_1 = lengths[axes.first];
         arc->centre_2 = lengths[axes.second];
-        // What does not move in the machine does not move in W, in whatever system it was said.
+        // Axes that are at rest in the machine are at rest in W, whatever the system of the words.
         if (to.machine.x == from.machine.x && to.machine.y == from.machine.y) {
             arc->to.x = from_W.x;
             arc->to.y = from_W.y;
@@ -387,7 +391,7 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
     if (sink_) sink_(motion);
 }
 
-/// `system`: the active one.
+/// `system`: the active system.
 void Path::warn_of_frame(const Motion& motion, const Place& to, int system) {
     std::size_t axis = 0;
     while (axis < 2 && (!is_known(motion.known_end, axis) || is_related(to, axis)))
@@ -421,12 +425,13 @@ void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMas
     const bool turns = a.a != b.a || a.b != b.b || a.c != b.c;
     motion_.turns_clamped = (state.clamped[0] && a.a != b.a) || (state.clamped[1] && a.b != b.b) ||
                             (state.clamped[2] && a.c != b.c);
-    // A purely rotary move is fed in degrees, which have no inches.
+    // The feed of a purely rotary move is in degrees, independent of inches.
     if (state.feed_mode != FeedMode::InverseTime && (lengths || !turns)) {
         motion_.feed *= state.unit_mm();
     }
     if (!std::holds_alternative<Linear>(motion_.what)) motion_.what = Linear{};
-    // A place of the machine, and where the tip is then is a matter of how it turns.
+    // A target in machine coordinates under tip control: with turned rotary axes the position of
+    // the tip depends on the kinematics, so the position is unknown.
     const auto is_turned = [](const Position& p) {
         return p.a != Angle() || p.b != Angle() || p.c != Angle();
     };
@@ -462,7 +467,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
         whole[axes.second] = state.position[axes.second];
     }
     Place to = target(state, from, whole, mask);
-    if (full && !state.plane_frame) {  // Exactly: the ends are one point, whatever rounding says.
+    if (full && !state.plane_frame) {  // The two ends are exactly equal, whatever the rounding.
         for (const std::size_t axis : {axes.first, axes.second}) {
             if (axis == kX) to.machine.x = from.machine.x;
             if (axis == kY) to.machine.y = from.machine.y;

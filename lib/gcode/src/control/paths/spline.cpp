@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G5, G5.1 (Bézier curves), G5.2/G5.3 and G6.2 (NURBS) in the XY plane; the curves of Piegl,
-// Tiller, "The NURBS Book", 1997.
+// G5, G5.1 (Bézier curves), G5.2/G5.3 and G6.2 (NURBS) in the XY plane.
+// Source: Piegl, Tiller, "The NURBS Book", 1997.
 #include "control/machine.h"
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 namespace ncsim::gcode {
 namespace {
 
-/// More than a control holds.
+/// Limit above the memory of any control.
 constexpr std::size_t kMostPoints = 100'000;
 
 Spline::ControlPoint point(double x, double y, double weight = 1.0) {
-    // In program coordinates, as Path::spline wants them.
+    // In program coordinates, as Path::spline requires.
     return {Length::from_mm(x), Length::from_mm(y), weight};
 }
 
-/// A knot vector with which the curve begins and ends in its outer points.
+/// Returns a clamped knot vector: the curve begins and ends at the outer control points.
 std::vector<double> clamped_knots(std::size_t points, int order) {
     const auto k = static_cast<std::size_t>(order);
     std::vector<double> knots;
@@ -32,7 +32,7 @@ std::vector<double> clamped_knots(std::size_t points, int order) {
     return knots;
 }
 
-// An axis that the command names beside those that `name` moves, as a word of one letter.
+// Returns the name of an axis in `command` that is not in `followed`; nullopt: none.
 std::optional<std::string_view> other_axis(const Command& command, std::string_view followed) {
     static constexpr std::string_view kAxes = "XYZABCUVW@^";
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
@@ -76,7 +76,7 @@ bool Machine::spline(const Command& command, Code motion) {
         if (!command.has('I') && !command.has('J')) {
             if (!state_.previous_was_spline)
                 return fail(Message::SplineWords, command.span, {name, "I and J"});
-            i = -state_.last_pq[0];  // goes on smoothly
+            i = -state_.last_pq[0];  // Continues the tangent of the previous curve.
             j = -state_.last_pq[1];
         }
         state_.last_pq = {command['P'], command['Q']};
@@ -90,7 +90,8 @@ bool Machine::spline(const Command& command, Code motion) {
     return true;
 }
 
-/// G5.2 opens a curve and gives its first points, further blocks give points, G5.3 closes it.
+/// G5.2 opens a curve and gives the first points, further blocks give points, G5.3 closes the
+/// curve.
 bool Machine::nurbs(const Command& command, Code motion) {
     Curve& curve = control_.curve;
     if (motion == Code::G5_2) {
@@ -116,7 +117,7 @@ bool Machine::nurbs(const Command& command, Code motion) {
         return true;
     }
     if (!curve.by_points) return fail(Message::SplineNotOpen, command.span);
-    curve_fails_ = true;  // unless it comes to its end
+    curve_fails_ = true;  // Reset if the curve is completed.
     const std::size_t points = curve.points.size();
     if (points < static_cast<std::size_t>(curve.order)) {
         return fail(Message::SplineTooFewPoints, command.span);
@@ -126,7 +127,7 @@ bool Machine::nurbs(const Command& command, Code motion) {
     return true;
 }
 
-/// Moves along the points of the curve, and forgets it.
+/// Moves along the curve, and discards the points.
 void Machine::finish_curve(std::vector<double> knots) {
     const Curve curve = std::exchange(control_.curve, {});
     Spline spline;
@@ -139,8 +140,8 @@ void Machine::finish_curve(std::vector<double> knots) {
     path_.spline(state_, spline, end, 1U << kX | 1U << kY);
 }
 
-/// G6.2 X Y R K P: control points with weight and knot, the order in the first block; blocks with a
-/// knot alone end the curve. It begins in its first point.
+/// G6.2 X Y R K P: control points with weight and knot, the order in the first block. Blocks with
+/// only a knot end the curve. The curve begins at the first control point.
 bool Machine::nurbs_with_knots(const Command& command) {
     Curve& curve = control_.curve;
     if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {"G6.2"});
@@ -173,7 +174,7 @@ bool Machine::nurbs_with_knots(const Command& command) {
         curve_fails_ = true;
         return fail(falls ? Message::SplineKnots : Message::SplineTooFewPoints, command.span);
     }
-    // The curve starts where its first knots put it; a machine moves there first.
+    // The tool moves to the first control point before the curve.
     Axes start = state_.position;
     start[kX] = curve.points.front().x.mm();
     start[kY] = curve.points.front().y.mm();

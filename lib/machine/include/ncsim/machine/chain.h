@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a machine moves its tool against its part: the joints on the way from the part over the bed
-// to the tool, each as it stands when all are at 0 (product of exponentials: Brockett 1984; Lynch
-// and Park, Modern Robotics, 2017, ch. 4). So there are no frames of links to get wrong.
-//
-// Frames: M machine, whose coordinates are those of the spindle nose while nothing is turned; W
+// Kinematic chain of a machine: the joints from the part over the bed to the tool, in their
+// positions at joint values 0 (product of exponentials: Brockett 1984; Lynch and Park, Modern
+// Robotics, 2017, ch. 4). Links need no frames of their own.
+// Frames: M machine, with the coordinates of the spindle nose while no joint is rotated; W
 // workpiece and T tool, parallel to M while all joints are at 0.
 #pragma once
 
@@ -19,64 +18,69 @@
 
 namespace ncsim::machine {
 
-/// X Y Z A B C U V W: mm and degrees.
+/// Joint values of X Y Z A B C U V W; mm and degrees.
 using Values = std::array<double, 9>;
 inline constexpr std::string_view kLetters = "XYZABCUVW";
-/// Its place in Values; nothing for other letters.
+/// Returns the index of `letter` in Values; no value for all remaining letters.
 std::optional<std::size_t> index_of(char letter);
 
-/// One moving axis. What lies behind it, towards the tool, moves against what lies before it.
+/// One axis of the machine. The links behind the joint, towards the tool, move against the links
+/// before the joint.
 struct Joint {
     char letter = 'X';
-    bool turns = false;   ///< Else it moves along `direction`.
-    cda::Vec3 direction;  ///< Of unit length, and the way of positive values: see tool_sign().
-    cda::Vec3 through;    ///< A point of the axis it turns about, mm.
+    bool turns = false;   ///< False for a joint that moves along `direction`.
+    cda::Vec3 direction;  ///< Unit vector; the direction in which positive values move the tool.
+    cda::Vec3 through;    ///< A point on the axis of rotation, mm.
     bool operator==(const Joint&) const = default;
 };
 
-/// Positive values move the tool against the part: with the right hand about `direction` (ISO 841);
-/// or, of a table whose scale has the other sign, the part against the tool.
+/// Meaning of positive values. Tool: the tool moves against the part, rotary joints by the
+/// right-hand rule about `direction` (ISO 841). Part: the part moves against the tool, as on tables
+/// whose scale has the opposite sign.
 enum class Positive { Tool, Part };
-/// Its motion as that of the tool against the part, which is what a Joint tells.
+/// Returns the joint, with the motion converted to that of the tool against the part.
 Joint joint_of(char letter, bool turns, cda::Vec3 direction, cda::Vec3 through = {},
                Positive positive = Positive::Tool);
 
-/// From the part to the tool. Rotary joints and linear ones may stand in any order.
+/// Joints from the part to the tool. Rotary and linear joints may be in any order.
 struct Chain {
     std::vector<Joint> joints;
     bool operator==(const Chain&) const = default;
 
-    /// The joint of this letter, null if there is none.
+    /// Returns the joint of `letter`, null if there is none.
     const Joint* find(char letter) const;
-    /// Do U, V or W have one of their own? Such a one is no motor: see along_tool().
+    /// True if U, V or W has a joint. Such a joint is no motor: see along_tool().
     bool has_second_axes() const;
-    /// Does one that turns stand behind one that moves straight: a head?
+    /// True if a rotary joint follows a linear joint: the machine has a head.
     bool has_head() const;
 
-    /// The same in W: `zero` is that of the program in machine coordinates, and `length` how far
-    /// the tip is below the spindle nose, mm. Then the tip is at the origin while all are at 0, and
-    /// at (x, y, z) of the program while nothing is turned.
+    /// Returns the chain in W. `zero` is the program zero in machine coordinates, `length` the
+    /// distance of the tip below the spindle nose, mm. The tip is at the origin while all joints
+    /// are at 0, and at (x, y, z) of the program while no joint is rotated.
     Chain placed(cda::Vec3 zero, double length) const;
 
-    /// X_WT of a chain that is placed. Joints that are not there count for nothing, but U, V and W,
-    /// which are added to X, Y and Z. Tools are round: turns of one about its own axis are left
-    /// out, X_WT has the least rotation that takes z to the axis of the tool. For multiples of 90
-    /// degrees about axes that are parallel to X, Y or Z the matrix is exact.
+    /// Returns X_WT.
+    /// Requires: the chain comes from placed().
+    /// Values without a joint are ignored, except U, V and W, which are added to X, Y and Z.
+    /// Because tools are round, rotation about the tool's own axis is left out: X_WT has the least
+    /// rotation that takes z to the tool's axis. For multiples of 90 degrees about axes parallel to
+    /// X, Y or Z, the matrix is exact.
     Pose pose(const Values& values) const;
 
-    /// By how much U, V and W move the tip, as the part sees it, mm.
+    /// Returns the displacement of the tip by U, V and W in W, mm.
     cda::Vec3 shift_of_second_axes(const Values& values) const;
 };
 
-/// A joint that is none of the machine's: the control moves X, Y and Z so that the tip goes along
-/// the tool by what is told of the letter, as LinuxCNC's 5axiskins does it for W. Next to the tool.
+/// Returns a joint next to the tool that is no axis of the machine: the control moves X, Y and Z so
+/// that the tip moves along the tool by the value of `letter`. LinuxCNC's 5axiskins does this for
+/// W.
 Joint along_tool(char letter);
 
-/// Turns `p` by `degrees` about the axis of the joint, or moves it along by `value`.
+/// Rotates `p` by `value` degrees about the axis of the joint, or moves `p` by `value` mm along it.
 cda::Vec3 moved(const Joint& joint, double value, cda::Vec3 p);
-/// The same as a pose.
+/// Returns the motion of the joint as a pose.
 Pose pose_of(const Joint& joint, double value);
-/// A direction turned by the joint; one that does not turn leaves it.
+/// Rotates `direction` with the joint; a linear joint leaves `direction` unchanged.
 cda::Vec3 turned(const Joint& joint, double value, cda::Vec3 direction);
 
 }  // namespace ncsim::machine

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which joint values bring a tool where it is to be, in closed form (subproblems 1 and 2 of Paden
-// and Kahan: Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation, 1994, ch.
-// 3).
+// Inverse kinematics in closed form: joint values that bring the tool to a direction and a
+// position.
+// Source: subproblems 1 and 2 of Paden and Kahan, in Murray, Li and Sastry, A Mathematical
+// Introduction to Robotic Manipulation, 1994, ch. 3.
 #pragma once
 
 #include "ncsim/machine/chain.h"
@@ -13,18 +14,21 @@
 
 namespace ncsim::machine {
 
+/// Joint values that give the tool a direction.
 struct Turns {
-    Values values{};        ///< Of the rotary joints, in (-180, 180]; the others as they were.
-    bool singular = false;  ///< One of them may stand anywhere: it stays where it was.
+    Values values{};  ///< Rotary joints in (-180, 180]; all other values as in `now`.
+    /// True if a rotary joint may have any value; that joint keeps its value in `now`.
+    bool singular = false;
 };
 
-/// All ways, none to two, to give the tool the direction `axis`, of unit length. The chain has two
-/// joints that turn, or one, or none; chains of more have no answer: tell angles. `now`: where the
-/// joints stand.
+/// Returns all solutions, at most two, that give the tool the direction `axis` (unit). `now` has
+/// the current joint values.
+/// Requires: at most two rotary joints. The result is empty for chains with more; programs for such
+/// machines must specify angles.
 std::vector<Turns> turns_for(const Chain& placed, cda::Vec3 axis, const Values& now = {});
 
-/// X, Y and Z that bring the tip to `tip` with the other joints at `turned`; nothing if the
-/// directions of X, Y and Z lie in one plane.
+/// Returns the joint values `turned`, with X, Y and Z replaced so that the tip is at `tip`; no
+/// value if the directions of X, Y and Z lie in one plane.
 std::optional<Values> values_for(const Chain& placed, cda::Vec3 tip, const Values& turned);
 
 }  // namespace ncsim::machine

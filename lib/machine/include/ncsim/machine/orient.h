@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which of the ways to give the tool a direction a control takes.
+// Choice among the solutions that give the tool a direction, as controls make it.
 #pragma once
 
 #include "ncsim/machine/inverse.h"
@@ -10,29 +10,32 @@
 
 namespace ncsim::machine {
 
-/// From where to where a joint goes; mm or degrees.
+/// Range of a joint; mm or degrees.
 struct Travel {
     double min = 0.0, max = 0.0;
     bool operator==(const Travel&) const = default;
 };
-using Travels = std::map<char, Travel>;  ///< By the letter of the joint; others go anywhere.
+/// By the letter of the joint; a joint without an entry is unlimited.
+using Travels = std::map<char, Travel>;
 
-/// Of the master joint, or of where it comes to stand.
+/// Preference among solutions, by the motion or the end position of the master joint.
 enum class Prefer {
-    Shortest,   ///< The shortest way.
-    WayUp,      ///< Only positive ways (LinuxCNC's tilted planes, P1),
-    WayDown,    ///< or only negative ones (P2).
-    StandUp,    ///< Of both places the one at 0 or above, whatever the way (SEQ+),
-    StandDown,  ///< or the one at 0 or below (SEQ-).
+    Shortest,   ///< Shortest motion.
+    WayUp,      ///< Positive motion only (LinuxCNC's tilted planes, P1).
+    WayDown,    ///< Negative motion only (P2).
+    StandUp,    ///< End position at 0 or above, whatever the motion (SEQ+).
+    StandDown,  ///< End position at 0 or below (SEQ-).
 };
 
-/// The joint that counts first, which carries the other one: next to the bed of two tables or of
-/// two heads, the table of one each. Null without two joints that turn, or with more.
+/// Returns the master joint, which carries the second rotary joint: the joint next to the bed if
+/// the machine has two rotary tables or two heads, the table if the machine has one of each. Null
+/// unless the chain has exactly two rotary joints.
 const Joint* master_of(const Chain& chain);
 
-/// Of turns_for() and its whole turns within `travels`: the least way of the master, then of the
-/// other joint, then the master's place nearest to 0, then the other's (Fanuc 16i/18i-MB operator's
-/// manual, "Angle of rotation axis"). Nothing if no way leads there.
+/// Returns the best solution of turns_for(), including whole turns within `travels`. The order of
+/// criteria is: least motion of the master joint, least motion of the second rotary joint, master
+/// position nearest to 0, second position nearest to 0. No value if no solution is allowed.
+/// Source: Fanuc 16i/18i-MB operator's manual, "Angle of rotation axis".
 std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& now,
                             const Travels& travels = {}, Prefer prefer = Prefer::Shortest);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Machines by name.
+// Predefined machines, by name.
 #pragma once
 
 #include "ncsim/machine/chain.h"
@@ -11,20 +11,23 @@
 
 namespace ncsim::machine {
 
-/// What is taken where nobody tells how a machine turns: a table whose axes A, then B, then C all
-/// pass through the program's zero, with the signs of ISO 841:
+/// Returns the chain for machines whose rotary axes are unspecified: a table whose axes A, then B,
+/// then C all pass through the program zero, with the signs of ISO 841:
 ///
 ///     X_WT = Rz(C) · Ry(B) · Rx(A) · translation(X+U, Y+V, Z+W)
 const Chain& default_chain();
 
+/// Name and description of a predefined machine.
 struct Preset {
     std::string_view name;
-    std::string_view what;  ///< For a list of them.
+    std::string_view what;  ///< Description for lists.
 };
+/// Returns all predefined machines.
 std::vector<Preset> presets();
 
-/// The chain of a preset, all its axes through the origin of M. Signs are those of LinuxCNC's
-/// kinematics of that name where there are any: tables turn the part by positive values.
+/// Returns the chain of the preset `name`, with all axes through the origin of M. Signs are those
+/// of LinuxCNC's kinematics of the same name, where such kinematics exist: positive values of
+/// tables rotate the part.
 std::optional<Chain> preset(std::string_view name);
 
 }  // namespace ncsim::machine

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Findings that somebody looked at and accepts, in a file beside the programs: what is new is told
-// apart from what was known. A finding is the same where it says the same about the same block, in
-// the same place of the part, and is no worse; where in the file the block stands does not matter.
-// A finding of several motions is the same if all of them are: else one could hide another.
+// Baseline: a file of accepted findings next to the programs, which separates known findings from
+// new findings. A finding is known if it has the same text for the same block, in the same place of
+// the part, and is no worse; the position of the block in the file does not matter. A finding of
+// several motions is known only if all motions are the same, because otherwise a new motion could
+// hide behind a known motion.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -21,39 +22,43 @@
 
 namespace ncsim::report {
 
-/// What a baseline keeps of a finding.
+/// The data of a finding in a baseline.
 struct KnownFinding {
     std::string rule, code, severity, message;
-    std::string file;        ///< The subprogram it is in, as it was called; empty: the program.
-    std::uint32_t line = 0;  ///< For people; where `file` is told, it has to be the same.
-    std::string block;       ///< The line, without its number and blanks, in capitals.
+    std::string file;  ///< Subprogram of the finding, as it was called; empty: the program itself.
+    std::uint32_t line = 0;  ///< Informative; compared only if `file` is not empty.
+    std::string block;       ///< The line in capitals, without number and blanks.
     int tool = 0;
     bool certain = true;
     std::uint64_t count = 1;  ///< As in verify::Finding.
     bool goes_on = false;
-    std::string row;  ///< Of several motions: verify::Finding::row, in hexadecimal.
+    std::string row;  ///< For several motions: verify::Finding::row, in hexadecimal.
     std::optional<verify::Quantity> quantity;
-    cda::Box box;     ///< Where it happens, in W, mm; may be empty.
-    std::string why;  ///< What people wrote there.
+    cda::Box box;     ///< Place of the finding in W, mm; may be empty.
+    std::string why;  ///< Reason for acceptance, written by the user.
     bool operator==(const KnownFinding&) const = default;
 };
 
+/// Known findings of all programs of a baseline file.
 class Baseline {
 public:
-    /// That knows nothing.
+    /// Makes an empty baseline.
     explicit Baseline(std::string file) : file_(std::move(file)) {}
-    /// `text` is that of `file`. Throws std::runtime_error, naming it, if it is no baseline.
+    /// Reads `text`, the content of `file`.
+    /// Throws: std::runtime_error with the name of the file if `text` is not a baseline.
     Baseline(std::string file, const std::string& text);
 
     const std::string& file() const { return file_; }
-    /// Marks the findings of `checked` that are known, and notes which known ones are not found any
-    /// more: those of rules that were asked. Of several that cannot be told apart none is taken for
-    /// known if there are more of them than were known. O(n²) in those that say the same.
+    /// Marks the known findings of `checked`. Lists the known findings that were not found again in
+    /// `checked.no_longer`, if their rules were checked. If there are more indistinguishable
+    /// findings than known findings, all of these findings count as new.
+    /// Cost: O(n²) for findings with the same text.
     void accept(Checked& checked, const verify::Selection& selection) const;
 
-    /// All it says about a program, in one line; equal lines make equal verdicts.
+    /// Returns the known findings of a program in one line. Equal lines give equal verdicts.
     std::string about(const std::string& program) const;
-    /// Programs it tells of, as they are seen from here, with how many findings.
+    /// Returns the number of known findings for each program, by the path from the working
+    /// directory.
     std::map<std::string, std::size_t> programs() const;
 
 private:
@@ -62,12 +67,13 @@ private:
     const std::vector<KnownFinding>* known_of(const std::string& program) const;
 
     std::string file_;
-    std::map<std::string, std::vector<KnownFinding>> known_;  // by program, seen from its folder
+    // By path of the program, relative to the folder of the baseline.
+    std::map<std::string, std::vector<KnownFinding>> known_;
 };
 
-/// Errors and warnings of all programs that were verified, as the baseline that will be in `file`.
-/// If there is one `before`, it keeps what that says about other programs, and why findings are
-/// accepted that are still there.
+/// Writes the errors and warnings of all verified programs as a baseline for `file`. If `before` is
+/// provided, the new baseline keeps the findings of all remaining programs and the reasons of
+/// findings that still exist.
 void write_baseline(std::ostream& out, const std::string& file, const Entries& all,
                     const Baseline* before);
 

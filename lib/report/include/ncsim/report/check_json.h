@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verdicts for other programs, as JSON. Like all of these formats it depends on the programs and
-// the options only: no times, no absolute paths, no order of work.
+// Verdicts as JSON for scripts. All formats of verdicts depend on the programs and the options
+// only, not on time, absolute paths or the order of work.
 #pragma once
 
 #include "ncsim/report/entry.h"
@@ -11,8 +11,8 @@
 
 namespace ncsim::report {
 
-/// Everything (docs/check.schema.json). Lengths in mm, volumes in mm³. Keys are only ever added
-/// within a version.
+/// Writes all results (docs/check.schema.json). Lengths are in mm, volumes in mm³. Within a
+/// version, keys are only added.
 void write_check_json(std::ostream& out, const Entries& all, const Scope& scope);
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verdicts for people: findings with the line and a caret, what was skipped, a summary.
+// Verdicts as text: findings with the line and a caret, skipped rules, a summary.
 #pragma once
 
 #include "ncsim/report/checked.h"
@@ -11,31 +11,33 @@
 
 namespace ncsim::report {
 
-/// How much is said.
+/// Amount of text.
 struct TextOptions {
-    bool notes = false;  ///< Notes and accepted doubts, too.
-    bool quiet = false;  ///< Only findings.
-    bool many = false;   ///< Only findings and doubts: summary_of() tells the rest.
+    bool notes = false;  ///< Adds notes and accepted doubts.
+    bool quiet = false;  ///< Only findings and doubts.
+    /// Only findings, doubts and findings that are no longer found; summary_of() gives the rest.
+    bool many = false;
 };
 
-/// All there is to say about one program, ending in a newline; empty if that is nothing.
+/// Returns the text about one program, ending in a newline; may be empty.
 std::string text_of(const Checked& checked, const TextOptions& options);
 
-/// How many findings and doubts it has; empty if it was not verified.
+/// Returns the numbers of findings and doubts; empty if the program was not verified.
 std::string counts_of(const Checked& checked);
-/// What would prove it: for each reason for doubt its name, ": " and what to tell, a line each.
+/// Returns a line for each open reason for doubt: its name, ": " and the remedy.
 std::string remedies_of(const Checked& checked);
 /// Returns "RULE: severity note by --severity".
 std::string demotion_text(const verify::Demotion& demotion);
-/// Returns what the user switched off or accepted, for the line of the verdict: "34 of 36 rules by
-/// --ignore; accepted stock-guess"; empty if nothing.
+/// Returns the rules and doubts that the user switched off or accepted, for the line of the
+/// verdict: "34 of 36 rules by --ignore; accepted stock-guess"; empty if there are none.
 std::string scope_of(const Checked& checked);
-/// Returns the rules that were not asked, a line a reason; empty if there are none.
+/// Returns the rules that were not checked, a line for each reason; empty if there are none.
 std::string skipped_of(const Checked& checked);
 
-/// After the programs, each of which has told its own. Of one: what was not asked. Of many: what
-/// to tell and what was not asked, once for all, which ones failed and which are not proven, and
-/// how many of each, with the counts of `scope`.
+/// Returns the text after the texts of all programs. For a single program (`many` is false): the
+/// skipped rules. For many programs: remedies and skipped rules of all programs, the programs that
+/// failed or are not proven, and the number of programs for each verdict, with the counts of
+/// `scope`.
 std::string summary_of(const Entries& all, const TextOptions& options, const Scope& scope);
 
 }  // namespace ncsim::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One program, verified, as reports tell it: from a path to a verdict, whatever is wrong with it.
+// Result of the verification of a program for all reports: path, verdict or failure, and data for
+// pages.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -20,80 +21,86 @@
 
 namespace ncsim::report {
 
-/// A machine as a page shows it, about the part.
+/// A machine around the part, as a page shows it.
 struct MachineLook {
-    /// As machine::Joint; `axis` is its place in Stand::values.
+    /// Joint as in machine::Joint; `axis` is the index into Stand::values.
     struct Joint {
         std::size_t axis = 0;
         bool turns = false;
         cda::Vec3 direction, through;
     };
+    /// A body of the machine or of a tool.
     struct Body {
         std::string name;
         std::array<std::uint8_t, 3> colour{};  ///< sRGB.
         cda::TriangleMesh mesh;                ///< Machine coordinates with all joints at 0, mm.
-        std::vector<Joint> moved_by;           ///< From the bed on.
-        std::int32_t tool = -1;  ///< A piece of this tool of Stand; -1: of the machine.
+        std::vector<Joint> moved_by;           ///< Joints that move the body, from the bed on.
+        std::int32_t tool = -1;  ///< Body of this tool (Stand::tool); -1: body of the machine.
     };
-    /// Where the joints are at the end of a line of the program, and which tool is in the spindle.
+    /// Positions of the joints at the end of a line of the program, and the tool in the spindle.
     struct Stand {
         std::array<double, 9> values{};
         std::int32_t tool = -1;
     };
     std::vector<Body> bodies;
     std::vector<Joint> part_moved_by;
-    cda::Vec3 zero;                         ///< Of the program, with all joints at 0.
-    std::map<std::uint32_t, Stand> stands;  ///< By line; of one that is run often, the last time.
+    cda::Vec3 zero;  ///< Origin of the program's frame, with all joints at 0.
+    /// By line; for a line that runs several times, the last time.
+    std::map<std::uint32_t, Stand> stands;
 };
 
-/// What a page shows beside the verdict.
+/// Additional data for a page.
 struct Look {
-    std::string source;                ///< The program.
-    cda::TriangleMesh mesh;            ///< Of the part; empty if nothing was simulated.
-    std::vector<std::uint32_t> lines;  ///< For each triangle the line that cut it; 0: the stock.
-    /// Three for each triangle, in its corners: those of what its facet stands for. Unit.
+    std::string source;      ///< Text of the program.
+    cda::TriangleMesh mesh;  ///< Surface of the part; empty if nothing was simulated.
+    /// For each triangle, the line that cut the triangle; 0: the stock.
+    std::vector<std::uint32_t> lines;
+    /// Three unit normals for each triangle: the normals of the true surface in the corners.
     std::vector<cda::Vec3> normals;
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
-    std::optional<MachineLook> machine;  ///< Where one is told that has shapes, and moves.
+    /// A specified machine with bodies and motion; otherwise nullopt.
+    std::optional<MachineLook> machine;
 };
 
-/// A finding of a baseline that is not there any more.
+/// A finding of a baseline that was not found again.
 struct NoLonger {
     std::string rule, severity;
-    std::uint32_t line = 0;  ///< Where it was.
+    std::uint32_t line = 0;  ///< Line in the baseline.
     std::string what;        ///< Message and quantity.
 };
 
+/// Result of the verification of one program.
 struct Checked {
-    std::string path;                        ///< As it was named.
-    std::string program;                     ///< "O0101" of a file with several; else empty.
+    std::string path;     ///< Path as specified.
+    std::string program;  ///< "O0101" if the file has several programs; otherwise empty.
     std::string_view word = "not-verified";  ///< "clean", "accepted", "not-proven", "failed".
-    /// What the word says; only where there is a verdict.
+    /// Outcome for `word`; only if there is a verdict.
     verify::Outcome outcome = verify::Outcome::NotProven;
-    /// Why there is no verdict: it could not be read, or something broke. Empty: there is one.
+    /// Reason why there is no verdict, such as an unreadable file or an internal error; empty:
+    /// there is a verdict.
     std::string failure;
     verify::Verdict verdict;
-    /// For each finding the line it points at, as written; empty where there is none.
+    /// For each finding the line as written; empty for a finding without line.
     std::vector<std::string> lines;
     bool simulated = false;
-    std::string not_simulated;        ///< Why not.
-    std::string settings;             ///< The ncsim.toml that told some options; empty: none.
-    std::string baseline;             ///< The file of known findings; empty: none.
-    std::vector<NoLonger> no_longer;  ///< What is in that and was not found.
-    std::string stock;                ///< What it was verified against, in words.
-    std::string time;                 ///< How long it takes, in words; empty: it does not move.
+    std::string not_simulated;  ///< Reason why the program was not simulated.
+    std::string settings;  ///< Settings file (ncsim.toml) with options of the program; empty: none.
+    std::string baseline;  ///< File of known findings; empty: none.
+    std::vector<NoLonger> no_longer;  ///< Findings of the baseline that were not found.
+    std::string stock;                ///< Stock, as text.
+    std::string time;                 ///< Machining time, as text; empty: no motion.
     std::uint64_t moves = 0;
-    std::optional<DesignFacts> design;  ///< Only where the part was compared with one.
-    std::optional<Look> look;           ///< Only where a page was asked for.
+    std::optional<DesignFacts> design;  ///< Only if the part was compared with a design.
+    std::optional<Look> look;           ///< Only if a page is written.
 };
 
-/// "part.nc (O0101)": the path, and the program if the file has several.
+/// Returns "part.nc (O0101)": the path, and the program if the file has several.
 std::string name_of(const Checked& checked);
 
-/// The file a finding is in, relative.
+/// Returns the relative path of the file with `place`.
 std::string file_of(const Checked& checked, const verify::Place& place);
 
-/// "rapid move through material: removed 12.5 mm3": message and quantity.
+/// Returns message and quantity: "rapid move through material: removed 12.5 mm3".
 std::string headline(const verify::Finding& finding);
 
 }  // namespace ncsim::report

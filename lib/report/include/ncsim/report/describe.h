@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Words for boxes, blocks, volumes and lines.
+// Descriptions of boxes, stock, volumes and lines.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -12,14 +12,15 @@
 
 namespace ncsim::report {
 
-/// "50 x 40 x 10 mm, X 0 to 50, Y 0 to 40, Z -10 to 0"
+/// Returns "50 x 40 x 10 mm, X 0 to 50, Y 0 to 40, Z -10 to 0".
 std::string describe(const cda::Box& box);
+/// Returns a description of the stock: its kind, box and file.
 std::string describe(const toolpath::Stock& stock);
 
-/// "1.250 cm3".
+/// Returns "1.250 cm3".
 std::string volume_text(double mm3);
 
-/// "3-7, 12": the first few of them.
+/// Returns "3-7, 12"; long lists are shortened.
 std::string lines_text(const std::vector<verify::LineRange>& lines);
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Do two programs make the same part, and in the same way?
+// Comparison of two programs: the parts, and the process.
 #pragma once
 
 #include "ncsim/verify/region.h"
@@ -12,43 +12,45 @@
 
 namespace ncsim::report {
 
-/// What one of the parts has and the other has not.
+/// Material that only one of the two parts has.
 struct OneSided {
-    double volume_mm3 = 0.0;  ///< Exact but for the rounding of sums.
+    double volume_mm3 = 0.0;  ///< Exact except for the rounding of sums.
     std::vector<verify::Region> regions;
-    std::vector<std::string> files;  ///< That the lines of the regions are in.
+    std::vector<std::string> files;  ///< Files with the lines of the regions.
 };
 
-/// Feeds, speeds, coolant, tools and dwells that only one of the programs has: what lies between
-/// the first and the last condition that differ.
+/// Feeds, speeds, coolant, tools and dwells that only one of the programs has, from the first to
+/// the last condition that differs.
 struct ProcessDifference {
-    /// Feed moves in a row under one condition, or a dwell.
+    /// Consecutive feed moves under one condition, or a dwell.
     struct Run {
         std::string file;
-        std::uint32_t line = 0;  ///< Of the first block.
-        std::string condition;   ///< In words.
+        std::uint32_t line = 0;  ///< Line of the first block.
+        std::string condition;   ///< The condition as text.
     };
     std::vector<Run> only_old, only_new;
     bool differs() const { return !only_old.empty() || !only_new.empty(); }
 };
 
+/// Result of the comparison.
 struct Difference {
-    std::string old_name, new_name;  ///< Of the programs.
-    double tolerance_mm3 = 0.0;      ///< Differences up to this volume do not count.
+    std::string old_name, new_name;  ///< Names of the programs.
+    double tolerance_mm3 = 0.0;      ///< Volume up to which differences do not count.
     bool differs = false;
     double old_mm3 = 0.0, new_mm3 = 0.0;  ///< Volumes of the parts.
-    OneSided only_old;                    ///< Taken away by lines of the new program alone.
-    OneSided only_new;                    ///< Taken away by lines of the old program alone.
-    /// Both make the same motions with the same tools: nothing had to be simulated.
+    OneSided only_old;                    ///< Removed only by the new program.
+    OneSided only_new;                    ///< Removed only by the old program.
+    /// True if both programs make the same motions with the same tools, so no simulation was
+    /// needed.
     bool same_motions = false;
-    /// Words for blocks that differ; empty: both programs are cut from the same.
+    /// Description of stocks that differ; empty: both programs have the same stock.
     std::string stocks;
     ProcessDifference process;
 };
 
-/// Text for people.
+/// Returns the difference as text.
 std::string text_of(const Difference& difference);
-/// JSON. Lengths in mm, volumes in mm³.
+/// Writes the difference as JSON. Lengths are in mm, volumes in mm³.
 void write_difference(std::ostream& out, const Difference& difference);
 
 }  // namespace ncsim::report

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Digests of files by name.
 #pragma once
 
 #include <map>
@@ -8,10 +10,11 @@
 
 namespace ncsim::report {
 
-/// Files by name, with their digests; nothing: there was none.
+/// Digests of files by name; nullopt: the file did not exist.
 using FileDigests = std::map<std::string, std::optional<std::string>>;
 
-/// One line of JSON, and back; nothing if it is no such line.
+/// Converts between digests and one line of JSON.
+/// Returns: nullopt if `line` has a different form.
 std::string line_of(const FileDigests& files);
 std::optional<FileDigests> file_digests_from(std::string_view line);
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How reports name files.
+// Names of files in reports.
 #pragma once
 
 #include <string>
 
 namespace ncsim::report {
 
-/// Without folders.
+/// Returns `path` without folders.
 std::string base_name(const std::string& path);
 
-/// `path` as seen from the working directory, with '/' and without "./"; as it is if it is not
-/// below it.
+/// Returns `path` normalised, with '/' and without "./". A path below the working directory is
+/// returned relative to the working directory.
 std::string relative_path(const std::string& path);
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Text as JSON and TOML have it.
+// Quoted strings for JSON and TOML.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace ncsim::report {
 
-/// `text` in quotes, with escapes, without what CI services look for; bytes that are no UTF-8
-/// become U+FFFD.
+/// Returns `text` in quotes, with escapes and without markers that CI services interpret. Bytes
+/// that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 
 }  // namespace ncsim::report

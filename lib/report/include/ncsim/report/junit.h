@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verdicts as tests that passed or failed.
+// Verdicts as JUnit test cases.
 #pragma once
 
 #include "ncsim/report/entry.h"
@@ -9,9 +9,9 @@
 
 namespace ncsim::report {
 
-/// JUnit XML: a suite for each program, a case for each rule that was selected and one for what
-/// keeps the program from being proven; skipped rules are skipped cases. Warnings fail a case only
-/// if they are to count as errors.
+/// Writes JUnit XML: a suite for each program, with a case for each rule and a case "proven" for
+/// all doubts. Rules that were not checked are skipped cases. Warnings fail a case only if they
+/// count as errors.
 void write_junit(std::ostream& out, const Entries& all);
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every block removed and took, as a table.
+// Removed volume and time of every block, as a table.
 #pragma once
 
 #include "ncsim/report/entry.h"
@@ -9,7 +9,7 @@
 
 namespace ncsim::report {
 
-/// The ledger: one line for each execution of a block, after a line of names.
+/// Writes the ledger as CSV: a header, then a line for each execution of a block.
 void write_ledger_csv(std::ostream& out, const Entries& all);
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a program is read, as text that can be compared or as JSON.
+// Blocks, motions and codes of a program, as text for comparison or as JSON.
 #pragma once
 
 #include "ncsim/gcode/control_codes.h"
@@ -15,24 +15,26 @@
 
 namespace ncsim::report {
 
-/// Takes text on its way out, a chunk at a time: memory does not grow with the program.
+/// Receives text in chunks, so memory does not grow with the program.
 using TextSink = std::function<void(std::string_view)>;
 
-/// Its blocks. Returns what there is to say about them, which is part of the JSON, too.
+/// Lists the blocks of `program`.
+/// Returns: the diagnostics, which are part of the JSON, too.
 gcode::Diagnostics list_blocks(const gcode::SourceFile& program,
                                const gcode::ParserOptions& options, bool as_json,
                                const TextSink& sink);
-/// The motions it makes, in mm and degrees.
+/// Lists the motions of `program`, in mm and degrees.
+/// Returns: the diagnostics, which are part of the JSON, too.
 gcode::Diagnostics list_motions(const gcode::SourceFile& program,
                                 const gcode::InterpreterOptions& options, bool as_json,
                                 const TextSink& sink);
 
-/// Uses of codes (gcode::CodeUse) that a control lacks, and those that cannot be judged.
+/// Numbers of codes (gcode::CodeUse) that a control lacks, and of codes that cannot be judged.
 struct Lacking {
     std::size_t lacking = 0, unknown = 0;
 };
 
-/// Lists what the program uses and `control` does not surely have, a line each.
+/// Lists the codes in `program` that `control` lacks, may lack, or has as an option, one a line.
 Lacking list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
                      bool as_json, const TextSink& sink);
 

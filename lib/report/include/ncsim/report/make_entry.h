@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a program that was verified to its share of the reports.
+// Share of a verified program in the reports.
 #pragma once
 
 #include "ncsim/report/checked.h"
@@ -8,17 +8,17 @@
 
 namespace ncsim::report {
 
-/// What shares are made of, and which.
+/// Choice of reports and of their content.
 struct EntryOptions {
-    bool notes = false;  ///< In text, annotations and SARIF: notes and accepted doubts, too.
-    bool quiet = false;  ///< In text only findings.
-    bool many = false;   ///< There are others: what they have in common is told in the end.
+    bool notes = false;  ///< Adds notes and accepted doubts to text, annotations and SARIF.
+    bool quiet = false;  ///< Text has only findings and doubts.
+    bool many = false;   ///< There are several programs; the summary has their common text.
     bool warnings_as_errors = false;
     bool json = true, sarif = true, junit = true, github = true, csv = false;
-    bool known = false;  ///< For a baseline.
+    bool known = false;  ///< Adds findings for a baseline.
 };
 
-/// `code`: the exit code.
+/// Returns the shares of `checked`. `code` is the exit status.
 Entry entry_of(const Checked& checked, int code, const EntryOptions& options);
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a calliper would find on a part: for people as text, for programs as JSON.
+// Measures of a part that a calliper would give, as text and as JSON.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -14,11 +14,12 @@
 
 namespace ncsim::report {
 
-/// Who cut it, ascending; none: it is the stock's own.
+/// Lines and tools that cut a feature, ascending; empty: a surface of the stock.
 struct CutBy {
     std::vector<std::uint32_t> lines, tools;
 };
 
+/// Cylinder around air, more than half of a circle.
 struct MeasuredBore {
     cda::Vec3 mouth, axis;
     double diameter = 0.0, depth = 0.0, mouth_slants_by = 0.0, covers_degrees = 360.0;
@@ -26,11 +27,13 @@ struct MeasuredBore {
     std::optional<double> tip_depth{}, tip_angle_degrees{};
     CutBy by{};
 };
+/// Cylinder around material, more than half of a circle.
 struct MeasuredBoss {
     cda::Vec3 foot, axis;
     double diameter = 0.0, height = 0.0, covers_degrees = 360.0;
     CutBy by{};
 };
+/// Part of a cylinder, at most half of a circle: a rounded corner.
 struct MeasuredCorner {
     double radius = 0.0;
     bool is_inside = true;
@@ -38,12 +41,14 @@ struct MeasuredCorner {
     cda::Vec3 on_axis, axis;
     CutBy by{};
 };
+/// Plane face that looks up.
 struct MeasuredFloor {
     double z = 0.0, area = 0.0;
     bool is_closed = false;
     cda::Box box;
     CutBy by{};
 };
+/// Distance of two parallel faces with air (`is_void`) or with material between.
 struct MeasuredDistance {
     double mm = 0.0;
     bool is_void = true;
@@ -51,7 +56,7 @@ struct MeasuredDistance {
     CutBy by{};
 };
 
-/// Lengths in mm, frame W.
+/// All measures of a part. Lengths are in mm, in the frame W.
 struct MeasureSheet {
     std::string program;
     cda::Box extents;
@@ -62,15 +67,16 @@ struct MeasureSheet {
     std::vector<MeasuredFloor> floors;
     std::vector<MeasuredDistance> distances;
     bool has_too_many_walls = false;
-    std::size_t facets = 0;  ///< Not recognised, so not measured.
+    /// Number of facets of round tools that were not recognised and therefore not measured.
+    std::size_t facets = 0;
     double facet_area_mm2 = 0.0;
     std::vector<std::uint32_t> facet_lines;
 };
 
-/// Lengths to a micrometre, no more than 40 rows of a kind.
+/// Returns the measures as text, with lengths to a micrometre and at most 40 rows of a kind.
 std::string text_of(const MeasureSheet& sheet);
 
-/// All of it, UTF-8; to a millionth of a mm. Keys are only ever added.
+/// Writes all measures as JSON, UTF-8, to a millionth of a mm. Keys are only added.
 void write_measures(std::ostream& out, const MeasureSheet& sheet);
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The files of a surface that stands in several of them.
+// List of the files of a surface that is split into several files.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -12,15 +12,16 @@
 
 namespace ncsim::report {
 
+/// A file of the list.
 struct MeshFile {
-    std::string file;    ///< As seen from the list.
-    std::string sha256;  ///< Of its bytes, in hexadecimal.
-    cda::Box box;        ///< In W, mm.
+    std::string file;    ///< Path relative to the list.
+    std::string sha256;  ///< Digest of the bytes, in hexadecimal.
+    cda::Box box;        ///< Extents in W, mm.
     std::size_t faces = 0;
-    std::size_t open_edges = 0;  ///< Of triangles, each with its partner in another file.
+    std::size_t open_edges = 0;  ///< Edges of triangles whose partner is in another file.
 };
 
-/// JSON, a file a line.
+/// Writes JSON, a line for each file.
 void write_mesh_list(std::ostream& out, const std::string& program, cda::Vec3 centre,
                      const std::vector<MeshFile>& files);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verdict about one program as a page that needs nothing beside itself: pictures, findings,
-// source, ledger, and the part in three dimensions with its faces linked to lines.
+// The verdict on one program as a self-contained page: pictures, findings, source, ledger, and the
+// part in three dimensions with faces linked to lines.
 #pragma once
 
 #include "ncsim/report/checked.h"
@@ -14,7 +14,8 @@
 
 namespace ncsim::report {
 
-/// HTML 5, UTF-8. Loads nothing from anywhere. Requires checked.look unless it was not verified.
+/// Writes HTML 5, UTF-8, without external resources.
+/// Requires: `checked.look`, unless the program was not verified.
 void write_page(std::ostream& out, const Checked& checked);
 
 /// Writes an index of pages: a row for each program with its verdict and the relative address of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Text from outside (programs, file names, set-up files) on its way to a terminal or into the log
-// of a CI service: shown, never obeyed.
+// Text from outside (programs, file names, set-up files) for terminals and logs of CI services: the
+// text is shown, but commands in it have no effect.
 #pragma once
 
 #include <string>
@@ -9,22 +9,23 @@
 
 namespace ncsim::report {
 
-/// `text` without what a terminal or a CI service would obey. Control characters other than line
-/// ends become '?', blanks for tabs, and so do characters that turn the direction of writing.
-/// "##[error]", "##vso[…]" and "##teamcity[…]", which services look for anywhere in a line, become
-/// "#?[error]"; "::" and "##" at the beginning of a line, behind blanks, lose their first character
-/// to a '?'. As many bytes as before.
+/// Returns `text` without sequences that a terminal or a CI service interprets. The number of bytes
+/// stays the same.
+/// - Control characters except line ends, and characters that change the writing direction, become
+///   '?'; tabs become blanks.
+/// - "##[error]", "##vso[…]" and "##teamcity[…]", which services recognise anywhere in a line,
+///   become "#?[error]" etc.
+/// - "::" and "##" at the start of a line, also after blanks, get '?' as their first character.
 std::string printable(std::string_view text);
 
-/// The same without line ends, which become '?': one thing of many in a text that we compose.
+/// Returns printable(text) with '?' in place of line ends, for use inside a line.
 std::string one_line(std::string_view text);
 
-/// The path of a file at the beginning of a line, or in a cell of a table: in one line, with "./"
-/// before a name that begins with what could be taken for a command or a formula. It leads to the
-/// same file.
+/// Returns `path` in one line, for the start of a line or a cell of a table. A name that looks like
+/// a command or a formula gets the prefix "./", which leads to the same file.
 std::string shown_path(std::string_view path);
 
-/// JSON that says the same, without what CI services look for anywhere in a line.
+/// Returns equivalent JSON without markers that CI services recognise anywhere in a line.
 std::string shown_json(std::string text);
 
 }  // namespace ncsim::report

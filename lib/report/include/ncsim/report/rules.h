@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rules of verification, for those who want to know them.
+// List of the rules of verification.
 #pragma once
 
 #include <string>
 
 namespace ncsim::report {
 
-/// Every rule with its category, weight, reason and remedy, and every reason for doubt.
+/// Returns every rule with its category, severity, reason and remedy, and every reason for doubt.
 std::string rules_text();
+/// Returns the same data as JSON.
 std::string rules_json();
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is said at the end of a run: for people as text, for programs as JSON.
+// Report at the end of a run, as text and as JSON.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -18,62 +18,67 @@
 
 namespace ncsim::report {
 
-/// A mesh with fewer faces.
+/// Result of simplify().
 struct SimplifiedFacts {
     double tolerance_mm = 0.0, deviation_mm = 0.0;
     std::size_t faces = 0;
 };
 
-/// What STEP was written with true surfaces.
+/// STEP file with true surfaces.
 struct SolidFacts {
     std::size_t faces = 0;
-    double volume_mm3 = 0.0;  ///< Of the true surfaces.
-    /// Of each kind, as many as there are, in the order of the list: "plane", "cylinder" …
+    double volume_mm3 = 0.0;  ///< Volume inside the true surfaces.
+    /// Number of faces of each kind, in the order of the list: "plane", "cylinder" …
     std::vector<std::pair<std::string, std::size_t>> kinds{};
-    double miss_mm = 0.0;         ///< Of edges from surfaces, at most.
-    std::size_t facets_kept = 0;  ///< Among the planes: of round tools, not recognised.
-    double facet_miss_mm = 0.0;   ///< Of edges of theirs, from the faces beside them.
-    std::vector<std::uint32_t> facet_lines{};  ///< Lines that cut those, ascending.
-    /// Tolerances of a cut made for it alone, if any.
+    double miss_mm = 0.0;  ///< Largest distance of an edge from its surfaces.
+    /// Facets of round tools that were not recognised; included in the planes.
+    std::size_t facets_kept = 0;
+    /// Largest distance of an edge of these facets from the adjacent faces.
+    double facet_miss_mm = 0.0;
+    std::vector<std::uint32_t> facet_lines{};  ///< Lines that cut these facets, ascending.
+    /// Tolerances of a separate cut for the STEP file, if any.
     struct Cut {
         double tools_mm = 0.0, arcs_mm = 0.0;
     };
     std::optional<Cut> own_cut{};
-    double mitred_mm = 0.0;  ///< Left out at bends of balls, at most; 0: nothing.
-    /// Facets alone were joined within so many times the tolerance.
+    /// Largest height of the lunes omitted at path corners of ball end mills; 0: none.
+    double mitred_mm = 0.0;
+    /// Factor on the tolerance for shells of facets alone (FlatPart::coarser).
     double coarser = 1.0;
 };
 
-/// The part cut open.
+/// Section of the part.
 struct SectionFacts {
     std::string plane;  ///< "z=-4"
     std::size_t outlines = 0;
-    std::array<std::size_t, 4> curves{};  ///< Lines, arcs, ellipses, and curves that are chords.
-    std::size_t facets = 0;               ///< Among the lines: of round tools, not recognised.
-    bool is_faceted = false;              ///< All of it is of facets.
+    /// Numbers of lines, arcs, ellipses, and curves given as chords.
+    std::array<std::size_t, 4> curves{};
+    std::size_t facets = 0;   ///< Lines of round tools that were not recognised.
+    bool is_faceted = false;  ///< True if all lines are those of facets.
     double area_mm2 = 0.0, length_mm = 0.0;
-    double moved_mm = 0.0;  ///< To the right on the drawing.
+    double moved_mm = 0.0;  ///< Shift to the right on the drawing.
 };
 
-/// What is known at the end of a run. What is pointed to must outlive it.
+/// Facts at the end of a run.
+/// Requires: the pointers stay valid.
 struct RunFacts {
-    std::string name;  ///< Of the program.
+    std::string name;  ///< Name of the program.
     const ProgramFacts* program = nullptr;
     CuttingFacts cutting;
-    const PartFacts* part = nullptr;          ///< Null: it could not be simulated.
-    const cda::Boundary* boundary = nullptr;  ///< Null: nobody asked for it.
+    const PartFacts* part = nullptr;          ///< Null: the program could not be simulated.
+    const cda::Boundary* boundary = nullptr;  ///< Null: not requested.
     std::optional<SimplifiedFacts> simplified;
     std::optional<SolidFacts> solid;
     std::vector<SectionFacts> sections{};
-    /// Times on the machine of --machine; null: none, or only a part of the program was run.
+    /// Times on the machine of --machine; null: no machine, or only a part of the program was run.
     const verify::Ledger* on_machine = nullptr;
 };
 
-/// A few lines for people.
+/// Returns a few lines of text.
 std::string summary(const RunFacts& run);
 
-/// JSON, UTF-8. Depends on the input and the options only: no times, no dates. Lengths in mm,
-/// volumes in mm³; lines count from 1. Keys are only ever added.
+/// Writes JSON, UTF-8. The bytes depend on the input and the options only, not on time or date.
+/// Lengths are in mm, volumes in mm³; lines count from 1. Keys are only added.
 void write_report(std::ostream& out, const RunFacts& run);
 
 }  // namespace ncsim::report

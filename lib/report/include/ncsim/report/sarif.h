@@ -9,9 +9,10 @@
 
 namespace ncsim::report {
 
-/// SARIF 2.1.0 as code hosting services take it in: one run, rules with their stable ids, paths
-/// relative to the working directory, fingerprints that survive insertions elsewhere in the
-/// program, and no more results than are accepted, the heaviest first; what was left out is said.
+/// Writes SARIF 2.1.0 for code hosting services: a single run, rules with stable ids, paths
+/// relative to the working directory, and fingerprints that survive insertions elsewhere in the
+/// program. If there are more results than a service accepts, the results of the lowest severity
+/// are omitted, and a notification states their number.
 void write_sarif(std::ostream& out, const Entries& all);
 
 }  // namespace ncsim::report

@@ -13,28 +13,29 @@ namespace ncsim::report {
 /// An entry of a folder or a list that is not judged.
 struct LeftOut {
     std::string path;
-    std::string why;  ///< Its kind: "binary file", "FIFO", "link out of the folder" …
+    std::string why;  ///< Kind of the entry: "binary file", "FIFO", "link out of the folder" …
     bool operator==(const LeftOut&) const = default;
 };
 
 /// A subprogram in a file of its own, judged with the program that calls it.
 struct CalledFile {
     std::string path;
-    std::string caller;  ///< The first of the list.
+    std::string caller;  ///< The first caller in the list.
 };
 
+/// Files that a check met but did not judge on their own.
 struct Scope {
     std::vector<LeftOut> left_out;
     std::vector<CalledFile> called;
 };
 
 /// Returns the subprograms of `all` that a judged program reads, in the order of the list. Only an
-/// entry with `is_subprogram` can be one. A subprogram that no judged program reads stands alone,
-/// and what it reads is judged with it.
+/// entry with `is_subprogram` can be called. A subprogram that no judged program reads is judged as
+/// a program, together with the files that this subprogram reads.
 std::vector<CalledFile> called_files(const Entries& all);
 
-/// Returns `all` without `called`; subprograms that stand alone come last. `all` must outlive the
-/// result.
+/// Returns `all` without `called`; subprograms that are judged as programs come last.
+/// Requires: `all` outlives the result.
 Entries without_called(const Entries& all, const std::vector<CalledFile>& called);
 
 /// Returns one line for each kind of `left_out` with a count and the first names; empty if there is

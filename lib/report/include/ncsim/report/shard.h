@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A long list of programs, verified in parts (shards) by whoever has time, and put together again.
-// A file holds what one shard found: a head, a line a program, an end; so a file that was cut off
-// is known as such.
+// Verification of a long list of programs in parts (shards), and the combination of the results. A
+// file holds the result of a shard: a head, a line for each program, and an end, which shows that
+// the file is complete.
 #pragma once
 
 #include "ncsim/report/entry.h"
@@ -17,50 +17,53 @@
 
 namespace ncsim::report {
 
-/// What all shards of one list have in common, but for `shard`.
+/// Data of a shard file. Except for `shard`, all shards of a list have the same values.
 struct ShardHead {
     std::string list;     ///< Digest of the list.
-    std::string options;  ///< Digest of what was asked.
+    std::string options;  ///< Digest of the options.
     std::uint32_t shard = 0, of = 1;
-    std::uint64_t programs = 0;  ///< In the list.
+    std::uint64_t programs = 0;  ///< Number of programs in the list.
     bool operator==(const ShardHead&) const = default;
 };
 
-/// An entry and its place in the list.
+/// An entry and its position in the list.
 struct Placed {
     std::uint64_t index = 0;
     Entry entry;
 };
 
-/// "shard-0003-of-0200.ndjson": names sort as numbers do.
+/// Returns "shard-0003-of-0200.ndjson"; the names sort in the order of the numbers.
 std::string shard_file_name(std::uint32_t shard, std::uint32_t of);
 
-/// `entries` in the order of the list; `left_out`: the rest of the list.
+/// Writes `entries`, which are in the order of the list. `left_out` are the files of the list that
+/// were left out.
 void write_shard(std::ostream& out, const ShardHead& head, const std::vector<LeftOut>& left_out,
                  std::span<const Placed> entries);
 
-/// Is the file the whole result of this shard of this list?
+/// True if `file` is the complete result of the shard described by `head`.
 bool is_whole(const std::string& file, const ShardHead& head);
 
-/// Which of `sizes.size()` programs shard `shard` of `of` takes, ascending: the largest first to
-/// whom has the least so far, so that all have about as much, and all of them know it without
-/// asking the others.
+/// Returns the indices of the programs of shard `shard` of `of`, ascending. `sizes` are the sizes
+/// of all programs. The largest program goes first, to the shard with the smallest load so far. The
+/// loads are similar, and every process computes the same distribution without communication.
 std::vector<std::size_t> dealt(std::span<const std::uint64_t> sizes, std::uint32_t shard,
                                std::uint32_t of);
 
 /// All shards of a list.
 class Shards {
 public:
-    /// Reads the heads and where each program is. Throws std::runtime_error, naming the file, if
-    /// one cannot be read, is cut off or no such file, is of another list, other options or another
-    /// version than the first, if a program is told twice and not the same, or one not at all.
+    /// Reads the heads and the position of each program.
+    /// Throws: std::runtime_error with the name of the file if a file is unreadable, incomplete or
+    ///     not a shard, if the list, the options or the version differ from those of the first
+    ///     file, if two results of a program differ, or if a program has no result.
     explicit Shards(const std::vector<std::string>& files);
 
     std::uint64_t programs() const { return places_.size(); }
     std::size_t files() const { return files_.size(); }
-    /// Files that any of the shards left out.
+    /// Returns the files that any of the shards left out.
     const std::vector<LeftOut>& left_out() const { return left_out_; }
-    /// In the order of the list, one at a time. Throws as the constructor does.
+    /// Returns the entries in the order of the list, read one at a time.
+    /// Throws: as the constructor.
     Entries entries() const;
 
 private:

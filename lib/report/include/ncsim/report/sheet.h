@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The assumption sheet: what the program said, what was concluded, what had to be assumed. Nobody
-// should have to guess what a result stands on.
+// The assumption sheet: values that the program specifies, values concluded from the program, and
+// assumed values, so the basis of a result is visible.
 #pragma once
 
 #include "ncsim/report/facts.h"
@@ -10,7 +10,8 @@
 
 namespace ncsim::report {
 
-/// Text for people, a line for each thing; ends in a newline. `name` is the program's.
+/// Returns the sheet as text, a line for each value, ending in a newline. `name` is the name of the
+/// program.
 std::string assumption_sheet(const std::string& name, const ProgramFacts& program,
                              const CuttingFacts& cutting);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Who said it.
+// Sources of values, as text.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -10,10 +10,10 @@
 
 namespace ncsim::report {
 
-/// "comment", "option" …
+/// Returns "comment", "option" …
 const char* name_of(toolpath::ToldBy by);
 
-/// "line 2: (…)", "from tool.tbl, line 3: …", "from --tool".
+/// Returns the source of a value: "line 2: (…)", "from tool.tbl, line 3: …", "from --tool".
 std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
                  const std::string& file, const char* option);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tools of a program: each that is called or described, its shape, who said so, what it does.
+// The tools of a program: each called or described tool with shape, source of the description, and
+// use.
 #pragma once
 
 #include "ncsim/report/facts.h"
@@ -12,25 +13,29 @@
 
 namespace ncsim::report {
 
-/// Which ways of turning a tool a program's own moves agree with: those at tilted angles that go
-/// along the tool of some machine, or along Z.
+/// Evidence from the linear moves of a program for the meaning of X, Y and Z: moves at constant
+/// tilted angles that run along the tool axis of some machine, or along Z.
 struct Plunges {
+    /// Evidence that X, Y and Z are positions of the tip.
     struct Tip {
-        std::vector<std::string> machines;  ///< That hold the tool alike.
-        std::uint64_t moves = 0;            ///< Along it, if X, Y, Z are the tip's.
+        /// Machines whose rotary axes rotate the tool alike, for the axes that the program uses.
+        std::vector<std::string> machines;
+        std::uint64_t moves = 0;  ///< Moves along the tool if X, Y and Z are the tip position.
     };
-    bool is_tilted = false;     ///< Some move stands at such angles.
-    std::uint64_t moves = 0;    ///< Along any of these, or along Z.
-    std::uint64_t along_z = 0;  ///< Of axes, or of the tip in a frame that stays.
-    std::vector<Tip> tip;       ///< Those with most first; none with none.
+    bool is_tilted = false;   ///< True if some move is at tilted angles.
+    std::uint64_t moves = 0;  ///< Moves along the tool axis of some machine, or along Z.
+    /// Moves along Z at tilted angles: X, Y and Z are axis positions, or the tip position in a
+    /// frame that does not rotate.
+    std::uint64_t along_z = 0;
+    std::vector<Tip> tip;  ///< Descending by moves, without entries of 0 moves.
 };
 
-/// Text for people. `described`: all tools that somebody describes, used or not.
+/// Returns the sheet as text. `described` are all described tools, used or not.
 std::string tool_sheet(const ProgramFacts& program,
                        const std::vector<toolpath::ToolEntry>& described,
                        const Plunges& plunges = {});
 
-/// The same as JSON, with what was found. `name` is the program's.
+/// Returns the sheet as JSON, with the diagnostics. `name` is the name of the program.
 std::string tool_sheet_json(const std::string& name, const ProgramFacts& program,
                             const std::vector<toolpath::ToolEntry>& described,
                             const Plunges& plunges = {});

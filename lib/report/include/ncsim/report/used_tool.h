@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tool of a program, and who says what it is.
+// A tool of a program and the source of the description.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -12,18 +12,18 @@
 
 namespace ncsim::report {
 
-/// A tool as it will be used, and why it is taken to be so.
+/// A tool as used in the simulation, and the source of the description.
 struct UsedTool {
     toolpath::Tool tool;
     toolpath::ToldBy told_by = toolpath::ToldBy::Comment;
-    gcode::SourceSpan span;    ///< Of the comment.
-    std::string text;          ///< As told.
-    std::string file;          ///< Of a table; empty: the program.
-    toolpath::ToolSpec spec;   ///< With all that was filled in.
-    std::string filled_in;     ///< What was not told and had to be assumed.
-    bool is_guess = false;     ///< Not even its shape was told.
-    bool length_told = false;  ///< Of its flutes.
-    gcode::SourceSpan first;   ///< The block that first moves it.
+    gcode::SourceSpan span;    ///< Place of the comment.
+    std::string text;          ///< Text of the description.
+    std::string file;          ///< Tool table; empty: the program.
+    toolpath::ToolSpec spec;   ///< Specification with all assumed values.
+    std::string filled_in;     ///< Text: values that were not specified and had to be assumed.
+    bool is_guess = false;     ///< True if not even the shape was specified.
+    bool length_told = false;  ///< True if the flute length was specified.
+    gcode::SourceSpan first;   ///< Block that first moves the tool.
 };
 
 }  // namespace ncsim::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which ncsim wrote it.
+// Version of ncsim.
 #pragma once
 
 namespace ncsim::report {

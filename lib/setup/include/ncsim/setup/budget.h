@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What working on a program may cost: time and memory.
+// Limits of the time and memory spent on a program.
 #pragma once
 
 #include <chrono>
@@ -12,19 +12,21 @@
 
 namespace ncsim::setup {
 
+/// Time and memory that may be used, and a request to stop.
 class Budget {
 public:
     Budget() = default;
-    /// 10^9 bytes and seconds from now on; 0: as much as there is.
+    /// Limits memory to `memory_gb` (10^9 bytes) and time to `seconds` from construction on; 0
+    /// means no limit.
     Budget(double memory_gb, double seconds);
 
-    /// Gives up when it is asked to.
+    /// Counts a stop request on `stop` as an exceeded limit.
     void stop_with(std::stop_token stop) { stop_ = std::move(stop); }
 
-    /// Which of them is used up, in words; nothing: neither. Looks at the system only once in a
-    /// while, which it counts, so it may be asked for every motion.
+    /// Returns which limit is exceeded, in words; empty if none is. May be called for every motion:
+    /// the system is queried only at every 128th call.
     std::optional<std::string> exceeded();
-    /// Throws std::runtime_error, "PROGRAM:LINE: why: given up", if one is.
+    /// Throws: std::runtime_error, "PROGRAM:LINE: reason: given up", if a limit is exceeded.
     void check(const std::string& program, std::uint32_t line);
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G54 … G59.3 and G54.1 Pn: numbered as in gcode::MachineState::system, and where they lie.
+// Coordinate systems G54 … G59.3 and G54.1 Pn, numbered as in gcode::MachineState::system, and
+// their origins.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -11,13 +12,14 @@
 
 namespace ncsim::setup {
 
-/// "G54", "G59.1", "G54.1 P7" → its number; nothing if it is none.
+/// Returns the number of "G54", "G59.1" or "G54.1 P7"; empty for other names.
 std::optional<int> system_named(const std::string& name);
+/// Returns the name of coordinate system `system`.
 std::string name_of_system(int system);
 
-/// Tells where a coordinate system lies in the machine (mm).
+/// Sets the origin of a coordinate system, in machine coordinates, mm.
 void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origin);
-/// Where it was told to lie; nothing if it was not.
+/// Returns the specified origin in machine coordinates, mm; empty if unspecified.
 std::optional<cda::Vec3> origin_of(const gcode::InterpreterOptions& options, int system);
 
 }  // namespace ncsim::setup

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Digests of files.
 #pragma once
 
 #include <string>
@@ -6,7 +8,7 @@
 
 namespace ncsim::setup {
 
-/// SHA-256 (FIPS 180-4) in hexadecimal.
+/// Returns the SHA-256 digest in hexadecimal. Source: FIPS 180-4.
 std::string digest_of(std::string_view bytes);
 
 }  // namespace ncsim::setup

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which file a path leads to, under whatever name: "x.nc", "./x.nc", a link.
+// Identity of a file under different names: "x.nc", "./x.nc", a link.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,30 @@ struct stat;
 
 namespace ncsim::setup {
 
-/// A file by its device and inode; one that does not exist yet by those of its folder, and its name
-/// there.
+/// A file by its device and inode. A file that does not exist yet has the device and inode of its
+/// folder, and its name.
 struct FileId {
     std::uint64_t device = 0, inode = 0;
-    std::string name;  ///< Empty: it exists.
+    std::string name;  ///< Empty if the file exists.
     bool operator==(const FileId&) const = default;
     bool operator<(const FileId& other) const {
         return std::tie(device, inode, name) < std::tie(other.device, other.inode, other.name);
     }
 };
 
-/// Of a file that exists.
+/// Returns the identity of an existing file.
 FileId id_of(const struct stat& status);
-/// Of one that does not, by its path without links. Throws std::runtime_error if its folder does
-/// not exist either.
+/// Returns the identity of a file that does not exist. Requires: `path` has no links. Throws:
+/// std::runtime_error if the folder does not exist, either.
 FileId id_of_new(const std::string& path);
 
-/// Where symbolic links at `path` lead in the end; they may lead to what does not exist yet. Links
-/// in /proc, which stand for open files, are left: "/dev/stdout" becomes "/proc/self/fd/1". Throws
-/// std::runtime_error, naming `path`, if they go round in circles.
+/// Returns the target of the symbolic links at `path`, which may not exist yet. Links in /proc,
+/// which denote open files, are kept: "/dev/stdout" becomes "/proc/self/fd/1". Throws:
+/// std::runtime_error with `path` if the links are circular.
 std::string without_links(const std::string& path);
 
-/// The descriptor of this process that `path`, without links, stands for; -1 if it is none.
+/// Returns the descriptor of this process that `path` denotes; -1 if there is none. Requires:
+/// `path` has no links.
 int descriptor_named(const std::string& path);
 
 }  // namespace ncsim::setup

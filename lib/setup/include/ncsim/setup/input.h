@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that are read: all of them here, up to a limit, and never what the same run overwrites.
+// Reading of files: every input is read through InputSet, up to a size limit, and never if the same
+// run overwrites it.
 #pragma once
 
 #include "ncsim/setup/file_id.h"
@@ -14,14 +15,16 @@
 
 namespace ncsim::setup {
 
-/// The most that is read of one file: programs, surfaces, stock; what describes tools, machines and
-/// jobs; anything from a device such as /dev/zero, which may never end. Bytes.
+/// Largest sizes of inputs, in bytes: kMostBytes for programs, surfaces and stock; kMostSetUpBytes
+/// for files of tools, machines and jobs; kMostDeviceBytes for devices such as /dev/zero, which may
+/// never end.
 inline constexpr std::uintmax_t kMostBytes = 1'000'000'000;
 inline constexpr std::uintmax_t kMostSetUpBytes = 64'000'000;
 inline constexpr std::uintmax_t kMostDeviceBytes = 64'000'000;
 
-/// The files one run reads. "-" is the standard input. All members throw std::runtime_error, naming
-/// the file and what the system said, and may be called from several threads.
+/// The files that a run reads. "-" is the standard input. All members may be called from several
+/// threads.
+/// Throws: std::runtime_error with the file and the system's message.
 class InputSet {
 public:
     InputSet() = default;
@@ -29,22 +32,22 @@ public:
     InputSet& operator=(const InputSet&) = delete;
     virtual ~InputSet() = default;
 
-    /// All bytes of a file; whoever asks again for the standard input gets the same. Throws if it
-    /// cannot be read, is a folder, has more bytes than `most`, or is an output of the same run.
-    /// Throws for a FIFO or a device, unless `path` is expected.
+    /// Returns all bytes of a file. Repeated reads of the standard input return the same bytes.
+    /// Throws if the file cannot be read, is a folder, has more bytes than `most`, or is an output
+    /// of the same run. Throws for a FIFO or a device, unless `path` is expected.
     virtual std::string read(const std::string& path, std::uintmax_t most = kMostBytes);
-    /// Is there a file to be read?
+    /// True if `path` is a regular file.
     virtual bool is_there(const std::string& path);
-    /// Whatever stands in `folder` is going to be looked at.
+    /// Announces that the content of `folder` will be searched.
     virtual void look_through(const std::string& folder);
 
-    /// `path` is named to be read, which may happen later. Throws if the standard input is named
-    /// for the second time.
+    /// Announces that `path` may be read later. Throws if the standard input is named a second
+    /// time.
     void expect(const std::string& path);
 
-    /// `path` is going to be overwritten. Throws if it was read or is expected to be.
+    /// Announces that `path` will be overwritten. Throws if the file was read or is expected.
     void forbid(const std::string& path, const FileId& id);
-    /// Throws if something that is going to be overwritten was read after all.
+    /// Throws if a file that will be overwritten was read.
     void check() const;
 
 private:
@@ -52,8 +55,8 @@ private:
     void add(const std::string& path, const FileId& id);
 
     mutable std::mutex mutex_;
-    std::map<FileId, std::string> read_, forbidden_;  // with the path that was told first
-    std::map<std::string, std::string> streams_;      // what FIFOs gave, which give it once
+    std::map<FileId, std::string> read_, forbidden_;  // by file, with the path named first
+    std::map<std::string, std::string> streams_;  // content of FIFOs, which can be read only once
     std::set<std::string> expected_;
     std::string conflict_;
     std::mutex standard_input_mutex_;
@@ -61,10 +64,11 @@ private:
     bool expects_standard_input_ = false;
 };
 
-/// How messages name an input: "<stdin>" for "-", else its path.
+/// Returns the name of an input in messages: "<stdin>" for "-", otherwise the path.
 std::string name_of_input(const std::string& path);
 
-/// How a file in `folder` names the file `name`; "-" is no standard input there.
+/// Returns the path of the file `name` that a file in `folder` mentions; "-" is not the standard
+/// input there.
 std::string seen_in(const std::string& folder, const std::string& name);
 
 }  // namespace ncsim::setup

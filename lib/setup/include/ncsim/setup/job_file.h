@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Job files (TOML 1.0): everything a program does not say about its set-up, so that it can be run
-// again. What `--save-job` writes, `--job` reads. Values that a run assumed are marked by a list
-// `assumed`, and stay assumptions until the mark is removed.
+// Job files (TOML 1.0): the set-up of a program, so that a run can be repeated. `--save-job` writes
+// a job file, and `--job` reads it. Assumed values are marked by a list `assumed` and remain
+// assumptions until the mark is removed.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -20,46 +20,49 @@
 
 namespace ncsim::setup {
 
-/// What a job file says; what it does not say is empty. Lengths in mm, angles in degrees.
+/// Content of a job file; unspecified values are empty. Lengths in mm, angles in degrees.
 struct JobFile {
-    std::string program;  ///< As written: absolute, or seen from the folder of the job file.
+    std::string program;  ///< Path as written: absolute, or relative to the folder of the job file.
     std::optional<bool> inches;
     std::optional<gcode::Dialect> dialect;
     bool strict = false;
     std::optional<bool> block_delete;
     std::optional<bool> increments;
-    std::map<std::string, double> variables;  ///< At the start: "#500", "#<_depth>".
-    std::map<int, double> compensation;       ///< Radii in the registers D, by number.
+    std::map<std::string, double> variables;  ///< Initial values: "#500", "#<_depth>".
+    std::map<int, double> compensation;       ///< Radii in the registers D, by number, mm.
     std::vector<std::string> allow, accept, require;
-    std::optional<cda::Vec3> start;    ///< Where the tool stands at the beginning, in G54.
-    std::map<int, cda::Vec3> offsets;  ///< Origins in the machine, by MachineState::system.
-    std::string holders;               ///< A file, as written.
+    std::optional<cda::Vec3> start;    ///< Initial tool position, in G54.
+    std::map<int, cda::Vec3> offsets;  ///< Origins in machine coordinates, by MachineState::system.
+    std::string holders;               ///< Name of a file, as written.
     std::optional<toolpath::Stock> stock;
-    std::vector<toolpath::ToolEntry> tools;  ///< With ToolSpec::assumed.
+    std::vector<toolpath::ToolEntry> tools;  ///< Including ToolSpec::assumed.
     bool units_assumed = false, dialect_assumed = false;
     bool stock_assumed = false, stock_place_assumed = false;
-    /// Version 1, of ncsim 0.1, does not record what was assumed.
+    /// True for version 1, of ncsim 0.1, which does not record assumptions.
     bool has_unknown_origin = false;
 };
 
-/// Name of a variable as the interpreter has it ("#500", "#<_depth>"); empty if it is none.
+/// Returns the interpreter's name of a variable ("#500", "#<_depth>"); empty if `text` is not a
+/// variable.
 std::optional<std::string> variable_name(std::string_view text);
-/// Number of a register of cutter compensation, 1 to 9999, as in "D1"; empty if it is none.
+/// Returns the number of a register of cutter compensation, 1 to 9999, as in "D1"; empty for other
+/// texts.
 std::optional<int> compensation_register(std::string_view text);
 
-/// Throws std::runtime_error with line and column if `file` is no TOML, or says something that is
-/// not known or makes no sense: a key that is passed over is a set-up that is not what it seems.
+/// Reads a job file. Throws: std::runtime_error with line and column if `file` is not TOML, or
+/// contains an unknown key or an invalid value. Unknown keys are refused because an ignored key
+/// would change the set-up unnoticed.
 JobFile parse_job_file(const gcode::SourceFile& file);
 
-/// What a job file tells people beside its values: remarks of one line each.
+/// Remarks of one line each that explain the values of a job file.
 struct JobRemarks {
     std::string stock;
-    std::vector<std::vector<std::string>> tools;  ///< For each of JobFile::tools.
-    /// Tools to fill in, since nobody describes them, and the line from which they move.
+    std::vector<std::vector<std::string>> tools;  ///< Remarks for each tool of JobFile::tools.
+    /// Undescribed tools, to be filled in, and the line of their first move.
     std::map<int, std::uint32_t> unknown_tools;
 };
 
-/// What parse_job_file() reads back. Paths stand there as they are in `file`.
+/// Writes a file for parse_job_file(). Paths are written as in `file`.
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks);
 
 }  // namespace ncsim::setup

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is told about a program and does not stand in it.
+// Options of a job: values that the program does not contain.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -16,39 +16,41 @@
 
 namespace ncsim::setup {
 
-/// The program, and what it does not say itself. Lengths in mm.
+/// The program, and values that it does not contain. Lengths in mm.
 struct JobOptions {
     std::string program;
-    /// Number of the program in its file, from 0; empty: the first one, with a warning about more.
+    /// Number of the program in its file, from 0; empty for the first, with a warning about further
+    /// programs.
     std::optional<std::size_t> number_in_file;
     std::optional<toolpath::Stock> stock;
-    /// Of stock that comes from a file.
+    /// Placement of a stock from a file.
     std::optional<std::string> stock_turn;
     std::optional<cda::Vec3> stock_move;
     std::vector<toolpath::ToolSpec> tools;
-    /// For tools that nobody describes; its number is 0.
+    /// Specification used for undescribed tools; its number is 0.
     std::optional<toolpath::ToolSpec> assumed_tool;
-    std::string job;                       ///< A job file, empty: none.
-    std::vector<std::string> tool_tables;  ///< Files with tools.
-    std::string holders;                   ///< A file with what holds them, empty: none.
-    std::optional<cda::Vec3> start;        ///< Where the tool stands at the beginning, in G54.
-    /// Origins of coordinate systems in the machine, by gcode::MachineState::system.
+    std::string job;                       ///< Job file; empty if none.
+    std::vector<std::string> tool_tables;  ///< Files of tool tables.
+    std::string holders;                   ///< File of holders; empty if none.
+    std::optional<cda::Vec3> start;        ///< Initial tool position, in G54.
+    /// Origins of coordinate systems in machine coordinates, by gcode::MachineState::system.
     std::map<int, cda::Vec3> offsets;
-    bool inches_assumed = false;  ///< `inches` is marked as assumed in a job file.
-    std::optional<bool> inches;   ///< For programs that say neither G20 nor G21; mm.
-    /// Numbers without a point count least increments; empty: not specified, which is no.
+    bool inches_assumed = false;  ///< True if a job file marks `inches` as assumed.
+    std::optional<bool> inches;   ///< Unit of programs without G20 and G21; default: mm.
+    /// True if numbers without a point count least increments; unspecified means false.
     std::optional<bool> increments;
-    std::vector<std::string> subprograms;  ///< Folders, besides that of the program.
-    /// Skip blocks that start with '/'; empty: not specified, which is no.
+    /// Folders of subprograms, in addition to the folder of the program.
+    std::vector<std::string> subprograms;
+    /// True to skip blocks that start with '/'; unspecified means false.
     std::optional<bool> block_delete;
-    /// Values of variables at the start: "#500", "#<_depth>".
+    /// Initial values of variables: "#500", "#<_depth>".
     std::map<std::string, double> variables;
-    /// Radii in the registers D of cutter compensation at the start, by number, mm.
+    /// Initial radii in the registers D of cutter compensation, by number, mm.
     std::map<int, double> compensation;
     gcode::Dialect dialect = gcode::Dialect::Auto;
     bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.
     std::vector<std::string> allow;  ///< Words declared harmless: "G187".
-    /// For a verdict: reasons for doubt that do not count, and what has to be told.
+    /// For a verdict: accepted reasons for doubt, and values that must be specified.
     std::vector<std::string> accept, require;
 };
 

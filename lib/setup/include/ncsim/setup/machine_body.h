@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of a machine's links.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -12,28 +14,29 @@
 
 namespace ncsim::setup {
 
-/// A link of a machine; one without triangles has a name only.
+/// A link of a machine. A link without triangles has a name only.
 struct MachineBody {
     std::string link;
-    std::string parent;                   ///< Which link carries it; empty: the bed.
-    std::optional<machine::Joint> joint;  ///< Between both, as it moves this one.
+    std::string parent;                   ///< Link that carries this link; empty for the bed.
+    std::optional<machine::Joint> joint;  ///< Joint between both links, as a motion of this link.
     cda::TriangleMesh mesh;               ///< Closed; machine coordinates with all joints at 0, mm.
     std::array<std::uint8_t, 3> colour{170, 178, 190};  ///< sRGB.
     bool is_transparent = false;                        ///< In pictures.
-    /// What moves it, from the bed on: each joint as it moves the link itself.
+    /// Joints that move the link, from the bed on, each as a motion of the link.
     machine::Chain moved_by;
-    double clearance_mm = 0.0;   ///< All else is to stay this far away.
-    double deflection_mm = 0.0;  ///< How far the mesh may be from what its file means.
-    std::string mesh_at{};       ///< Where the mesh was told: "mill.toml:12:1".
-    bool as_hull = false;        ///< What it may meet is asked of its convex hull.
-    std::string assumed{};       ///< Assumptions of the run that wrote the mesh; empty: none.
+    double clearance_mm = 0.0;  ///< Least distance from all further bodies.
+    /// Largest distance between the mesh and the body that its file describes.
+    double deflection_mm = 0.0;
+    std::string mesh_at{};  ///< Place where the mesh was specified: "mill.toml:12:1".
+    bool as_hull = false;   ///< True if the convex hull replaces the mesh in collision checks.
+    std::string assumed{};  ///< Assumptions of the run that wrote the mesh; empty if none.
 };
 
-/// Its corners with the joints at `values`, machine coordinates.
+/// Returns the body's corners with the joints at `values`, in machine coordinates, mm.
 std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values& values);
 
-/// A place of the machine as the part has it that `moved_by` moves: where it was with all joints at
-/// 0.
+/// Returns the point of the part that is at `p_M`, machine coordinates, with the joints at
+/// `values`: its position with all joints at 0. `moved_by` moves the part.
 cda::Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, cda::Vec3 p_M);
 
 }  // namespace ncsim::setup

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Machines in whatever format somebody told them.
+// Machine files in all supported formats.
 #pragma once
 
 #include "ncsim/setup/machine_file.h"
 
 namespace ncsim::setup {
 
-/// A configuration of LinuxCNC where the name ends in ".ini", a machine of FreeCAD where it ends in
-/// ".fcm", one of Fusion where it ends in ".machine", one in URDF where in ".urdf", else the
-/// project's own TOML. Throws std::runtime_error as their readers do.
+/// Reads a machine. The end of the name decides the format: ".ini" LinuxCNC, ".fcm" FreeCAD,
+/// ".machine" Fusion, ".urdf" URDF, otherwise a machine.toml. Throws: std::runtime_error, as the
+/// readers of these formats do.
 MachineFile read_machine(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::setup

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A machine in words, and as a file that says the same.
+// Description of a machine in words, and as machine.toml.
 #pragma once
 
 #include "ncsim/setup/machine_file.h"
@@ -9,16 +9,17 @@
 
 namespace ncsim::setup {
 
-/// For people: its joints from the part to the tool, travels, what the control does, what nobody
-/// told.
+/// Returns a description in words: joints from the part to the tool, travels, functions of the
+/// control, and assumptions.
 std::string machine_sheet(const MachineFile& file);
 
-/// What a machine.toml made of it would not say, in words: "2 fixtures, limits of tools"; empty:
-/// nothing.
+/// Returns the values of `file` that machine_toml() does not write, in words: "2 fixtures, limits
+/// of tools"; empty if there are none.
 std::string not_in_machine_toml(const MachineFile& file);
 
-/// TOML that read_machine_file() reads to the same, but for not_in_machine_toml(). What was assumed
-/// stays so: the key `assumed` makes verdicts doubt it until somebody takes it out.
+/// Returns TOML from which read_machine_file() reads the same machine, except for
+/// not_in_machine_toml(). Assumptions are kept: the key `assumed` causes a doubt until it is
+/// removed.
 std::string machine_toml(const MachineFile& file);
 
 }  // namespace ncsim::setup

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What was read on the way to a verdict, so that one can tell later whether it would be the same.
+// Record of the inputs of a verdict, from which a later run can decide whether the verdict would be
+// the same.
 #pragma once
 
 #include "ncsim/setup/input.h"
@@ -11,13 +12,13 @@
 
 namespace ncsim::setup {
 
-/// The files that were asked for, with the digests of what was read; nothing: there was none.
+/// Files that were requested, with the digests of the content; empty if the file did not exist.
 using ReadFiles = std::map<std::string, std::optional<std::string>>;
 
-/// Reads through another set and keeps what it was asked. For one program, and one thread.
+/// Reads through a second set and records the requests. For a single program and a single thread.
 class RecordedInput : public InputSet {
 public:
-    /// `inputs` must outlive it.
+    /// Requires: `inputs` outlives this object.
     explicit RecordedInput(InputSet& inputs) : inputs_(inputs) {}
 
     std::string read(const std::string& path, std::uintmax_t most = kMostBytes) override;
@@ -25,7 +26,7 @@ public:
     void look_through(const std::string& folder) override;
 
     const ReadFiles& files() const { return files_; }
-    /// Something was read that can change without being named: a whole folder, a device.
+    /// False if content was read that can change without being named: a whole folder, a device.
     bool knows_all() const { return knows_all_; }
 
 private:
@@ -34,7 +35,7 @@ private:
     bool knows_all_ = true;
 };
 
-/// What a file is now, as RecordedInput would keep it, read through `inputs`.
+/// Returns the digest of a file as RecordedInput would record it, read through `inputs`.
 std::optional<std::string> digest_of_file(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::setup

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Kinematics of a machine, with its assumptions.
 #pragma once
 
 #include "ncsim/machine/orient.h"
@@ -7,13 +9,14 @@
 
 namespace ncsim::setup {
 
-/// How a machine turns.
+/// Specified kinematics of a machine.
 struct ToldKinematics {
     machine::Chain chain;       ///< In machine coordinates.
-    std::string untold_pivots;  ///< Letters of axes of which nobody told where they lie.
-    std::string guess;          ///< What else nobody told, in words; empty: nothing.
-    machine::Travels travels;   ///< Of rotary axes.
-    machine::Prefer prefer = machine::Prefer::Shortest;  ///< Where two ways lead to a direction.
+    std::string untold_pivots;  ///< Letters of rotary axes with unknown position.
+    std::string guess;          ///< Further assumptions, in words; empty if none.
+    machine::Travels travels;   ///< Travels of rotary axes.
+    /// Choice between two solutions for a direction.
+    machine::Prefer prefer = machine::Prefer::Shortest;
 };
 
 }  // namespace ncsim::setup

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the moves of a tool that nobody describes tell of it: enough for a first picture, never for
-// a verdict.
+// Estimate of an undescribed tool from its moves: sufficient for a first picture, never for a
+// verdict.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -18,16 +18,20 @@
 
 namespace ncsim::setup {
 
+/// Statistics of a tool's feed moves.
 class ToolClues {
 public:
-    /// Takes a feed move whose start is known; `poses`: its own.
+    /// Adds a feed move. Requires: the start of `motion` is known; `poses` belongs to `motion`.
     void take(const gcode::Motion& motion, const toolpath::Poses& poses);
 
-    /// As --assume-tool reads it: "flat:D6", "ball:D1/8in". Moves that only go down are those of a
-    /// drill; many that rise while they go aside, of a ball; short ones of little depth, of an
-    /// engraver. No wider than the tightest arc in the plane, than a few steps from line to line,
-    /// than the shortest way from hole to hole of a drill, and than a quarter of what it covers; a
-    /// size that is sold, in the unit of the program.
+    /// Returns an estimate in the form of --assume-tool: "flat:D6", "ball:D1/8in". Only vertical
+    /// moves suggest a drill; many sloping moves a ball end mill; many short moves of little depth
+    /// an engraver. The diameter is the largest standard size, in the unit of the program, that is
+    /// at most
+    /// - twice the radius of the tightest arc in the plane,
+    /// - a few steps from line to line,
+    /// - the least distance of two holes, for a drill,
+    /// - a quarter of the width of the moves' area.
     std::string guess(bool inches) const;
 
 private:
@@ -41,8 +45,8 @@ private:
     std::size_t moves_ = 0, falling_ = 0, slanting_ = 0;
     double length_mm_ = 0.0;
     double smallest_arc_mm_ = std::numeric_limits<double>::infinity();
-    std::array<std::set<std::int64_t>, 2> lines_;            // along X and Y: where, µm
-    std::set<std::pair<std::int64_t, std::int64_t>> holes_;  // places of moves straight down, µm
+    std::array<std::set<std::int64_t>, 2> lines_;            // positions along X and Y, µm
+    std::set<std::pair<std::int64_t, std::int64_t>> holes_;  // positions of moves straight down, µm
 };
 
 }  // namespace ncsim::setup

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a plan to a verdict: what `ncsim check` does with one program.
+// Verification of a program, from a plan to a verdict, as in `ncsim check`.
 #pragma once
 
 #include "ncsim/report/baseline.h"
@@ -20,28 +20,29 @@
 
 namespace ncsim::simulation {
 
-/// A tile of a part that was asked what it meets. Nothing in it: the program is not simulated.
+/// Contacts and content of a tile of the part. Empty if the program is not simulated.
 struct SeenTile {
     std::vector<MetStock> met;
-    std::string tile;  ///< As WorkpieceModel::write_tile() writes it.
+    std::string tile;  ///< In the form of WorkpieceModel::write_tile().
     verify::Evidence evidence;
 };
 
-/// The links of a machine, ready to be asked; null if it has none.
+/// Prepares the links of a machine for collision checks. Null if the machine has no links.
 std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile& machine);
 
-/// The result depends on `plan` and `questions` only. Throws std::invalid_argument if plan.model
-/// does not verify, std::runtime_error if plan.budget is used up, or a picture cannot be drawn.
+/// Verifies a program. The result depends on `plan` and `questions` only. Throws:
+/// std::invalid_argument if plan.model does not verify; std::runtime_error if plan.budget is
+/// exceeded, or a picture cannot be drawn.
 report::Checked check(Plan plan, const Questions& questions = {});
-/// The same into `checked`, which keeps what was known by then if it throws.
+/// Does the same with the result in `checked`, which keeps the partial result after an exception.
 void check(Plan plan, const Questions& questions, report::Checked& checked);
 /// Returns, a text each, the doubts that a verdict on the plan would have about tools, stock and
 /// motions, and the errors of its blocks, for files that the plan's run writes.
-/// Requires: `survey` is that of the plan; take_machine() has applied `machine`.
+/// Requires: `survey` belongs to `plan`; take_machine() has applied `machine`.
 /// Cost: one interpretation of the program; nothing is cut.
 std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
                                         const setup::MachineFile& machine);
-/// Asks plan.tile of the part, and judges nothing. Throws as check() does.
+/// Collects the contacts of tile plan.tile, without a verdict. Throws as check() does.
 SeenTile check_tile(Plan plan, const Questions& questions);
 
 }  // namespace ncsim::simulation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Do two programs make the same part?
+// Comparison of the parts that two programs make.
 #pragma once
 
 #include "ncsim/report/difference.h"
@@ -9,17 +9,17 @@
 
 namespace ncsim::simulation {
 
-/// A plan and what was seen of its program.
+/// A plan with the survey of its program.
 struct Surveyed {
     Plan plan;
     Survey survey;
 };
 
-/// Which material only one of the parts has, and which lines of the other program took it away.
-/// Both must be ready, have the same stock and models that verify: throws std::invalid_argument if
-/// one of them does not. Costs up to two simulations of each
-/// program, of `a` alone if both make the same motions with the same tools. Names, tolerance and
-/// what to conclude from them are left to the caller.
+/// Returns the material that only one of the parts has, and the lines of the program that removed
+/// the material. Names, tolerance and conclusions are left to the caller.
+/// Requires: both programs are ready and have the same stock. Throws: std::invalid_argument if a
+/// model does not verify. Cost: up to two simulations of each program; of `a` alone if both make
+/// the same motions with the same tools.
 report::Difference compare_parts(const Surveyed& a, const Surveyed& b);
 
 }  // namespace ncsim::simulation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Is the part what it was meant to be?
+// Comparison of the part with its design.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -13,21 +13,21 @@
 
 namespace ncsim::simulation {
 
+/// A design and its tolerance.
 struct Design {
-    std::string path;  ///< As given on the command line.
+    std::string path;  ///< Path on the command line.
     cda::TriangleMesh mesh;
     double tolerance_mm = 0.0;
-    std::vector<std::string> face_names{};  ///< Of the faces that mesh.face counts, if it has any.
-    /// How far the triangles may be from the design, less than the tolerance. What is beyond the
-    /// tolerance less this is found.
+    std::vector<std::string> face_names{};  ///< Names of the faces that mesh.face counts, if any.
+    /// Largest distance between the triangles and the design, less than the tolerance. Deviations
+    /// of more than tolerance minus this value are found.
     double deflection_mm = 0.0;
-    std::string assumed{};  ///< Assumptions of the run that wrote the file; empty: none.
+    std::string assumed{};  ///< Assumptions of the run that wrote the file; empty if none.
 };
 
-/// Findings of the rules gouge and excess, one for each region, at the line that cut the part
-/// at its deepest point (at no line where only the stock's own faces are). What could be gouged by
-/// no more than the tool and the chords of arcs are off is not certain. `simulation` must have kept
-/// its cuts.
+/// Returns findings of the rules gouge and excess, one per region, at the line that cut the part at
+/// the deepest point (no line if only faces of the stock are there). A gouge within the error of
+/// the tool and of the chords of arcs is not certain. Requires: `simulation` kept its cuts.
 std::vector<verify::Finding> compare_with(const Design& design, const Simulation& simulation,
                                           report::DesignFacts& facts);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A first look: how coarse it may be.
+// Accuracy, model and resolution of a draft.
 #pragma once
 
 #include "ncsim/simulation/plan.h"
@@ -12,36 +12,37 @@ namespace ncsim::simulation {
 
 /// Returns the work of an exact run of the program, in hulls of a flat end mill. A hull of a tool
 /// without straight walls and a flat end counts as three, because it has about three times as many
-/// planes; a move of a tool that leans as two; a piece that turns the tool as a hundred.
+/// planes. A move of an inclined tool counts as two, and a piece that rotates the tool as a
+/// hundred.
 ///
 /// Guarantees: the number depends on the program, its tools and `plan.tolerance` alone, not on the
-/// machine that runs ncsim.
+/// computer.
 double exact_work(const Plan& plan, const Survey& survey);
 
-/// Largest exact_work() of a draft that is cut exactly: less than a second of CPU time, typically.
+/// Largest exact_work() of a draft that is cut exactly: typically less than a second of CPU time.
 inline constexpr double kQuickWork = 12'000.0;
 
-/// Sets the unspecified tolerances of a draft to what its picture allows, in which a pixel is about
-/// a thousandth of the block, and joins moves; tools stay round. A draft of at most kQuickWork with
-/// an exact model and no specified tolerance keeps the tolerances of an exact run, and
-/// `plan.is_draft_exact` is set. Plans that are not drafts remain as they are.
+/// Sets the unspecified tolerances of a draft to the accuracy of its picture, in which a pixel is
+/// about a thousandth of the block, and joins moves; tools stay round. A draft of at most
+/// kQuickWork with an exact model and no specified tolerance keeps the tolerances of an exact run,
+/// and `plan.is_draft_exact` is set. Plans that are not drafts remain unchanged.
 void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told);
 
-/// Moves from which on a draft is made of rays.
+/// Number of moves from which a draft uses a model of rays.
 inline constexpr std::uint64_t kLongProgram = 200'000;
 
-/// A draft of a long program is made with the model that has a resolution, if nobody told another
-/// and nothing is asked for that only others have.
+/// Chooses the model with a resolution for a draft of a long program, if no model is specified and
+/// no result is requested that only exact models have.
 void choose_model(Plan& plan, const Survey& survey);
 
-/// Where the model has rays and nobody told their directions: along Z alone if no tool turns or is
-/// wider below than above, and all have a round or a pointed end, so that slopes are what they
-/// leave; along all axes where walls are. Throws std::runtime_error if Z alone was told and a tool
-/// turns or undercuts.
+/// Chooses the directions of rays if the model has rays and the directions are unspecified. Along Z
+/// alone if no tool rotates or is wider below than above, and all tools have a round or a pointed
+/// end, so the cuts leave slopes; otherwise along all axes, because of walls. Throws:
+/// std::runtime_error if Z alone was specified and a tool rotates or undercuts.
 void choose_rays(Plan& plan, const Survey& survey);
 
-/// Where the model has a resolution that nobody told: the one that suits the stock. Throws
-/// std::runtime_error if one that was told is too fine for it.
+/// Chooses the resolution for the stock if the model has a resolution and none is specified.
+/// Throws: std::runtime_error if the specified resolution is too fine.
 void choose_resolution(Plan& plan, const Survey& survey);
 
 }  // namespace ncsim::simulation

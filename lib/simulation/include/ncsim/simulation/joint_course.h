@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the joints of a machine stand at any time of a program: what moves its links in files that
-// can move.
+// Joint positions of a machine over the time of a program, for files with moving links.
 #pragma once
 
 #include "ncsim/machine/chain.h"
@@ -12,51 +11,52 @@
 
 namespace ncsim::simulation {
 
-/// Joints at one time, machine coordinates: those of the spindle nose, mm and degrees.
+/// Joint positions at a time, in machine coordinates of the spindle nose, mm and degrees.
 struct JointKey {
     double seconds = 0.0;
     machine::Values values{};
 };
 
-/// A tool from when it is called, or another length of it counts, to the next one.
+/// Time from the call of a tool, or from a change of its length, to the next call or change.
 struct ToolTime {
     int number = 0;
-    double length_mm = 0.0;  ///< From the spindle nose to its tip, as G43 has it.
+    double length_mm = 0.0;  ///< Length from the spindle nose to the tip, as set by G43.
     double from_seconds = 0.0, to_seconds = 0.0;
     bool operator==(const ToolTime&) const = default;
 };
 
-/// A line of the program that moves, and when it begins.
+/// A line of the program that moves, and the start of its motion.
 struct LineTime {
     std::uint32_t line = 0;
-    std::uint32_t file = 0;  ///< Index into Interpretation::files; 0 is the program itself.
+    std::uint32_t file = 0;  ///< Index into Interpretation::files; 0 is the program.
     double seconds = 0.0;
 };
 
+/// Motion of the joints during a program.
 struct JointCourse {
-    /// In the order of their times; joints go evenly from each to the next. None: nothing moves, or
-    /// nobody knows from where.
+    /// Sorted by time; joints move linearly from key to key. Empty if no motion is known.
     std::vector<JointKey> keys;
     std::vector<ToolTime> tools;
     std::vector<LineTime> lines;
-    double seconds = 0.0;  ///< How long it takes in all.
-    /// Between two keys no linear joint is farther than this from where it goes in truth. Not
-    /// known of machines whose linear axes have a rotary one between them, under tip control: there
-    /// each motion has 64 keys.
+    double seconds = 0.0;  ///< Total time.
+    /// Largest deviation of a linear joint from its true position between two keys. Unknown for
+    /// machines with a rotary axis between linear axes, under tip control; there, each straight
+    /// move or arc has 64 keys.
     double missed_mm = 0.0;
-    /// Motions that the joints cannot follow, which are left out.
+    /// Number of motions that the joints cannot follow, which are left out.
     std::uint64_t left_out = 0;
-    /// Motions of which no feed is told, which go as fast as rapid ones.
+    /// Number of motions without a known feed, which move at rapid speed.
     std::uint64_t without_feed = 0;
 };
 
-/// Most that JointCourse::missed_mm is, mm, but for motions of more than some thousand keys.
+/// Limit of JointCourse::missed_mm, mm; exceeded only by motions of more than some thousand keys.
 inline constexpr double kCourseTolerance = 0.01;
 
-/// Moves at feed keep it from end to end, rapid ones go at report::kAssumedRapid, and joints turn
-/// no faster than 180 degrees in a second; tool changes and dwells take what report::time_of()
-/// says. A machine that accelerates is slower. Only what the program does up to plan.at_line.
-/// Requires a program that is ready, and a machine that is told (plan.placed).
+/// Returns the motion of the joints. Feed moves have a constant feed, rapid moves the speed
+/// report::kAssumedRapid, and joints rotate at most at 180 degrees/s; tool changes and dwells take
+/// the times of report::time_of(). A machine with limited acceleration is slower. Motions after
+/// plan.at_line are left out.
+/// Requires: the program is ready, and the machine is specified (plan.placed).
 JointCourse joint_course(const Plan& plan);
 
 }  // namespace ncsim::simulation

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Machining times on a given machine.
 #pragma once
 
 #include "ncsim/simulation/plan.h"
@@ -9,7 +11,7 @@
 namespace ncsim::simulation {
 
 /// Sums the times that `check` gives for the program on this machine: feed, rapid, the rest. Times
-/// that depend on a rate the machine does not have are left empty. Rows of blocks stay empty.
+/// that depend on an unknown rate of the machine are empty. Rows of blocks are empty.
 /// Cost: one interpretation of the program.
 verify::Ledger times_on(const Plan& plan, const Survey& survey,
                         const verify::MachineDescription& machine);

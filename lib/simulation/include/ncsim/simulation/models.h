@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The models of the workpiece by name, and what each of them is for: the one table that options,
-// help, refusals and tests read.
+// Models of the workpiece by name, with their purposes. Options, help, refusals and tests read this
+// table.
 #pragma once
 
 #include "ncsim/cda/tile_number.h"
@@ -16,42 +16,42 @@
 
 namespace ncsim::simulation {
 
-/// What people and callers are told about a model.
+/// Description of a model for users and callers.
 struct ModelInfo {
-    std::string_view name;  ///< As in `--model`.
-    std::string_view what;  ///< A phrase.
-    bool exact = false;     ///< Its parts are the aggregate's, corner for corner.
-    /// Answers contact() and common_volume() at a price that a question a motion can have.
+    std::string_view name;  ///< Value of the option `--model`.
+    std::string_view what;  ///< A phrase for help texts.
+    bool exact = false;     ///< The parts are equal to the aggregate's, corner for corner.
+    /// Answers contact() and common_volume() fast enough for a query per motion.
     bool verifies = false;
-    bool has_resolution = false;  ///< What is smaller may be missing.
-    /// Answers write_statistics() and write_cells(), and is drawn by its masks, so that its
-    /// pictures need no boundary.
+    bool has_resolution = false;  ///< Smaller details may be missing.
+    /// Supports write_statistics() and write_cells(), and is drawn by its masks, so pictures need
+    /// no boundary.
     bool shows_cells = false;
 };
 
-/// All of them, the one that is taken where nobody asks for another first.
+/// Returns all models; the first is the default.
 std::span<const ModelInfo> models();
 
-/// Null if there is none of this name.
+/// Returns the model of this name; null if there is none.
 const ModelInfo* find_model(std::string_view name);
-/// The first that programs are verified with.
+/// Returns the first model that supports verification.
 const ModelInfo& verifying_model();
-/// "cda or cda-flat", of those that `suits` accepts, or all.
+/// Returns the names of the models that `suits` accepts, or of all: "cda or cda-flat".
 std::string model_names(bool (*suits)(const ModelInfo&) = nullptr);
 
-/// How a model works; none of it changes a part.
+/// Parameters of a model; they do not change the part.
 struct ModelParameters {
-    unsigned threads = 0;         ///< 0: as many as the machine has.
-    double (*clock)() = nullptr;  ///< Seconds; where given, what hulls cost is measured.
-    double resolution_mm = 0.0;   ///< Of a model that has one; 0: it chooses.
-    bool only_along_z = false;    ///< Of a model of rays.
-    // Of the tree alone:
-    int halvings = 6;                                    ///< As in cda::TreeParameters.
+    unsigned threads = 0;         ///< Number of threads; 0: as many as the computer has.
+    double (*clock)() = nullptr;  ///< Clock, in seconds; if given, the time of hulls is measured.
+    double resolution_mm = 0.0;   ///< For a model with resolution, mm; 0: default of the model.
+    bool only_along_z = false;    ///< For a model of rays.
+    // For the tree only:
+    int halvings = 6;                                    ///< See cda::TreeParameters::halvings.
     std::optional<cda::TileNumber> tile = std::nullopt;  ///< Only this tile of the part.
-    std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All of them, which were cut before.
+    std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All tiles, which were cut before.
 };
 
-/// An empty prototype. Throws std::invalid_argument if there is no such model.
+/// Returns an empty prototype. Throws: std::invalid_argument if there is no model of this name.
 std::unique_ptr<cda::WorkpieceModel> make_model(std::string_view name,
                                                 const ModelParameters& parameters = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is to be simulated, and how: what options become.
+// Plan of a simulation: program, set-up and parameters, derived from options.
 #pragma once
 
 #include "ncsim/cda/tiles.h"
@@ -18,67 +18,72 @@
 
 namespace ncsim::simulation {
 
-/// A motion that met the stock. What motions met is found out by tiles in turns: by tile i of n the
-/// motions i, i + n …
+/// A motion that met the stock. Tiles share this search in turns: tile i of n examines the motions
+/// i, i + n, …
 struct MetStock {
-    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
-    std::uint64_t hulls = 0;   ///< How many cells did.
+    std::uint64_t motion = 0;  ///< Number in the order of execution, from 1.
+    std::uint64_t hulls = 0;   ///< Number of cells that met the stock.
     bool operator==(const MetStock&) const = default;
 };
 
-/// What all tiles found.
+/// Results of all tiles.
 struct CutTiles {
     std::shared_ptr<const cda::Tiles> tiles;
-    std::vector<MetStock> met;  ///< By motion.
+    std::vector<MetStock> met;  ///< Sorted by motion.
 };
 
-/// Of a model of rays. Chosen: along Z alone, where that is right, see choose_rays().
+/// Directions of a model of rays. Chosen: by choose_rays(), along Z alone if possible.
 enum class RayDirections : std::uint8_t { Chosen, AlongZ, AlongAll };
 
-/// Lengths in mm.
+/// Program, set-up and parameters of a simulation. Lengths in mm.
 struct Plan {
     setup::Job job;
-    std::string model = "cda";     ///< Of models().
-    bool is_model_told = true;     ///< Else choose_model() may take another.
-    bool is_model_chosen = false;  ///< It did.
-    double resolution = 0.0;       ///< Of a model that has one; 0: the one that suits the stock.
+    std::string model = "cda";     ///< Name of models().
+    bool is_model_told = true;     ///< False if choose_model() may choose the model.
+    bool is_model_chosen = false;  ///< True if choose_model() chose the model.
+    double resolution = 0.0;       ///< For a model with resolution; 0: suitable for the stock.
     RayDirections rays = RayDirections::Chosen;
-    double tolerance = 0.005;      ///< Of chords and of turning tools.
-    double tool_tolerance = 0.05;  ///< Of round tools.
-    /// Moves in a row become one where they stay that near to a line; 0: none do.
+    double tolerance = 0.005;      ///< For chords and rotating tools.
+    double tool_tolerance = 0.05;  ///< For round tools.
+    /// Successive moves within this distance of a line become a single move; 0: no moves are
+    /// joined.
     double join_tolerance = 0.0;
-    /// A first look: tools that nobody describes are guessed.
+    /// True for a quick picture: undescribed tools are assumed.
     bool draft = false;
-    bool is_draft_exact = false;  ///< A draft that coarsen() left exact, because it is quick.
-    /// How the machine turns, if somebody tells it; and with the program's zero, once it was
-    /// surveyed.
+    /// True for a draft that coarsen() left exact, because it is fast.
+    bool is_draft_exact = false;
+    /// Kinematics of the machine, if specified.
     std::optional<setup::ToldKinematics> kinematics;
+    /// Kinematics with the program zero; set by the survey.
     std::shared_ptr<const toolpath::Kinematics> placed;
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
-    unsigned threads = 0;  ///< 0: as many as the machine has.
-    /// Only this tile of the part, for its write_tile(); or all of them, which were cut before: the
-    /// program is followed, and nothing is cut. Of the model "cda".
+    unsigned threads = 0;  ///< Number of threads; 0: as many as the computer has.
+    /// Simulates only this tile of the part, for write_tile(). For the model "cda".
     std::optional<cda::TileNumber> tile;
+    /// All tiles, which were cut before: the program is followed without cutting. For the model
+    /// "cda".
     std::shared_ptr<const CutTiles> tiles;
     setup::Budget budget;
 
-    // What is kept beside the part.
+    // Results to keep in addition to the part.
     bool keep_boundary = false;
-    bool needs_exact = false;  ///< Something is made of it that only exact models have.
-    bool keep_paths = false;   ///< Of the tip.
-    bool keep_carved = false;  ///< The cells that were taken away, of tools that contain theirs.
-    /// Volumes by tool: of a program with several tools, the part is measured at each tool change.
+    bool needs_exact = false;  ///< True if a result is requested that only exact models have.
+    bool keep_paths = false;   ///< Path of the tip.
+    bool keep_carved = false;  ///< Removed cells, of circumscribed tools.
+    /// Volumes by tool: if the program has several tools, the part is measured at each tool change.
     bool tool_volumes = true;
-    bool block_volumes = false;  ///< What each block removed, which is several times the work.
-    bool hull_times =
-        false;  ///< What each hull cost; only models that show their cells measure it.
+    /// Volume that each block removed; this takes several times the work.
+    bool block_volumes = false;
+    /// Time of each hull; only models that show their cells measure it.
+    bool hull_times = false;
 };
 
-/// Throws std::invalid_argument, which names the model, if programs are not verified with it.
+/// Throws: std::invalid_argument with the name of the model if the model does not support
+/// verification.
 void require_verifying(const Plan& plan);
 
-/// How it is cut, for reports.
+/// Returns model and accuracy for reports.
 report::CuttingFacts cutting_facts(const Plan& plan);
 
 }  // namespace ncsim::simulation

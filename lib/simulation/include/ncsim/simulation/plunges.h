@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the moves of a program tell of what its X, Y and Z are: a hole is drilled, and a cut begun,
-// along the tool. So where rotary axes hold the tool tilted, moves along it show whether they are
-// places of the tip, and on which machine; moves along Z alone, that they are places of axes.
+// Meaning of a program's X, Y and Z, estimated from its moves. A hole is drilled, and a cut begun,
+// along the tool. So moves along an inclined tool show whether X, Y and Z are positions of the tip,
+// and on which machine; moves along Z alone show that they are positions of axes.
 #pragma once
 
 #include "ncsim/report/tool_sheet.h"
@@ -10,12 +10,12 @@
 
 namespace ncsim::simulation {
 
-/// Straight moves of no less than this, mm, along a direction within so many degrees.
+/// Least length of a straight move, mm, and largest angle to a direction, degrees.
 inline constexpr double kLeastPlunge = 3.0, kPlungeDegrees = 0.4;
 
-/// Of all presets, of each with its rotary axes counting the other way, and of the machine of
-/// `plan`. Where none is told, M428 to M430 and G43.4 change nothing of the numbers. Reads the
-/// program once.
+/// Counts plunges for all presets, for each preset with inverted rotary axes, and for the machine
+/// of `plan`. Without a machine, M428 to M430 and G43.4 do not change coordinates. Cost: one
+/// interpretation of the program.
 report::Plunges plunges_of(const Plan& plan);
 
 }  // namespace ncsim::simulation

@@ -25,22 +25,24 @@ struct SeenTiles {
 struct Questions {
     verify::Selection selection;
     setup::MachineFile machine;
-    /// Its links in pieces, which takes a while; null: check() makes them, for each program anew.
+    /// Links of the machine as prepared bodies, which takes time; null: check() prepares them for
+    /// each program.
     std::shared_ptr<const verify::MachineBodies> bodies;
-    const Design* design = nullptr;  ///< What the part is to be; null: nobody tells.
-    /// Findings that were accepted before; null: none.
+    const Design* design = nullptr;  ///< Design of the part; null if unspecified.
+    /// Findings accepted before; null if none.
     const report::Baseline* baseline = nullptr;
-    bool dog_leg = false;             ///< Rapid moves go axis by axis.
+    bool dog_leg = false;             ///< Rapid moves run axis by axis.
     bool is_rapid_specified = false;  ///< The user specifies `dog_leg`.
-    bool cut_free = false;            ///< Look for pieces that are cut free.
-    bool air_cuts = false;            ///< Look for feed moves that remove nothing.
-    bool ledger = false;              ///< Keep a row a block, with exact volumes.
+    bool cut_free = false;            ///< Search for pieces that are cut free.
+    bool air_cuts = false;            ///< Search for feed moves that remove no material.
+    bool ledger = false;              ///< Keep a row per block, with exact volumes.
     bool look = false;                ///< Show the part, too; with the ledger.
     bool warnings_as_errors = false;
-    /// Tools in the options of the job are this program's: one that it does not move is a doubt.
+    /// True if the tools in the options of the job belong to this program: an unused tool is a
+    /// doubt.
     bool tools_are_meant = true;
-    /// Tiles of the part, which were asked before, by check_tile(); null: the part is cut now.
-    /// Neither `ledger` nor `look` then.
+    /// Tiles of the part, from check_tile(); null: the part is cut by check().
+    /// Requires: neither `ledger` nor `look` with tiles.
     std::shared_ptr<const SeenTiles> tiles;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part cut open: of its true surfaces, or of facets where these do not tell.
+// Sections of the part, on true surfaces or on facets.
 #pragma once
 
 #include "ncsim/brep/section.h"
@@ -10,15 +10,18 @@
 
 namespace ncsim::simulation {
 
+/// A section of the part.
 struct CutOpen {
     brep::Section section;
-    /// Of the boundary of the simulation: true surfaces made no closed outlines, or others than
-    /// the boundary has. Its origins are those of the simulation, else those of the solid.
+    /// True if the section is of the simulation's boundary, because true surfaces gave no closed
+    /// outlines or outlines that deviate from the boundary. The origins are then those of the
+    /// simulation, otherwise those of the solid.
     bool is_faceted = false;
 };
 
-/// Of `solid`, held against the boundary of `simulation`, which it is of: areas may differ by what
-/// round tools and arcs are off. Throws std::logic_error if the boundary itself cannot be cut.
+/// Returns the section of `solid`, compared with the boundary of `simulation`, from which the solid
+/// was made. Areas may differ by the errors of round tools and arcs. Throws: std::logic_error if
+/// the boundary itself has no section.
 CutOpen cut_open(const Plan& plan, const Simulation& simulation, const Solid& solid,
                  const brep::SectionPlane& plane);
 

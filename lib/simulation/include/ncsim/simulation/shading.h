@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the part is shaded: the program says which surfaces its facets approximate.
+// Shading of the part with the surfaces that the program's motions left.
 #pragma once
 
 #include "ncsim/brep/shading.h"
@@ -11,10 +11,10 @@
 
 namespace ncsim::simulation {
 
-/// Of `boundary`, which has the origins of `simulation`: its surface, or a piece of that; its
-/// facets may have been joined within `tolerance_mm`, as by simplify(). Of a part that was not cut
-/// exactly, or whose simulation did not keep its cuts, nothing is known. The program is interpreted
-/// once more.
+/// Returns the shading of `boundary`, which has the origins of `simulation`: the part's surface, or
+/// a piece of it. The facets may have been joined within `tolerance_mm`, as by simplify(). Without
+/// shading if the part was not cut exactly, or if the simulation did not keep its cuts. Cost: one
+/// interpretation of the program.
 brep::Shading shading_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                          const cda::Boundary& boundary, double tolerance_mm = 0.0);
 

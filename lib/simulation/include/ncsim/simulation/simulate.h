@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plan → part: the one place where all stages meet.
+// Simulation of a plan: all stages from the program to the part.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -23,85 +23,87 @@
 
 namespace ncsim::simulation {
 
-/// A motion that met the block.
+/// A motion that met the stock.
 struct Cut {
     verify::Place place;
-    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
+    std::uint64_t motion = 0;  ///< Number in the order of execution, from 1.
     int tool = 0;
 };
 
-/// The part, and what happened on the way to it.
+/// The part, with facts about the run.
 struct Simulation : report::PartFacts {
     std::unique_ptr<cda::WorkpieceModel> part;
     exporter::Provenance provenance;        ///< For the origins in `part`.
-    std::vector<Cut> cuts;                  ///< For the same origins; only if they are kept.
-    std::optional<cda::Boundary> boundary;  ///< Of `part`, if it is kept.
-    std::uint64_t steps = 0;                ///< From pose to pose, whether they met it or not.
-    std::vector<cda::Cell> carved;          ///< What was taken away, if it is kept.
-    std::vector<MetStock> met;              ///< Of a tile: what it found out for all.
-    /// Of all tiles, by motion: the origin it has in `provenance`, where tiles call it by its
+    std::vector<Cut> cuts;                  ///< For the same origins, if kept.
+    std::optional<cda::Boundary> boundary;  ///< Boundary of `part`, if kept.
+    std::uint64_t steps = 0;                ///< Steps from pose to pose, with or without contact.
+    std::vector<cda::Cell> carved;          ///< Removed cells, if kept.
+    std::vector<MetStock> met;              ///< For a tile: motions that met the stock.
+    /// For all tiles, by motion: the origin in `provenance` of each motion, which tiles name by its
     /// number.
     std::vector<std::pair<std::uint64_t, std::uint64_t>> origins;
-    verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
-    std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
-    std::uint32_t line = 0;         ///< Of the last motion that was made; 0: none yet.
-    /// Where the tool stands, once it has moved.
+    verify::Place last_cut;  ///< The last motion that met the stock, in the files of the program.
+    std::uint64_t last_motion = 0;  ///< Number of that motion, from 1 in the order of execution.
+    std::uint32_t line = 0;         ///< Line of the last motion; 0 if there is none.
+    /// Position of the tool, after its first motion.
     struct Standing {
         int tool = 0;
         toolpath::Pose X_WT;
     };
     std::optional<Standing> standing;
-    /// The last move that was made; only on a machine that is told.
+    /// The last move; only on a specified machine.
     std::optional<gcode::Motion> last_move;
-    std::vector<exporter::PathLine> paths;  ///< Of the tip, if they are kept.
+    std::vector<exporter::PathLine> paths;  ///< Path of the tip, if kept.
     gcode::Diagnostics diagnostics;         ///< Motions that could not be followed.
 };
 
-/// Gives faces that tiles cut the origins that they would have without. Throws std::runtime_error
-/// if the motion of one did not meet the stock.
+/// Replaces the origins of faces that tiles cut by the origins of a run without tiles. Throws:
+/// std::runtime_error if the motion of a face did not meet the stock.
 void name_motions(cda::Boundary& boundary, const Simulation& simulation);
-/// The surface of the part, with the origins of `simulation.provenance`, tiles or not.
+/// Returns the surface of the part, with the origins of `simulation.provenance`, with or without
+/// tiles.
 cda::Boundary surface_of(const Simulation& simulation);
 
-/// How far it got: moves done.
+/// Receives the number of moves done.
 using ProgressSink = std::function<void(std::uint64_t)>;
 
-/// Looks at the part while it is cut.
+/// Observer of the part while it is cut.
 struct Onlooker {
-    std::uint64_t every = 0;  ///< Moves between two looks; 0: never.
+    std::uint64_t every = 0;  ///< Number of moves between two calls; 0: never.
     std::function<void(const Simulation& so_far)> look;
 };
 
-/// How a program is verified while it is simulated.
+/// Parameters of a verification during the simulation.
 struct Verification {
-    /// Sees every motion; null: nothing is verified. Needs a model that verifies.
+    /// Receives every motion; null without verification. Requires: a model that verifies.
     verify::Verifier* verifier = nullptr;
     toolpath::RapidPath rapid;
     toolpath::Watch watch;
-    /// Of the tools that cut the part. What is to be certain needs to know on which side they err.
+    /// Side of the error of the tools that cut the part. Certain results need a known side.
     toolpath::Side side = toolpath::Side::Fair;
-    /// What is cut; null: the whole block. On the lattice of the block.
+    /// Body that is cut, on the lattice of the stock; null for the whole stock.
     const cda::WorkpieceModel* start = nullptr;
-    /// Stop cutting after so many motions that meet the block: those of the origins 1 to this.
+    /// Stop cutting after so many motions that meet the stock, that is, after this origin.
     std::optional<std::uint32_t> most_cuts;
     bool keep_cuts = false;
-    /// Each face is of a motion that left all of it: nothing is told of steps together.
+    /// Each face belongs to a motion that left the whole face: steps are not combined.
     bool own_lines = false;
-    /// Verify this motion alone, and stop after it; from 1, in the order of execution.
+    /// Verify only this motion, and stop after it; from 1, in the order of execution.
     std::optional<std::uint64_t> only_motion;
-    /// More steps of the tools, wherever they are, throw StepLimit.
+    /// More steps of the tools, anywhere, throw StepLimit.
     std::optional<std::uint64_t> most_steps;
 };
 
-/// A simulation would take more than Verification::most_steps.
+/// Thrown if a simulation needs more than Verification::most_steps.
 struct StepLimit {};
 
-/// Requires survey.is_ready(). The result depends on `plan` and `verification` only. `progress` may
-/// be empty. Where plan.at_line is set, what comes after that line is not done.
+/// Simulates the program. The result depends on `plan` and `verification` only. `progress` may be
+/// empty. Motions after plan.at_line are left out. Requires: survey.is_ready().
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress, const Onlooker& onlooker = {});
 
-/// Surveys the program and simulates it. Throws std::runtime_error that says why if it cannot be.
+/// Surveys the program and simulates it. Throws: std::runtime_error with the reason if the program
+/// cannot be simulated.
 Simulation simulate(Plan plan);
 
 }  // namespace ncsim::simulation

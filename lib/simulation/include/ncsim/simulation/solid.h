@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part as a solid of true surfaces: the polyhedron says which of them meet where, the program
-// what they are.
+// The part as a solid of true surfaces. The polyhedron determines which surfaces meet, and the
+// program determines the surfaces.
 #pragma once
 
 #include "ncsim/brep/recognise.h"
@@ -11,24 +11,27 @@
 
 namespace ncsim::simulation {
 
-/// Of the boundary of `simulation`, which must have kept it and its cuts. Facets are joined within
-/// `tolerance_mm` first, as by simplify(). The program is interpreted once more, for the motions
-/// that left a trace.
+/// Returns the solid of the boundary of `simulation`. Facets are first joined within
+/// `tolerance_mm`, as by simplify(). Requires: `simulation` kept its boundary and its cuts.
+/// Cost: one interpretation of the program, for the motions that left faces.
 brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                           double tolerance_mm);
 
+/// A solid with the accuracy of its cut.
 struct Solid {
     brep::Recognised recognised;
-    exporter::Provenance provenance;  ///< For its origins.
-    /// Of the round tools, and of arcs, of the cut that said which surfaces meet where; those of
-    /// the plan, unless it was another one.
+    exporter::Provenance provenance;  ///< For the origins of the solid.
+    /// Tolerances of round tools and of arcs in the cut that determined which surfaces meet; equal
+    /// to the plan's unless a second cut was better.
     double tool_tolerance_mm = 0.0, arc_tolerance_mm = 0.0;
 };
 
-/// The same. Where more than one in a hundred faces are facets that were too large for what is
-/// beside them, or any of a part of at most 20,000, the program is simulated once more with other
-/// tolerances, mostly finer ones, up to `most_refinements` times (six are known), until there are
-/// no such facets any more or those cuts have had 60,000 facets; what has the fewest counts.
+/// Does the same, with further cuts. A further cut is made while `facets_given_up` facets are too
+/// large for the adjacent faces: any such facet in a part of at most 20,000 facets, or more than a
+/// hundredth of the faces. Parts of more than 60,000 facets (20,000 if a shell consists of facets
+/// alone) are not cut again. The program is simulated again with other tolerances, mostly finer, up
+/// to `most_refinements` times (six are known), or until these cuts have had 60,000 facets
+/// together. The solid with the fewest unrecognised facets is returned.
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
                     double tolerance_mm, int most_refinements);
 

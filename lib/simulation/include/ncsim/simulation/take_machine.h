@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a machine file tells of how a program runs on that machine.
+// Application of a machine file to a plan.
 #pragma once
 
 #include "ncsim/setup/machine_file.h"
@@ -11,8 +11,9 @@
 
 namespace ncsim::simulation {
 
-/// Offsets, reference points, the start and how the machine turns go into `plan`, where its job
-/// does not tell them. Returns what cannot be used, in words.
+/// Sets kinematics, functions of the control and reference points of `plan` from `file`, and
+/// offsets and start unless the job specifies them. Returns the values that cannot be used, in
+/// words.
 std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file);
 
 }  // namespace ncsim::simulation

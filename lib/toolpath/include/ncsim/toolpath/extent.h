@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boxes around motions, for comparison with the travels of a machine.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -7,18 +9,23 @@
 
 namespace ncsim::toolpath {
 
-/// The smallest box (mm) around the way of Poses::place(), of the linear axes, X + U, Y + V, Z + W,
-/// or the tip: what the travels of a machine are compared with. To rounding for lines, arcs and
-/// helices; of spirals no more than 1e-9 mm larger; of splines the box of their control points,
-/// which contains them; of arcs in tilted planes that of balls around them; larger by as much as U,
-/// V and W tell where they move the tip while it turns, or on an arc. Empty for dwells and tool
-/// changes.
+/// Returns the smallest box (mm, workpiece frame W) around the path of Poses::place(): the linear
+/// axes X + U, Y + V, Z + W, or the tip under tip control. The travels of a machine are compared
+/// with this box. Empty for dwells and tool changes.
+///
+/// Guarantees: the box contains the path and is
+/// - exact to rounding for lines, arcs and helices,
+/// - at most 1e-9 mm too large for spirals,
+/// - the box of the control points for splines, which contains the curve,
+/// - the box of two balls about the centre, at start and end, for arcs in tilted planes,
+/// - enlarged by the reach of U, V and W under tip control, if these axes move the tip on an arc,
+///   on a spline or during a rotary move.
 cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses);
 
-/// Where X, Y and Z of the machine are meanwhile, as W counts them: of a motion that does not tell
-/// these itself, asked every quarter of a degree and at the ends, so that between them it may be
-/// out by 2.4 um a metre of distance from the axes. Empty where the axes cannot bring the tip
-/// there.
+/// Returns the box of the machine's X, Y and Z (mm, relative to the program zero) during `motion`,
+/// for a motion that does not give these positions, such as a move under tip control. The axes are
+/// computed every 0.25 degrees and at the ends, so the box may be too small by 2.4 µm per metre of
+/// distance from the rotary axes. Empty if the axes cannot bring the tip to the path.
 cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine);
 
 }  // namespace ncsim::toolpath

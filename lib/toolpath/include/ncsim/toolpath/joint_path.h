@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the joints of a machine go in a motion, at any time of it, and how fast: what moves its
-// links, as poses of the tool do not tell.
+// Positions and speeds of a machine's joints during a motion. The links of the machine move with
+// the joints; poses of the tool do not determine the links.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -15,22 +15,24 @@
 
 namespace ncsim::toolpath {
 
+/// Joint positions during a straight move or an arc.
 class JointPath {
 public:
-    /// Of a straight move or an arc; `machine` and `motion` must outlive it.
+    /// Requires: `motion` is a straight move or an arc; `machine` and `motion` outlive this object.
     JointPath(const Kinematics& machine, const gcode::Motion& motion);
     ~JointPath();
     JointPath(JointPath&&) noexcept;
 
-    /// In machine coordinates, as those of the spindle nose; t from 0 to 1. What U, V and W move
-    /// the tip by, X, Y and Z do. Nothing where the axes cannot bring the tip there.
+    /// Returns the joints at `t` from 0 to 1, in machine coordinates of the spindle nose (mm,
+    /// degrees). U, V and W are 0; X, Y and Z include their motion. Empty if the axes cannot bring
+    /// the tip there.
     std::optional<machine::Values> at(double t) const;
-    /// From t0 to t1, where the joints are at `from` and `to`. Nothing of a machine whose linear
-    /// axes have a rotary one between them, under tip control.
+    /// Returns the motion of the joints from `t0` to `t1`, where the joints are at `from` and `to`.
+    /// Empty under tip control if the machine has a rotary axis between its linear axes.
     std::optional<machine::Going> going(double t0, const machine::Values& from, double t1,
                                         const machine::Values& to) const;
-    /// The tip as the part sees it: how far it goes from t0 to t1, and how much its way bends, as
-    /// Ball::speed and bend; mm. Where the tip is programmed, else nothing.
+    /// Returns the tip in the workpiece frame from `t0` to `t1`: path length and bend, as
+    /// Ball::speed and Ball::bend, in mm. Empty if the motion is not under tip control.
     std::optional<machine::Ball> tip(double t0, double t1) const;
 
 private:
@@ -38,12 +40,13 @@ private:
     std::unique_ptr<const Course> course_;
 };
 
-/// A motion in straight moves and arcs, in order: rapid moves by `rapid`, splines by chords; none
-/// of dwells and tool changes.
+/// Straight moves and arcs that make up a motion, in order.
 struct Legs {
     std::vector<gcode::Motion> motions;
-    double missed_mm = 0.0;  ///< The curve is no farther from the chords.
+    double missed_mm = 0.0;  ///< Largest distance between the curve and its chords.
 };
+/// Divides a motion into legs. Rapid moves follow `rapid`, splines become chords; dwells and tool
+/// changes have no legs.
 Legs legs_of(const gcode::Motion& motion, const RapidPath& rapid);
 
 }  // namespace ncsim::toolpath

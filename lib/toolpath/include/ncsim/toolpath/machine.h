@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From axis positions to tool poses.
+// Conversion of axis positions to tool poses.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -11,44 +11,51 @@
 
 namespace ncsim::toolpath {
 
-/// X_WT of machine::default_chain(), whose rotary axes pass through the origin of W:
+/// Returns X_WT of machine::default_chain(), whose rotary axes pass through the origin of W:
 ///
 ///     X_WT = Rz(C) · Ry(B) · Rx(A) · translation(X+U, Y+V, Z+W)
 ///
-/// A, B and C turn the tool, tip and all, about the X, Y and Z axis of W, counter-clockwise seen
-/// from the positive end: what a rotary table under the part does, seen from the part (ISO 841).
+/// A, B and C rotate the tool, including its tip, about the X, Y and Z axis of W, counter-clockwise
+/// seen from the positive end. This is the motion of a rotary table under the part, seen from the
+/// part (ISO 841).
 ///
-/// Tools are round. How the product turns one about its own axis is left out: X_WT has the least
-/// rotation that takes z to the axis of the tool. So equal axes have equal rotations, and C under
-/// an upright tool moves it without turning it. For multiples of 90 degrees the matrix is exact.
+/// Tools are round, so the rotation about the tool's own axis is left out: X_WT has the least
+/// rotation that takes z to the tool axis. Therefore equal axes have equal rotations, and C under
+/// an upright tool moves the tool without rotating it. The matrix is exact for multiples of 90
+/// degrees.
 Pose pose_at(const gcode::Position& position);
 
-/// As a chain of joints takes it.
+/// Returns the axis positions in the order of machine::kLetters, in mm and degrees.
 machine::Values values_of(const gcode::Position& position);
 
-/// A machine, and where the program's zero is in it.
+/// A machine and the position of the program zero in the machine.
 struct Kinematics {
     machine::Chain chain;  ///< In machine coordinates.
-    cda::Vec3 zero;        ///< Of W, mm; counts where axes are programmed, and tables turn.
+    /// Origin of W in machine coordinates, mm. It matters if axes are programmed and tables rotate.
+    cda::Vec3 zero;
 };
 
-/// The poses of one motion: of a machine that somebody told, or of the default one.
+/// Poses of the tool during one motion, for a specified machine or for the default machine.
 class Poses {
 public:
-    /// `told` may be null, and must outlive this.
+    /// Uses the specified machine, or the default machine if null. Requires: the machine outlives
+    /// this object.
     Poses(const Kinematics* told, const gcode::Motion& motion);
 
+    /// Returns X_WT at the axis positions `position`.
     Pose at(const gcode::Position& position) const;
-    /// Where the axes stand, X + U, Y + V, Z + W; or, under tip control, the tip: where X, Y and Z
-    /// tell, and from there what U, V and W move it by. mm.
+    /// Returns the linear axes X + U, Y + V, Z + W; under tip control the tip: X, Y and Z plus the
+    /// shift by U, V and W. In mm.
     cda::Vec3 place(const gcode::Position& position) const;
-    /// Of that, what does not turn with any axis: without U, V and W under tip control.
+    /// Returns the part of place() that no axis rotates: under tip control without U, V and W. In
+    /// mm.
     cda::Vec3 steady_place(const gcode::Position& position) const;
-    /// And what does: how far U, V and W move the tip under tip control.
+    /// Returns the shift of the tip by U, V and W under tip control, which rotates with the axes;
+    /// otherwise 0. In mm.
     cda::Vec3 shift(const gcode::Position& position) const;
-    /// In W; null for the default one.
+    /// Returns the chain of joints in W. Null for the default machine without tip control.
     const machine::Chain* chain() const { return chain_ ? &*chain_ : nullptr; }
-    /// X, Y and Z are where the tip is in W, whatever turns.
+    /// True if X, Y and Z are the tip's position in W (tip control).
     bool of_tip() const { return of_tip_; }
 
 private:
@@ -56,10 +63,11 @@ private:
     bool of_tip_ = false;
 };
 
-/// All axes in step, t from 0 to 1; the ends come out exactly.
+/// Interpolates all axes linearly, `t` from 0 to 1. Guarantees: t = 0 gives `a` and t = 1 gives `b`
+/// exactly.
 gcode::Position between(const gcode::Position& a, const gcode::Position& b, double t);
 
-/// X + U, Y + V, Z + W in mm.
+/// Returns X + U, Y + V, Z + W in mm.
 cda::Vec3 linear_axes(const gcode::Position& position);
 
 }  // namespace ncsim::toolpath

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the tool is: the pose of lib/machine, under the name it has here.
+// Pose of the tool: the type of lib/machine, under its name in this library.
 #pragma once
 
 #include "ncsim/machine/pose.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Poses along a motion. Between two successive poses the tool is taken to leave the convex
-// hull of both behind; here is bounded by how much that differs from what it does.
+// Poses along a motion. The simulation assumes that between two successive poses the tool removes
+// the convex hull of both; the bounds here limit the distance between these hulls and the true
+// sweep.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -15,62 +16,70 @@
 
 namespace ncsim::toolpath {
 
-/// In mm. What is chosen; what came out of it is in SampleBounds.
+/// Chosen limits, in mm. SampleBounds has the limits that were reached.
 struct SamplingOptions {
-    double chord_tolerance_mm = 0.005;  ///< Arcs, helices, spirals, splines: path and chord.
-    double rotation_miss_mm = 0.005;    ///< Of the sweep of a turning tool, beyond the hulls.
-    double rotation_gain_mm = 0.05;     ///< Of the hulls, beyond the sweep of a turning tool.
-    /// A motion is never cut into more pieces; the bounds then say what that means.
+    /// Between path and chord, for arcs, helices, spirals and splines.
+    double chord_tolerance_mm = 0.005;
+    /// Largest part of a rotating tool's sweep outside the hulls.
+    double rotation_miss_mm = 0.005;
+    double rotation_gain_mm = 0.05;  ///< Largest part of the hulls outside a rotating tool's sweep.
+    /// Largest number of pieces of a motion. If it limits the sampling, the bounds are larger.
     std::uint32_t max_steps = 100000;
 };
 
 /// Largest distances, in mm, between the sweep of the tool and the union of the hulls, at the
-/// places that matter. Both 0 for a straight motion that does not turn the tool.
+/// places that matter. Both are 0 for a straight motion without rotation of the tool.
 struct SampleBounds {
-    double missed_mm = 0.0;  ///< Of the sweep beyond the hulls.
-    double gained_mm = 0.0;  ///< Of the hulls beyond the sweep.
+    double missed_mm = 0.0;  ///< Sweep beyond the hulls.
+    double gained_mm = 0.0;  ///< Hulls beyond the sweep.
     bool operator==(const SampleBounds&) const = default;
 };
 
+/// Result of sample().
 struct Samples {
-    std::vector<Pose> poses;  ///< From start to end, at least two for a move; X_WT.
-    SampleBounds bounds;      ///< Of all steps.
-    Turning turning;          ///< Of each of them.
+    std::vector<Pose> poses;  ///< X_WT from start to end, at least two for a move.
+    SampleBounds bounds;      ///< Bounds over all steps.
+    Turning turning;          ///< Bounds on the rotation in each step.
 };
 
-/// Poses at equal steps of the motion's parameter, the first and the last exactly its ends; none
-/// for dwells and tool changes. What happens outside of `place` (mm, W) does not matter, and what
-/// of the tool is above samples.turning.top_mm does not come there: a tool that turns is taken to
-/// be cut off above it, as cut_off() says, and into slabs, as in_slabs() says for
+/// Returns poses at equal steps of the motion's parameter. The first and the last pose are exactly
+/// the ends. Empty for dwells and tool changes. Only places inside `place` (mm, W) matter. The part
+/// of the tool above samples.turning.top_mm does not reach these places. A rotating tool is assumed
+/// to be cut off above that height, as by cut_off(), and cut into slabs, as by in_slabs() with
 /// samples.turning.slab_mm.
 ///
-/// Arcs, helices and spirals: chords, where r is the largest radius, δ the angle of a step (rad)
-/// and Δr the change of radius in it: both bounds are (r δ² + 2 Δr δ)/8, for the tool's centre line
-/// and so for every tool that does not turn.
+/// Arcs, helices and spirals become chords. With r the largest radius, δ the angle of a step (rad)
+/// and Δr the change of radius in a step, both bounds are (r δ² + 2 Δr δ)/8 for the tool's centre
+/// line, and so for every tool that does not rotate.
 ///
-/// Where the tool turns, what turning.h says is added: as many steps as keep it, first of all the
-/// chords of what turns: (θ²ρ + 2 θ s)/8 for θ in a step, ρ the distance from the axis and s the
-/// distance moved in the rotating frame.
+/// If the tool rotates, the bounds of turning.h are added, and the number of steps is large enough
+/// to keep them. The first bound is that of the chords of rotating points: (θ²ρ + 2 θ s)/8 with θ
+/// the angle of a step, ρ the distance from the axis and s the distance moved in the rotating
+/// frame.
 ///
-/// On a machine that somebody `told` (else null) the rotary axes may lie anywhere: θ is the sum of
-/// all, ρ the largest distance of the tip, over the motion, from an axis that turns, and of the
-/// rest of the tool by its reach more. For x = E1(t) … En(t) y, with turns by θ_i and ways by v_j,
+/// On a specified machine (last parameter, not null) the rotary axes may lie anywhere. θ is the sum
+/// over all rotary axes. ρ is the largest distance of the tip, over the motion, from a rotary axis
+/// that moves; for the rest of the tool, the tool's reach is added. For x = E1(t) … En(t) y, with
+/// rotations by θ_i and translations by v_j,
 ///
-///     |x″| ≤ Σ_i Σ_k θ_i θ_k d + 2 Σ_i θ_i Σ_j v_j,  d the distance from the axis of the inner
-///     one.
+///     |x″| ≤ Σ_i Σ_k θ_i θ_k d + 2 Σ_i θ_i Σ_j v_j
 ///
-/// Where the tip is programmed it goes straight in W (or on its arc), and the tool turns about it:
-/// θ²·reach/8, and turns of a round tool about its own axis count for nothing. U, V and W move it
-/// from there, by no more than ρ and on a way s in the frame that turns: (θ²(reach + ρ) + 2 θ s)/8.
+/// where d is the distance from the axis of the inner joint.
+///
+/// Under tip control the tip moves on a straight line in W (or on its arc), and the tool rotates
+/// about the tip: θ²·reach/8. Rotations of a round tool about its own axis do not count. U, V and W
+/// move the tip by at most ρ and along a path s in the rotating frame: (θ²(reach + ρ) + 2 θ s)/8.
 ///
 /// Splines: steps are halved until the curve lies within half the chord tolerance of each chord at
-/// a quarter, the half and three quarters of it: tested there, not proved between.
+/// a quarter, half and three quarters of the step. This is tested at these points, not proved
+/// between them.
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
                const std::optional<cda::Box>& place = {}, const Kinematics* told = nullptr);
 
-/// How far a point of a tool that reaches no farther from its tip than `reach_mm` may get from
-/// where it is at both ends of a straight move or an arc, mm; but for turns of the tool about
-/// itself. `poses` are those of the motion. Cheap, and more than the truth. Nothing of splines.
+/// Returns how far (mm) a point of the tool can get from its positions at both ends of a straight
+/// move or an arc, rotation about the tool's own axis excepted. `reach_mm` is the largest distance
+/// of a point of the tool from the tip; `poses` belongs to `motion`. The bound is fast to compute
+/// and larger than the true distance. Empty for splines.
 std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses, double reach_mm);
 
 }  // namespace ncsim::toolpath

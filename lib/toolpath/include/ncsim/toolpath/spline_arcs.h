@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Splines as lines and arcs.
+// Approximation of splines by lines and arcs.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -10,19 +10,23 @@
 
 namespace ncsim::toolpath {
 
-/// A line or a level arc of a spline.
+/// A line or an arc parallel to XY, as a piece of a spline.
 struct SplinePiece {
-    cda::Vec3 from, to;            ///< mm, in the coordinates in which the spline is told.
-    cda::Vec3 centre;              ///< Of an arc.
-    double radius = 0.0;           ///< mm; of lines 0.
-    double swept_degrees = 0.0;    ///< Of an arc, counter-clockwise.
-    bool begins_in_corner = true;  ///< Else it goes on as the one before ends.
+    cda::Vec3 from, to;          ///< mm, in the frame of the spline.
+    cda::Vec3 centre;            ///< Centre of an arc, mm.
+    double radius = 0.0;         ///< mm; 0 for a line.
+    double swept_degrees = 0.0;  ///< Angle of an arc, counter-clockwise positive.
+    /// False if the piece continues the preceding piece tangentially.
+    bool begins_in_corner = true;
 };
 
-/// The spline as biarcs: pairs of arcs that go on in one direction between points of the curve in
-/// which they have its direction, halved until they are within `tolerance_mm` of it. Nothing if it
-/// stands still somewhere, or is not sound. O(n) of pieces, 4096 at most (K. M. Bolton, Biarc
-/// curves, Computer-Aided Design 7, 1975).
+/// Returns the spline as biarcs: pairs of arcs with a common tangent, between points of the curve
+/// at which the arcs have the curve's direction. Intervals are halved until the arcs are within
+/// `tolerance_mm` of the curve. Empty if the curve stands still somewhere, is not sound, or needs
+/// too many pieces.
+///
+/// Cost: O(n) in the number of pieces, about 4096 at most.
+/// Source: K. M. Bolton, Biarc curves, Computer-Aided Design 7, 1975.
 std::vector<SplinePiece> arcs_of(const gcode::Spline& spline, double tolerance_mm);
 
 }  // namespace ncsim::toolpath

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The block of material a program starts with: said by somebody, or derived from what is cut.
+// The body of material that a program starts with, specified or derived from the cutting moves.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -17,59 +17,68 @@
 
 namespace ncsim::toolpath {
 
-/// Where stock that is no block comes from.
+/// File and placement of a stock that is not a block.
 struct StockFile {
     std::string path;
-    std::string turn{};  ///< "X180": by right angles about the axes of the program,
-    cda::Vec3 move{};    ///< and then moved by so much, mm.
+    /// Rotations by right angles about the program's axes, for example "X180".
+    std::string turn{};
+    cda::Vec3 move{};  ///< Translation after the rotation, mm.
     bool operator==(const StockFile&) const = default;
 };
 
-/// A block; a round bar in its box, which is square across its axis; or any shape in its box, from
-/// a file. mm.
+/// A block, a round bar in its box (square across the bar's axis), or a body from a file in its
+/// box. In mm, in the frame of the program.
 struct Stock {
     cda::Box box;
     bool is_round = false;
-    int axis = 2;  ///< Of a bar: 0, 1, 2 for X, Y, Z.
+    int axis = 2;  ///< Axis of a bar: 0, 1, 2 for X, Y, Z.
     std::optional<StockFile> from{};
-    std::shared_ptr<const cda::Shape> shape{};  ///< Of `from`, once it was read.
-    double deflection_mm = 0.0;  ///< How far `shape` may be from what the file means.
+    std::shared_ptr<const cda::Shape> shape{};  ///< Content of `from`, after it was read.
+    /// Largest distance between `shape` and the body that the file describes.
+    double deflection_mm = 0.0;
     bool operator==(const Stock& o) const {
         return box == o.box && is_round == o.is_round && axis == o.axis && from == o.from;
     }
 };
 
-/// Reads `x0,y0,z0:x1,y1,z1` (two corners) or `LxWxH` (sizes; the top at Z0, centred on X0 Y0) or
-/// `LxWxH@x,y,z` (sizes and the corner with the smallest coordinates), for a bar `DdxH` (diameter
-/// and height; the top at Z0, the axis in X0 Y0) or `DdxH@x,y,z` (the middle of its lower end); for
-/// one that lies along X or Y `DXdxL` or `DYdxL` (centred on the program's zero), with `@`
-/// likewise. In mm, or in inches where the text ends in `in` or `"`; a number may have a unit of
-/// its own (`4inx2inx12mm`), and fractions are inches (`100x50x1/2`). Nothing if it is of none of
-/// these forms or encloses no volume; the message then says why.
+/// Reads a stock, in mm:
+/// - `x0,y0,z0:x1,y1,z1`: two corners;
+/// - `LxWxH`: sizes, with the top at Z0, centred on X0 Y0;
+/// - `LxWxH@x,y,z`: sizes and the corner with the smallest coordinates;
+/// - `DdxH`: diameter and height of a bar, with the top at Z0 and the axis in X0 Y0;
+/// - `DdxH@x,y,z`: the same with the centre of the lower end;
+/// - `DXdxL` or `DYdxL`: a bar along X or Y, centred on the program zero, or with `@` as above.
+///
+/// Numbers are inches if the text ends in `in` or `"`. A number may have a unit of its own
+/// (`4inx2inx12mm`), and fractions are inches (`100x50x1/2`). Returns empty, with the reason in
+/// `message`, if the text has none of these forms or encloses no volume.
 std::optional<Stock> parse_stock_option(std::string_view text, std::string& message);
 
-/// "x,y,z"
+/// Reads "x,y,z".
 std::optional<cda::Vec3> parse_triple(std::string_view text);
 
-/// The stock on its lattice: the finest that reaches a block or a bar, its own for a file. A bar
-/// has as many sides as it takes for none of them to lie more than `tolerance_mm` outside of the
-/// circle, which all of them touch.
+/// Returns the stock on its lattice. A bar is a prism whose sides touch the circle and whose
+/// corners lie at most `tolerance_mm` outside the circle.
 cda::Shape stock_shape(const Stock& stock, double tolerance_mm);
+/// Returns the finest lattice that contains a block or a bar; for a file its own lattice.
 cda::Lattice stock_lattice(const Stock& stock);
 
-/// For a program that does not say what it cuts.
+/// Stock of a program that does not specify a stock.
 struct DerivedStock {
     Stock stock;
-    std::string rule;  ///< How it was made, in words for the assumption sheet.
+    std::string rule;  ///< Rule by which `stock` was derived, in words for the assumption sheet.
 };
 
-/// The three highest of the heights at which tools cut level, mm.
+/// The three highest heights of level cuts, mm.
 class HighestLevels {
 public:
+    /// Adds the height of a level cut.
     void add(double z);
     void add(const HighestLevels& others);
+    /// Returns the highest level.
     double highest() const { return levels_[0]; }
-    /// From one to the next, if all three are equally far apart, as passes of a roughing are.
+    /// Returns the distance between neighbouring levels if all three are equally far apart, as
+    /// roughing passes are.
     std::optional<double> step() const;
 
 private:
@@ -77,20 +86,23 @@ private:
     std::array<double, 3> levels_{kNone, kNone, kNone};
 };
 
-/// From the box swept by the tools in all cutting moves (mm). The sides and the bottom stand a
-/// twentieth of the size away from it, at least 2 mm. The top is Z0 where the tool cuts below Z0:
-/// programs put it there, unless all cuts lie within a band that is more than 10 mm and four times
-/// its height below Z0; else the highest cutting position of a tool tip, `highest_tip`, or a step
-/// above it, where that is the first of passes in equal steps: it took a step, too. At least 1 mm
+/// Derives a block from `swept`, the box swept by the tools in all cutting moves (mm). The sides
+/// and the bottom lie outside that box by a twentieth of the size, at least 2 mm. The top is Z0 if
+/// the tool cuts below Z0, because programs put Z0 there, unless all cuts lie within a band that is
+/// more than 10 mm and more than four times the band's height below Z0. Otherwise the top is the
+/// highest cutting position of a tool tip, `highest_tip`, or a step above it if `levels` shows
+/// passes in equal steps, because the first pass removed a step, too. The block is at least 1 mm
 /// thick.
 DerivedStock derive_stock(const cda::Box& swept, double highest_tip,
                           const HighestLevels& levels = {});
-/// For a path of which nobody tells the height: a sheet of 1 mm right below it.
+/// Derives a sheet of 1 mm directly below the path, for a path of unknown height.
 DerivedStock derive_sheet(const cda::Box& tips);
-/// For a part that turns about `axis` (0, 1, 2) through the program's zero: a bar about it, as
-/// thick as the tips are far out where they cut, `radius`. Its ends stand away as above.
+/// Derives a bar about `axis` (0, 1, 2) through the program zero, for a part that rotates about
+/// that axis. The bar's radius is `radius`, the largest distance of the tips from the axis during
+/// cuts. The ends have the allowance of derive_stock().
 DerivedStock derive_bar(const cda::Box& swept, int axis, double radius);
-/// For a part that turns about several: a block around all the tips' cutting positions.
+/// Derives a block around all cutting positions of the tips, for a part that rotates about several
+/// axes.
 DerivedStock derive_block(const cda::Box& tips);
 
 }  // namespace ncsim::toolpath

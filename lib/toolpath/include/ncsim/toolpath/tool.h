@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Milling tools: stacks of convex pieces of revolution about the tool axis. Frame T: tip at
+// Milling tools as stacks of convex pieces of revolution about the tool axis. Tool frame T: tip at
 // the origin, +z towards the spindle. Lengths in mm, angles in degrees.
 #pragma once
 
@@ -11,6 +11,7 @@
 
 namespace ncsim::toolpath {
 
+/// Kind of a milling or drilling tool.
 enum class ToolKind : std::uint8_t {
     FlatEndMill,
     BallEndMill,
@@ -19,28 +20,29 @@ enum class ToolKind : std::uint8_t {
     VCutter,  ///< Chamfer mills, engravers, V-bits, spot and centre drills.
     Drill,
     TaperedEndMill,
-    SlotMill,      ///< A disc on a neck: T-slots, keyseats, thread mills of one row.
-    DovetailMill,  ///< Widest at its tip.
+    SlotMill,      ///< A disc on a neck: T-slot cutter, keyseat cutter, single-row thread mill.
+    DovetailMill,  ///< Widest at the tip.
     LollipopMill,  ///< A ball on a neck.
-    // Shape of a flat end mill.
+    // The following kinds have the shape of a flat end mill.
     Tap,
     Reamer,
     BoringBar,
     ThreadMill,
-    Other,  ///< Put together by hand, piece by piece.
+    Other,  ///< Put together from explicit pieces.
 };
 
-/// Is it wider below than above, so that it needs a neck?
+/// True if the tool is wider below than above, so that it needs a neck.
 bool is_undercutting(ToolKind kind);
 
-/// True for tools that cut along their axis alone, in a hole or into solid material: drills, taps,
+/// True for tools that cut only along their axis, in a hole or into solid material: drills, taps,
 /// reamers, boring bars.
 bool is_axial(ToolKind kind);
 
-/// "flat end mill", "ball end mill" …
+/// Returns the English name of `kind`, such as "flat end mill".
 std::string_view name_of(ToolKind kind);
 
-/// A corner of a profile; `fillet` rounds it with an arc tangent to both neighbouring lines.
+/// A corner of a profile, mm. `fillet` is the radius of an arc that rounds the corner, tangent to
+/// both adjacent lines.
 struct ProfilePoint {
     double radius = 0.0;
     double height = 0.0;
@@ -48,59 +50,63 @@ struct ProfilePoint {
     bool operator==(const ProfilePoint&) const = default;
 };
 
-/// A convex body of revolution. `profile` runs from the lower end to the upper one, as seen on
-/// paper with the axis on the left: heights do not fall, all turns are to the left. Where it does
-/// not start or end on the axis, a flat disc closes it.
+/// A convex body of revolution. `profile` runs from the lower to the upper end, drawn with the axis
+/// on the left: heights do not decrease, and all corners turn left. A flat disc closes a profile
+/// that does not start or end on the axis.
 struct ToolPiece {
     std::vector<ProfilePoint> profile;
-    bool cutting = true;   ///< Else a shank or a holder, which may not touch material.
-    bool assumed = false;  ///< Nobody described it: it stands for what must be there.
+    bool cutting = true;   ///< False for a shank or a holder, which must not touch material.
+    bool assumed = false;  ///< True if the piece was not specified.
     bool operator==(const ToolPiece&) const = default;
 };
 
+/// A tool as a stack of pieces.
 struct Tool {
     int number = 0;
     ToolKind kind = ToolKind::Other;
     std::string description;
-    std::vector<ToolPiece> pieces;  ///< From the tip upwards.
+    std::vector<ToolPiece> pieces;  ///< In order from the tip upwards.
     bool operator==(const Tool&) const = default;
 };
 
-/// Cutters of one piece. `length` is the height of the cutting part, from the tip. All arguments
-/// must be finite and positive (`corner_radius`, `tip_diameter` may be 0). Where they
-/// contradict each other the nearest possible tool is made: a corner radius is at most half the
+/// Make cutters of one piece. `length` is the height of the cutting part above the tip.
+/// Contradictory arguments give the nearest possible tool: a corner radius is at most half the
 /// diameter, a length at least the height of the shaped end.
+///
+/// Requires: all arguments are finite and positive; `corner_radius` and `tip_diameter` may be 0.
 Tool flat_end_mill(double diameter, double length);
 Tool face_mill(double diameter, double length);
 Tool ball_end_mill(double diameter, double length);
 Tool bull_nose_end_mill(double diameter, double corner_radius, double length);
-/// A cone of `included_angle` (tip to tip, 90 for a 90 degree chamfer mill) up to `diameter`, then
+/// Makes a cone of `included_angle` (90 for a 90 degree chamfer mill) up to `diameter`, followed by
 /// a cylinder. The tip is a flat of `tip_diameter`.
 Tool v_cutter(double diameter, double tip_diameter, double included_angle, double length);
+/// Makes a cylinder with a cone of `point_angle` at the tip.
 Tool drill(double diameter, double point_angle, double length);
-/// A cone that opens by `taper` degrees per side from a flat or rounded tip. The tip's rounding
-/// keeps its radius, as in a tapered ball end mill of tip diameter 2 · corner_radius.
+/// Makes a cone that opens by `taper` degrees per side from a flat or rounded tip. The rounding of
+/// the tip keeps its radius: a tapered ball end mill has the tip diameter 2 · corner_radius.
 Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, double length);
 
-/// `length` is the height of the disc; `corner_radius` rounds its lower edge.
+/// Makes a disc of height `length`; `corner_radius` rounds the lower edge.
 Tool slot_mill(double diameter, double corner_radius, double length);
-/// Closes by `taper` degrees per side from `diameter` at the tip upwards.
+/// Makes a cone that closes upwards by `taper` degrees per side from `diameter` at the tip.
 Tool dovetail_mill(double diameter, double taper, double length);
-/// A whole ball.
+/// Makes a whole ball.
 Tool lollipop_mill(double diameter);
 
-/// Puts a segment that does not cut on top of the tool: a shank, or one step of a holder.
+/// Adds a segment that does not cut on top of the tool: a shank, or a step of a holder.
 void add_holder_segment(Tool& tool, double lower_diameter, double upper_diameter, double height);
 
-/// What of a piece lies between two heights (mm above the tip); nothing, without a profile, if that
-/// is not a body. Its arcs become chords that lie within 1 µm of them, inside.
+/// Returns the part of `piece` between the heights `low` and `high` (mm above the tip), or a piece
+/// without a profile if that part is not a body. Arcs become chords that lie inside, at most 1 µm
+/// from the arc.
 ToolPiece slice(const ToolPiece& piece, double low, double high);
 
-/// Height of the topmost point; 0 without pieces.
+/// Returns the height of the topmost point; 0 without pieces.
 double height_of(const Tool& tool);
-/// Height up to which the tool cuts.
+/// Returns the height up to which the tool cuts.
 double cutting_height_of(const Tool& tool);
-/// Largest diameter of the cutting pieces.
+/// Returns the largest diameter of the cutting pieces.
 double cutting_diameter_of(const Tool& tool);
 
 }  // namespace ncsim::toolpath

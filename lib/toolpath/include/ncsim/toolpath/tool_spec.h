@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What somebody says about a tool, in a comment, a table or an option: never everything,
-// and not always enough to make a Tool of it.
+// Specification of a tool in a comment, a table or an option. It is never complete, and may be
+// insufficient to make a Tool.
 #pragma once
 
 #include "ncsim/toolpath/tool.h"
@@ -20,75 +20,85 @@ struct ToolSegment {
     bool operator==(const ToolSegment&) const = default;
 };
 
-/// Lengths in mm, angles in degrees. What was not said is empty.
+/// Specified values of a tool. Lengths in mm, angles in degrees. Unspecified values are empty.
 struct ToolSpec {
     int number = 0;
     std::optional<ToolKind> kind;
-    std::optional<double> diameter;  ///< Of the cutting part; of the tip for TaperedEndMill.
+    /// Diameter of the cutting part; of the tip for TaperedEndMill.
+    std::optional<double> diameter;
     std::optional<double> corner_radius;
-    std::optional<double> tip_diameter;  ///< Of V-cutters.
+    std::optional<double> tip_diameter;  ///< For V-cutters.
     std::optional<double> angle;         ///< Included angle of V-cutters, point angle of drills.
-    std::optional<double> taper;         ///< Per side.
-    std::optional<double> length;        ///< Of the cutting part: of the flutes.
-    std::optional<double> pitch;         ///< Of taps, mm.
-    bool left_hand = false;              ///< Cuts with M4.
-    // Above the flutes, from below upwards: neck, shank, holder.
+    std::optional<double> taper;         ///< Angle per side.
+    std::optional<double> length;        ///< Flute length.
+    std::optional<double> pitch;         ///< Pitch of a tap, mm.
+    bool left_hand = false;              ///< True if the tool cuts with M4.
+    // Parts above the flutes, from below upwards: neck, shank, holder.
     std::optional<double> neck_diameter, neck_length;
     std::optional<double> shank_diameter, shank_length;
-    std::vector<ToolSegment> shaft;   ///< Instead of neck and shank.
-    std::optional<double> stick_out;  ///< From the tip to the holder.
+    std::vector<ToolSegment> shaft;   ///< Replaces neck and shank.
+    std::optional<double> stick_out;  ///< Distance from the tip to the holder.
     std::vector<ToolSegment> holder;
-    std::vector<ToolPiece> pieces;  ///< Where given, they are the tool and the rest is only told.
+    /// If given, the pieces define the tool; the remaining values are information only.
+    std::vector<ToolPiece> pieces;
     std::string description;
-    /// Names of values above that were assumed, not specified: those of kAssumable, or "shape" for
+    /// Names of values above that were assumed, not specified: names of kAssumable, or "shape" for
     /// the whole tool.
     std::vector<std::string> assumed;
     bool operator==(const ToolSpec&) const = default;
 };
 
-/// Values of a ToolSpec that filled() may assume, by the names that ToolSpec::assumed has for them.
+/// Names of values that filled() may assume, as used in ToolSpec::assumed.
 inline constexpr std::string_view kAssumable[] = {"shape", "kind",  "diameter",
                                                   "angle", "taper", "length"};
 
-/// Returns `spec` without the values that were assumed: what was specified.
+/// Returns `spec` without the assumed values.
 ToolSpec specified_part(const ToolSpec& spec);
 
-/// Can a tool be made of it? It needs a positive diameter, or pieces; of V-cutters the diameter of
-/// the tip is enough.
+/// True if make_tool() can make a tool of `spec`: it has pieces or a positive diameter. For
+/// V-cutters the tip diameter is sufficient.
 bool is_complete(const ToolSpec& spec);
 
-/// The tool with all that is told of shank and holder. Requires is_complete(). What was not said is
-/// filled in as a machinist would: a kind from the corner radius and the angles (none of them: a
-/// flat end mill), 118 degrees for drills, 90 for V-cutters, for those of which only the tip is
-/// told a shank of 3.175 mm, or twice the tip; `assumed_length` for a missing length, which should
-/// be more than the depth of any cut. A shank of which the length is not told reaches to the
-/// holder; where the stick-out is not told either, the holder begins right above, as low as it can
-/// be, and without a holder the shank is three diameters long. Flutes that are longer than the
-/// stick-out are in the holder.
+/// Makes the tool with the specified shank and holder. Unspecified values are assumed:
+/// - the kind follows from the corner radius and the angles; without these, a flat end mill;
+/// - the angle is 118 degrees for drills and 90 degrees for V-cutters;
+/// - a V-cutter with only a tip diameter has a shank of 3.175 mm, or twice the tip;
+/// - the length is `assumed_length`, which should exceed the depth of any cut, up to the stick-out;
+///   a quarter of the diameter for slot mills, half for dovetail mills, the diameter for lollipop
+///   mills;
+/// - the taper is 30 degrees for dovetail mills; the neck of an undercutting mill has 0.6
+///   diameters;
+/// - a shank of unknown length reaches to the holder; if the stick-out is unknown, too, the holder
+///   begins directly above, as low as possible; without a holder the shank is three diameters long.
+///
+/// Flutes longer than the stick-out extend into the holder.
+///
+/// Requires: is_complete(`spec`).
 Tool make_tool(const ToolSpec& spec, double assumed_length);
 
-/// Is the shape of the cutting part a guess? Nobody says what kind of tool it is, the angle of a
-/// cone, or how high a disc is.
+/// True if the shape of the cutting part is assumed: the kind of tool, the angle of a cone, or the
+/// height of a disc is unspecified.
 bool guesses_shape(const ToolSpec& spec);
-/// Does anybody say what is above the flutes?
+/// True if the part between flutes and holder is specified.
 bool tells_shank(const ToolSpec& spec);
+/// True if the holder is specified.
 bool tells_holder(const ToolSpec& spec);
 
-/// How high a tool of this kind and diameter (mm) cuts at least, whoever makes it: what the
-/// shortest ones that are sold as a series do. 1.25 diameters of end mills (DIN 6527, short), 3 of
-/// drills (DIN 6539), a tenth of face mills; a cone up to its diameter.
+/// Returns the least flute length (mm) of a tool of this kind and diameter, from the shortest
+/// standard series: 1.25 diameters for end mills (DIN 6527, short), 3 for drills (DIN 6539), a
+/// tenth for face mills; for a cone the height up to its diameter.
 double least_flute_length(const Tool& tool);
 
-/// Returns `spec` with everything make_tool() would fill in, named in ToolSpec::assumed if nothing
-/// that was specified decides it.
+/// Returns `spec` with all values that make_tool() would assume, listed in ToolSpec::assumed unless
+/// specified values determine them.
 ToolSpec filled(const ToolSpec& spec, double assumed_length);
 
-/// What make_tool() had to fill in, in words, for the assumption sheet: "length 45 mm". Empty if
-/// nothing.
+/// Returns the values that make_tool() would assume, in words for the assumption sheet: "length 45
+/// mm". Empty if there are none.
 std::string filled_in(const ToolSpec& spec, double assumed_length);
 
-/// One line for people: "flat end mill D10 L22, D12 to 52, D40 to 77", with what is above the
-/// flutes.
+/// Returns a one-line description, including the parts above the flutes: "flat end mill D10 L22,
+/// D12 to 52, D40 to 77".
 std::string describe(const Tool& tool);
 
 /// Returns the taper per side, in degrees, of a dovetail cutter that a catalogue lists with the
@@ -97,13 +107,13 @@ std::string describe(const Tool& tool);
 double dovetail_taper(double degrees);
 
 /// Reads `T1=flat:D10:L22:S12x30:H28x15,40x25`: a number, a kind (flat, ball, bull, face, v,
-/// chamfer, drill, taper, slot, dovetail, lollipop, tap, reamer, boring-bar, thread; may be left
-/// out) and values: D diameter, K pitch of a tap, R corner radius, L length of the flutes, A angle
-/// (included; per side for taper; of dovetail see `dovetail_taper`), P tip diameter, N neck and S
+/// chamfer, drill, taper, slot, dovetail, lollipop, tap, reamer, boring-bar, thread; may be
+/// omitted) and values: D diameter, K pitch of a tap, R corner radius, L flute length, A angle
+/// (included; per side for taper; for dovetail see `dovetail_taper`), P tip diameter, N neck and S
 /// shank (diameter, or diameter x length), E stick-out from the tip to the holder, H the holder
 /// from below upwards (diameter x height, or lower-upper x height for a cone). Numbers are mm, or
-/// inches with `in` behind them; case does not matter. Nothing if it is not of that form; the
-/// message then says why.
+/// inches with the suffix `in`; case does not matter. Returns empty, with the reason in `message`,
+/// if the text has another form.
 std::optional<ToolSpec> parse_tool_option(std::string_view text, std::string& message);
 
 }  // namespace ncsim::toolpath

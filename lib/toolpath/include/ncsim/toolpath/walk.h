@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The walk of a program's tools: motion by motion, pose by pose, with the cells that the cutting
-// pieces leave behind. Who simulates subtracts them; who verifies looks at them first. Both walk
-// here, so that nothing is verified that was not simulated.
+// Traversal of a program's motions, pose by pose, with the cells that the cutting pieces leave. The
+// simulation subtracts the cells, and the verifier examines the cells first. Both use this class,
+// so all that is verified is also simulated.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -23,86 +23,86 @@
 
 namespace ncsim::toolpath {
 
-/// How a rapid move of several axes goes: in a straight line, as on controls that interpolate it,
-/// or as a dog-leg, every axis at its own rate until it is there.
+/// Path of a rapid move of several axes: a straight line on controls that interpolate rapids, or a
+/// dog-leg, in which every axis moves at its own rate until it arrives.
 struct RapidPath {
     bool dog_leg = false;
-    /// X, Y, Z in mm/min; only their ratios matter. All equal: 45 degrees first.
+    /// Rates of X, Y and Z in mm/min; only the ratios matter. Equal rates move at 45 degrees first.
     std::array<double, 3> rates{1.0, 1.0, 1.0};
 };
 
-/// The straight pieces of a rapid move, from its start to its end, at least one. X and U (Y and V,
-/// Z and W) share a rate; rotary axes run in step with the whole. A path with known ends: the
-/// corners lie where an axis arrives.
+/// Returns the straight pieces of a rapid move from its start to its end, at least one. The corners
+/// lie where an axis arrives. X and U share a rate, as do Y and V, and Z and W; rotary axes are
+/// interpolated over the whole move.
 std::vector<gcode::Linear> legs_of(const gcode::Linear& rapid, const RapidPath& path);
 
-/// Between two successive poses. References are valid during the call.
+/// Motion between two successive poses. References are valid during the call.
 struct Step {
     const Pose& X_WA;
     const Pose& X_WB;
-    /// Of the cutting pieces; only those that may meet the stock, where they are wanted. Often
-    /// none.
+    /// Cells of the cutting pieces that may meet the stock and are wanted; often empty.
     std::span<const cda::Cell> cells;
-    /// What this step took away together with those before it, in fewer cells, where it ends a
-    /// whole turn that leaves no core. Some of that may not be wanted.
+    /// Fewer cells for the material that this step and the preceding steps removed, if this step
+    /// ends a whole turn that leaves no core. Cells outside the wanted place are included.
     std::span<const cda::Cell> covering;
-    /// Likewise what those before it took that went straight on, no farther than the tool is wide,
-    /// where this one does not.
+    /// Cells for the material that the preceding straight steps along a line removed, over at most
+    /// the tool's diameter, if this step does not continue that line.
     std::span<const cda::Cell> straight;
-    /// Or of these, where the walk leaves round tools as they are.
+    /// Round sweeps instead of cells, after leave_round().
     std::span<const cda::RoundSweep> sweeps;
-    bool is_near = false;  ///< Is the stock near enough for cells?
-    SampleBounds bounds;   ///< Of the motion the step belongs to.
-    Turning turning;       ///< And how the tool turns in it: for other parts of the tool.
+    bool is_near = false;  ///< True if the stock is near enough for cells.
+    SampleBounds bounds;   ///< Bounds of the motion that the step belongs to.
+    Turning turning;       ///< Rotation of the tool in the step, for further parts.
 };
 
-/// The line of a straight move in which nothing is turned, now or before, as of most programs most
-/// are; else null.
+/// Returns the straight move of `motion` if the rotary axes are 0 at both ends and tip control is
+/// off, as in most programs; otherwise null.
 const gcode::Linear* straight_upright(const gcode::Motion& motion);
 
-/// What has to be followed besides the cutter in the stock: there, too, `bounds` and `turning` of
-/// the steps hold.
+/// Places and parts of the tool to follow in addition to the cutter in the stock. `bounds` and
+/// `turning` of the steps hold there, too.
 struct Watch {
-    cda::Box place;       ///< Where else it matters what the tool does: fixtures; mm, W.
-    bool shanks = false;  ///< And the pieces that do not cut.
+    cda::Box place;  ///< Further place where the tool's motion matters, such as fixtures; mm, W.
+    bool shanks = false;  ///< True to follow the pieces that do not cut, too.
 };
 
+/// Traversal of motions with the tools and the machine of a program.
 class Walk {
 public:
-    /// Cells whose bounds do not overlap `stock` (mm, W) are left out. `told`: how the machine
-    /// turns.
+    /// Starts a traversal. Cells whose bounds do not overlap `stock` (mm, W) are left out. The last
+    /// parameter is the specified machine, or null.
     Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
          const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {},
          std::shared_ptr<const Kinematics> told = nullptr);
 
-    /// From now on tools whose cutting pieces are cda::RoundSweep's are swept as they are, whatever
-    /// the accuracy, where they stand upright and go straight ahead.
+    /// Makes the following steps have `sweeps` instead of cells, whatever the accuracy, for tools
+    /// whose cutting pieces are all cda::RoundSweep's, while the tool is upright.
     void leave_round() { leaves_round_ = true; }
-    /// From now on no step has `covering` or `straight`.
+    /// Makes the following steps have no `covering` and no `straight`.
     void tell_steps_alone() { covers_ = false; }
-    /// Makes `tool` known under `number`; the first one of a number counts.
+    /// Adds `tool` under `number`. The first tool of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
-    /// From now on no more cells are made than those near `place` (mm, W); nothing: all.
+    /// Limits the following cells to tools near `place` (mm, W); all cells if empty.
     void want_cells(const std::optional<cda::Box>& place) {
         wanted_ = place;
         passes_by_ = false;
     }
-    /// The same, and motions that turn the tool and stay away from there are no more than a step
-    /// from end to end, without bounds.
+    /// Does the same as want_cells(); in addition, a straight move or an arc that stays away from
+    /// `place` is a single step from end to end, without bounds.
     void want_nothing_but(const std::optional<cda::Box>& place) {
         want_cells(place);
         passes_by_ = place.has_value();
     }
-    /// Null if there is none of this number.
+    /// Returns the cutter of tool `number`; null if there is none.
     const Cutter* cutter(int number) const;
 
-    /// Calls `step` for each two poses of the motion that differ, in order. Does nothing for
-    /// dwells and tool changes, tools that nobody described, and moves whose start the program does
-    /// not tell. Returns the bounds of the motion.
+    /// Calls `step` for every two successive poses of the motion that differ, in order, and returns
+    /// the bounds of the motion. Does nothing for dwells, tool changes, undescribed tools, and
+    /// moves with an unknown start.
     SampleBounds take(const gcode::Motion& motion, cda::Origin origin,
                       const std::function<void(const Step&)>& step);
-    /// Calls `step` for the tool at rest where a motion ends whose start is not known: not what it
-    /// cuts, but certainly where it is. Does nothing if the end is not known either.
+    /// Calls `step` for the tool at rest at the end of a motion with an unknown start. The path is
+    /// unknown, but the end is certain. Does nothing if the end is unknown, too.
     void arrive(const gcode::Motion& motion, cda::Origin origin,
                 const std::function<void(const Step&)>& step);
 
@@ -111,27 +111,26 @@ private:
         Cutter cutter;
         ToolExtent followed;
         std::vector<ToolPiece> pieces;
-        std::vector<cda::RoundSweep>
-            round;  ///< Its cutting pieces, if all can be swept as they are.
-        std::optional<Cutter::Rotation> rows = std::nullopt;  ///< Where its reach is known.
+        std::vector<cda::RoundSweep> round;  ///< Cutting pieces, if all are round sweeps.
+        std::optional<Cutter::Rotation> rows = std::nullopt;  ///< Orientation of `reach`.
         Cutter::Reach reach = {};
 
         cda::Box bounds(const Pose& X_WA, const Pose& X_WB);
     };
-    // Arcs in a row about one middle, so far.
+    // Successive arcs about one centre.
     struct Round {
         std::vector<cda::LatticePoint> way;
         Cutter::Rotation rows = {};
         double centre_1 = 0.0, centre_2 = 0.0;  // mm, in the plane of the arc
         int tool = 0;
     };
-    // Straight moves in a row, one as the other.
+    // Successive straight moves along one line.
     struct Run {
         cda::LatticePoint start;
         std::vector<cda::LatticePoint> ends;
         std::vector<cda::StraightSteps::Step> steps;
         Known* tool = nullptr;
-        cda::Origin origin = cda::kStockOrigin;  // the last that met the stock, if one did
+        cda::Origin origin = cda::kStockOrigin;  // the last that met the stock, or kStockOrigin
     };
     void go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
                cda::Origin origin);
@@ -147,25 +146,25 @@ private:
     cda::Box stock_;
     ToolAccuracy accuracy_;
     SamplingOptions sampling_;
-    double gain_mm_;   // that the hulls of turning tools may have,
-    double slack_mm_;  // and the most of it that facets are left out for
+    double gain_mm_;   // allowed gain of the hulls of rotating tools
+    double slack_mm_;  // largest part of gain_mm_ for leaving out facets
     RapidPath rapid_;
     Watch watch_;
     std::shared_ptr<const Kinematics> told_;
-    cda::Box place_;                  // that matters: the stock and what is watched
-    std::optional<cda::Box> wanted_;  // cells
-    bool passes_by_ = false;          // all else
+    cda::Box place_;                  // stock and watched place
+    std::optional<cda::Box> wanted_;  // place of wanted cells
+    bool passes_by_ = false;          // whether motions away from wanted_ are single steps
     Cutter::Rotation upright_ = pose_at({}).rows;
     std::map<int, Known> tools_;
     bool leaves_round_ = false;
     bool covers_ = true;
-    std::vector<cda::Cell> cells_;     // of one step, kept for its memory
-    std::vector<cda::Cell> covering_;  // likewise
-    std::vector<cda::Cell> straight_;  // likewise
+    std::vector<cda::Cell> cells_;     // of one step; kept to reuse its memory
+    std::vector<cda::Cell> covering_;  // as cells_
+    std::vector<cda::Cell> straight_;  // as cells_
     Round round_;
     Run run_;
-    std::vector<cda::RoundSweep> sweeps_;  // likewise
-    bool is_near_ = false;                 // the stock, in that step
+    std::vector<cda::RoundSweep> sweeps_;  // as cells_
+    bool is_near_ = false;                 // whether the step is near the stock
 };
 
 }  // namespace ncsim::toolpath

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part against the design: where was too much taken away, and where is too much left?
+// Comparison of the part with the design: gouges and excesses.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -12,52 +12,59 @@
 
 namespace ncsim::verify {
 
-/// A place where part and design are farther apart than the tolerance.
+/// Connected place where the part and the design differ by more than the tolerance.
 struct DesignRegion {
-    double depth_mm = 0.0;  ///< The largest found in it; no point of it was asked farther than
-                            ///< DesignComparison::grain_mm from another.
-    cda::Vec3 point;        ///< Where that is, mm, W.
-    /// Depth of a point of the region below the surface of the body that has it, at least, mm: of
-    /// the design for a gouge, of the part for an excess. Where that body is thin, as at a sharp
-    /// edge, this is less than `depth_mm`.
+    /// Largest depth found in the region, mm. Points of the region are searched at distances of at
+    /// most DesignComparison::grain_mm.
+    double depth_mm = 0.0;
+    cda::Vec3 point;  ///< Point of the largest depth; mm, W.
+    /// Lower bound (mm) of the depth of a point of the region below the surface of the body that
+    /// contains the point: the design for a gouge, the part for an excess. If that body is thin
+    /// there, as at a sharp edge, the bound is less than `depth_mm`.
     double below_mm = 0.0;
-    cda::Box box;  ///< Of the points found in it, mm, W.
-    /// Of the face of the part at or nearest to its deepest point that is at a face that was cut;
-    /// the stock's if there is none.
+    cda::Box box;  ///< Box of the points found; mm, W.
+    /// Origin of the face of the part at or nearest to the deepest point that lies at a cut face;
+    /// kStockOrigin if no point does.
     cda::Origin origin = cda::kStockOrigin;
-    std::vector<cda::Origin> origins;  ///< Of all faces at its points, sorted.
+    std::vector<cda::Origin> origins;  ///< Origins of all faces at points of the region, sorted.
 };
 
-/// What is missing (gouge), or what is too much (excess).
+/// Regions of missing material (gouge) or of material left (excess).
 struct DesignSide {
-    std::vector<DesignRegion> regions;  ///< The deepest first.
-    /// mm³, of the whole difference on this side, what is within the tolerance included. Empty
-    /// where common_volume() had nothing to say.
+    std::vector<DesignRegion> regions;  ///< Deepest first.
+    /// Volume (mm³) of the whole difference on this side, including the part within the tolerance.
+    /// Empty if common_volume() gave no result.
     std::optional<double> volume_mm3;
 };
 
+/// Result of compare().
 struct DesignComparison {
     DesignSide gouge, excess;
-    /// The farthest that a point was found from the other surface, mm; within the tolerance, too.
+    /// Largest distance (mm) found between a point and the opposite surface, also within the
+    /// tolerance.
     double deviation_mm = 0.0;
-    /// What lies deeper than the tolerance and this was found, or something was in a grain around
-    /// it; what was found lies deeper than the tolerance. The deepest of all is deeper than told
-    /// by no more than this and 2 %.
+    /// Bound (mm) for undetected differences. Each place deeper than the tolerance plus this value
+    /// was found, or another place within a grain around that place was. Each region found is
+    /// deeper than the tolerance. The true largest depth exceeds the reported depth by at most this
+    /// value and 2 %.
     double resolution_mm = 0.0;
-    /// Regions that are nearer to each other than this may be told as one, mm.
+    /// Size (mm) of the cubes in which findings are gathered. Regions nearer to each other than
+    /// this size are merged; regions less than twice this size apart along each axis may be merged.
     double grain_mm = 0.0;
 };
 
-/// Compares a part with its design: a closed, oriented surface that does not cross itself, in mm,
-/// in W. Depth is the distance to the other surface, asked of both surfaces: a gouge of the points
-/// of the part's surface inside the design and of the points of the design's outside the part, an
-/// excess of the others.
+/// Compares `part` with `design`. The depth of a point is its distance from the opposite surface.
+/// Gouges are points of the part's surface inside the design and points of the design's surface
+/// outside the part; excesses are the reverse.
 ///
-/// Not sampled blindly: a piece of surface of which it is proved that it lies within the tolerance
-/// (covered by prisms over the other's triangles, or near to a convex one in all its corners) is
-/// left alone, the rest is halved, down to an eighth of the tolerance. Where that would be too many
-/// pieces, `resolution_mm` tells where it stopped. Requires tolerance_mm > 0, and that of part and
-/// design there is something. The result depends on the arguments only.
+/// The search does not sample blindly. A piece of surface is skipped if a proof shows that the
+/// piece lies within the tolerance: prisms over the triangles of the opposite surface cover the
+/// piece, or all corners of the piece are within the tolerance of a single triangle, which is
+/// convex. The remaining pieces are halved down to an eighth of the tolerance. If the number of
+/// pieces exceeds a limit, the search stops early and `resolution_mm` is larger.
+/// Requires: tolerance_mm > 0. The part and the design are not empty. `design` is a closed,
+///   oriented surface that does not cross itself; mm, W.
+/// Guarantees: the result depends on the arguments only.
 DesignComparison compare(const cda::Boundary& part, const cda::TriangleMesh& design,
                          double tolerance_mm);
 

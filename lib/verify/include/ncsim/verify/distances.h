@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far the tools of a program go, and for how long, where no machine is described.
+// Path lengths and times of the tools of a program, without a machine description.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -12,28 +12,30 @@
 
 namespace ncsim::verify {
 
+/// Path lengths (mm) and times (s) of a tool.
 struct Distances {
     double rapid_mm = 0.0;
     double feed_mm = 0.0;
-    /// Of the moves at feed, as if every one kept its feed from end to end. Empty if a feed is
-    /// not told, or no spindle speed where it counts.
+    /// Time of the feed moves if every move keeps its feed from end to end. Empty if a feed is not
+    /// specified, or a spindle speed on which the feed depends.
     std::optional<double> feed_seconds = 0.0;
     double dwell_seconds = 0.0;
-    std::uint64_t tool_changes = 0;  ///< To this tool.
+    std::uint64_t tool_changes = 0;  ///< Number of changes to this tool.
 };
 
-/// Adds those of a motion with a known start, of a dwell or of a tool change.
+/// Adds the path and the time of `motion`: a motion with a known start, a dwell or a tool change.
 void add(Distances& distances, const gcode::Motion& motion,
          const toolpath::Kinematics* machine = nullptr);
 
-/// The path of the tip within a hundredth of a millimetre: what lengths are measured on.
+/// Returns samples of the path of the tip with a chord tolerance of 0.01 mm, for length
+/// measurement.
 toolpath::Samples coarse_samples(const gcode::Motion& motion,
                                  const toolpath::Kinematics* machine = nullptr);
-/// The two halves of add(), for who has the samples.
+/// Add the two halves of add() separately, for callers that have the samples.
 void add_path(Distances& distances, const gcode::Motion& motion, const toolpath::Samples& samples);
 void add_rest(Distances& distances, const gcode::Motion& motion);
 
-/// Sum over all tools.
+/// Returns the sum over all tools.
 Distances total(const std::map<int, Distances>& distances);
 
 }  // namespace ncsim::verify

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Why a program is not proven to be safe although nothing was found: a verdict never rests on
-// silence. What was guessed, left out or not reached makes it "not proven", unless somebody accepts
-// that.
+// Reasons why a program without findings is not proven safe. Each assumed, omitted or unreached
+// item makes the verdict "not proven" unless the user accepts the reason.
 #pragma once
 
 #include "ncsim/verify/finding.h"
@@ -14,24 +13,25 @@
 
 namespace ncsim::verify {
 
-/// What people are told about a reason. The texts are static; ids are stable and kebab-case.
+/// Texts about a reason. The texts are static; ids are stable and kebab-case.
 struct ReasonInfo {
     std::string_view id;
     std::string_view why;  ///< One sentence.
     std::string_view fix;  ///< What to specify or to change, as an imperative.
 };
 
-/// All reasons; the order never depends on anything.
+/// Returns all reasons, always in the same order.
 std::span<const ReasonInfo> reasons();
-/// Null if there is none of this id.
+/// Returns the reason with this id; null if there is none.
 const ReasonInfo* find_reason(std::string_view id);
 
+/// Reason for which the program is not proven safe.
 struct Doubt {
     std::string reason;
     std::string message;  ///< Lower case, no full stop.
-    Place place;          ///< Where it came up first; line 0: nowhere.
+    Place place;          ///< Place of the first occurrence; line 0: none.
     std::uint64_t count = 1;
-    bool accepted = false;  ///< Somebody decided otherwise: told, but does not count.
+    bool accepted = false;  ///< Accepted by the user: reported, but does not count.
     bool operator==(const Doubt&) const = default;
 };
 

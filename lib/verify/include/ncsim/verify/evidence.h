@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a tile of the part was seen to meet. A Verifier of a tile asks its own part alone and judges
-// nothing: it writes down what it saw, step by step. What all tiles saw together is what one that
-// had the whole part would have seen, for each question is whether anything of the part is met, how
-// much, or how far: a contact of one tile is a contact, volumes add up, of lengths the largest
-// counts.
+// Observations of a tile of the part. The Verifier of a tile observes the contacts of this tile
+// only and judges nothing; it records observations step by step. The observations of all tiles
+// together equal the observations of a run with the whole part, because each question is whether
+// any material is met, how much, or how far: a contact in one tile is a contact, volumes add up,
+// and the largest length counts.
 #pragma once
 
 #include "ncsim/cda/tile_number.h"
@@ -20,57 +20,70 @@
 
 namespace ncsim::verify {
 
-/// What was looked at. Those of a step stand in this order.
+/// Kind of an observation. The observations of a step are sorted in this order.
 enum class Subject : std::uint8_t {
-    FeedCut,       ///< What cuts, at feed; `value`: mm³, where it was measured.
-    RapidCut,      ///< What cuts, at rapid; the same.
-    Removed,       ///< What the step took away, where all of it is measured; `value`: mm³;
-                   ///< `certain`: it touches if that is more than nothing.
-    Body,          ///< Piece `index` of the tool; `value`: the raise that it needs, mm.
-    Core,          ///< What does not cut; `value`: how far down it has material under it, mm.
-    TooHigh,       ///< What cuts above the limit of depth; `value`: by how much, mm.
-    UntoldFlutes,  ///< The same of flutes that nobody told.
-    Fixture,       ///< Fixture `index` and piece `other` of the tool.
-    Link,          ///< Pair `index` of a MachineScene; `value`: deep or apart, mm.
+    FeedCut,   ///< Cutter meets material at feed; `value`: mm³, if measured.
+    RapidCut,  ///< Cutter meets material at rapid; `value`: mm³, if measured.
+    /// Material removed by the step, if all volumes are measured; `value`: mm³; `certain`: the step
+    /// touches material if the volume is positive.
+    Removed,
+    Body,  ///< Contact of piece `index` of the tool; `value`: required raise, mm.
+    /// Contact of the core that does not cut; `value`: length of the descent above material, mm.
+    Core,
+    TooHigh,  ///< Contact of the cutter above the depth limit; `value`: excess, mm.
+    /// Contact of the flutes above the certain flute length; `value` as for TooHigh.
+    UntoldFlutes,
+    Fixture,  ///< Contact of fixture `index` with piece `other` of the tool.
+    /// Contact of pair `index` of a MachineScene; `value`: penetration or distance, mm.
+    Link,
 };
 
+/// Observation of a tile in a step.
 struct Observation {
-    /// Of `step`: at the end of the motion.
+    /// Value of `step` for the end of the motion.
     static constexpr std::uint64_t kAtEnd = ~std::uint64_t{0};
 
-    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
-    std::uint64_t step = 0;    ///< Of the motion, from 1; 0: before them.
+    std::uint64_t motion = 0;  ///< Number of the motion from 1, in the order of execution.
+    /// Number of the step in the motion from 1; 0: before the first step.
+    std::uint64_t step = 0;
     Subject subject = Subject::FeedCut;
     std::uint32_t index = 0, other = 0;
-    bool touches = true;             ///< Else it is rounding, or only a clearance is not kept.
-    bool certain = false;            ///< Whatever the accuracy of the tool.
-    bool assumed = false;            ///< Nobody told all of what meets there.
-    std::optional<cda::Vec3> point;  ///< In both; W, mm.
-    std::uint32_t rank = 0;          ///< Of several points the one of the lowest rank counts.
-    cda::Box box;                    ///< Around the contact; W, mm.
-    /// Volumes are what the tile adds to that of all of them, less than nothing maybe.
+    bool touches = true;             ///< False: rounding only, or only the clearance is violated.
+    bool certain = false;            ///< True for every accuracy of the tool.
+    bool assumed = false;            ///< The shape of a body in contact is not fully specified.
+    std::optional<cda::Vec3> point;  ///< Common point of both bodies; mm, W.
+    /// If there are several points, the point with the lowest rank counts.
+    std::uint32_t rank = 0;
+    cda::Box box;  ///< Box around the contact; mm, W.
+    /// Measured value. A volume is the contribution of this tile to the sum; the contribution can
+    /// be negative.
     std::optional<double> value;
-    std::optional<machine::Values> values;  ///< Of the joints then, machine coordinates.
-    std::vector<cda::Box> places;           ///< Where it is open; W, mm.
+    /// Positions of the joints at the contact, machine coordinates.
+    std::optional<machine::Values> values;
+    std::vector<cda::Box> places;  ///< Boxes in which the contact is open; mm, W.
 
     bool operator==(const Observation&) const = default;
 };
 
 using Evidence = std::vector<Observation>;
 
-/// Which share of a part a Verifier sees. All of it; or one tile, whose evidence it collects, and
-/// judges nothing; or nothing, since all tiles were seen before.
+/// Share of the part that a Verifier observes. Default: the whole part. With `tile`: one tile; the
+/// Verifier collects evidence and judges nothing. With `evidence`: no part; the Verifier judges the
+/// evidence of all tiles.
 struct Share {
     std::optional<cda::TileNumber> tile;
-    std::shared_ptr<const Evidence> evidence;  ///< together() of all tiles.
+    std::shared_ptr<const Evidence> evidence;  ///< Result of together() for all tiles.
 };
 
-/// What all tiles saw, in the order of the program; `tiles` in theirs.
+/// Merges the evidence of all tiles, in the order of the program.
+/// Requires: `tiles` is in the order of the tiles.
 Evidence together(std::vector<Evidence> tiles);
 
-/// As text, a line each. Numbers come back as they are, to the last bit.
+/// Formats `evidence` as text, one observation a line. evidence_from() restores all numbers to the
+/// last bit.
 std::string bytes_of(const Evidence& evidence);
-/// And back. Throws std::invalid_argument if it is none.
+/// Parses the text that bytes_of() wrote.
+/// Throws: std::invalid_argument if the text is malformed.
 Evidence evidence_from(std::string_view bytes);
 
 }  // namespace ncsim::verify

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The links of a machine as bodies that can meet something: in convex pieces, which takes a while
-// and is done once for all programs.
+// Collision bodies of the links of a machine. The decomposition into convex pieces is slow and is
+// done once for all programs.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
@@ -18,53 +18,57 @@ namespace ncsim::verify {
 
 class RigidBody;
 
-/// A link as it was told. Machine coordinates with all joints at 0, mm.
+/// Link as specified; mm, machine coordinates with all joints at 0.
 struct LinkBody {
     std::string name;
-    cda::TriangleMesh mesh;     ///< Closed; without triangles: nobody told what it looks like.
-    machine::Chain moved_by;    ///< From the bed on, each joint as it moves the link.
-    double clearance_mm = 0.0;  ///< Everything else is to stay this far away.
-    /// How far the mesh may be from the link that it stands for: what meets it by less is open, and
-    /// what keeps away from it by less, too.
+    cda::TriangleMesh mesh;     ///< Closed; without triangles: the shape is unspecified.
+    machine::Chain moved_by;    ///< Chain from the bed; each joint as it moves the link.
+    double clearance_mm = 0.0;  ///< Distance that all other bodies must keep.
+    /// Largest distance (mm) of the mesh from the true surface of the link. Overlaps and distances
+    /// below this value are open.
     double deflection_mm = 0.0;
-    std::string mesh_at{};  ///< Where the mesh was told: "mill.toml:12:1".
-    bool as_hull = false;   ///< Its convex hull stands for it: what meets that is open.
+    std::string mesh_at{};  ///< Place of the specification: "mill.toml:12:1".
+    bool as_hull = false;   ///< The convex hull replaces the mesh; contacts with the hull are open.
 };
 
-/// Names of links and fixtures; "tool" and "part" are what they say.
+/// Names of links and fixtures; "tool" and "part" stand for the tool and the part.
 using NamePair = std::pair<std::string, std::string>;
 
-/// All of them, and what else counts for whom is asked about whom.
+/// Links and fixtures of a machine, with the pairs that are excluded and included.
 struct LinkBodies {
     std::vector<LinkBody> links;
-    std::vector<Fixture> fixtures;                ///< Of the same machine: refused as links are.
-    machine::Chain part_moved_by, tool_moved_by;  ///< As LinkBody::moved_by.
-    std::vector<NamePair> ignored;                ///< Not asked about each other,
-    std::vector<NamePair> asked;                  ///< and asked though they are neighbours.
+    /// Fixtures of the machine; their meshes are checked like meshes of links.
+    std::vector<Fixture> fixtures;
+    machine::Chain part_moved_by, tool_moved_by;  ///< Chains as in LinkBody::moved_by.
+    std::vector<NamePair> ignored;                ///< Pairs that are not checked.
+    /// Pairs of neighbours that are checked nevertheless.
+    std::vector<NamePair> asked;
 };
 
-/// Immutable, so threads may share it.
+/// Links as bodies in convex pieces. Immutable, so threads may share an object.
 class MachineBodies {
 public:
-    /// A mesh of very many triangles, or one of which that was told, counts as its convex hull:
-    /// what does not meet that is clear, and what meets it is open. Throws std::runtime_error for
-    /// one that crosses itself, naming where it was told.
+    /// Divides the meshes into convex pieces. A mesh with more than 50,000 triangles, or with
+    /// `as_hull`, is replaced by the convex hull: no contact with the hull means clear, a contact
+    /// with the hull is open.
+    /// Throws: std::runtime_error for a mesh that crosses itself; the message names the place of
+    ///   the specification.
     explicit MachineBodies(LinkBodies told);
     ~MachineBodies();
     MachineBodies(const MachineBodies&) = delete;
     MachineBodies& operator=(const MachineBodies&) = delete;
 
     const LinkBodies& told() const { return told_; }
-    /// Of a link; null where it has no mesh.
+    /// Returns the body of link `link`; null without a mesh.
     const RigidBody* body(std::size_t link) const { return links_[link].shape.get(); }
-    /// Why it counts as its hull; empty: it does not.
+    /// Returns the reason why the hull replaces the mesh of link `link`; empty: it does not.
     const std::string& why_hull(std::size_t link) const { return links_[link].why_hull; }
-    /// Is any mesh told?
+    /// True if a link has a mesh.
     bool has_meshes() const;
 
 private:
     struct Body {
-        std::unique_ptr<const RigidBody> shape;  // null: there is no mesh
+        std::unique_ptr<const RigidBody> shape;  // null: no mesh
         std::string why_hull;
     };
     LinkBodies told_;

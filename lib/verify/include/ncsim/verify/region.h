@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where material went, gathered from the ledger: rows whose places touch are one region.
+// Regions of removed material, gathered from the ledger: rows whose boxes touch form one region.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -19,17 +19,19 @@ struct LineRange {
     bool operator==(const LineRange&) const = default;
 };
 
-/// Sorted; ranges that overlap or follow one another are one.
+/// Returns `lines` sorted, with overlapping and consecutive ranges merged.
 std::vector<LineRange> merged(std::vector<LineRange> lines);
 
+/// Connected region of removed material.
 struct Region {
     double volume_mm3 = 0.0;
-    cda::Box box;                  ///< In W, mm; encloses it.
-    std::vector<LineRange> lines;  ///< Sorted; lines that follow one another are one range.
+    cda::Box box;                  ///< Box that encloses the region; mm, W.
+    std::vector<LineRange> lines;  ///< Sorted; consecutive lines form one range.
 };
 
-/// The regions of all rows that removed something, the largest volume first. Rows belong together
-/// if their boxes overlap or touch, directly or through others. O(rows²) at worst.
+/// Returns the regions of all rows that removed material, the largest volume first. Rows belong
+/// together if their boxes overlap or touch, directly or through boxes between them.
+/// Cost: O(rows²) in the worst case.
 std::vector<Region> regions_of(const Ledger& ledger);
 
 }  // namespace ncsim::verify

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rules: what each one is called, why it matters and how to satisfy it.
+// The rules, with name, rationale and remedy.
 #pragma once
 
 #include "ncsim/verify/rule_info.h"
@@ -11,14 +11,14 @@
 
 namespace ncsim::verify {
 
-/// All rules, by category; the order never depends on anything.
+/// Returns all rules, always in the same order.
 std::span<const RuleInfo> rules();
 
-/// Null if there is no rule of this id.
+/// Returns the rule with this id; null if there is none.
 const RuleInfo* find_rule(std::string_view id);
 
-/// The ids that `name` stands for: a rule, all rules of a category, or "all". Empty if it is none
-/// of these.
+/// Returns the ids that `name` stands for: a rule, all rules of a category, or "all". Empty for an
+/// unknown name.
 std::vector<std::string_view> rules_named(std::string_view name);
 
 }  // namespace ncsim::verify

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Texts and defaults of a rule.
 #pragma once
 
 #include "ncsim/verify/finding.h"
@@ -7,11 +9,11 @@
 
 namespace ncsim::verify {
 
-/// What people are told about a rule. The texts are static; ids are stable and kebab-case.
+/// Texts and default severity of a rule. The texts are static; ids are stable and kebab-case.
 struct RuleInfo {
     std::string_view id;
     Category category;
-    Severity severity;     ///< Unless the user or a finding says otherwise.
+    Severity severity;     ///< Default; the user or a finding may change the severity.
     std::string_view why;  ///< One sentence.
     std::string_view fix;  ///< One sentence.
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a program is verified against: everything that was told, and words for what was not.
+// Input of verification: all specified values, and texts about the assumed values.
 #pragma once
 
 #include "ncsim/toolpath/tool.h"
@@ -24,93 +24,96 @@
 
 namespace ncsim::verify {
 
-/// A tool, and what it may be asked to do. Limits that nobody told are empty.
+/// Tool with the limits of its use. Limits that are not specified are empty.
 struct ToolFacts {
-    toolpath::Tool tool;     ///< With shank and holder, as far as they are told.
-    std::string assumption;  ///< What of its shape was not told, in words; empty: nothing.
-    bool is_guess = false;   ///< Nobody described its shape: it is assumed.
-    /// Up to where its flutes certainly reach, mm above the tip; empty: as high as it is modelled.
+    toolpath::Tool tool;     ///< Includes the shank and the holder if specified.
+    std::string assumption;  ///< Description of the assumed part of the shape; empty: none.
+    bool is_guess = false;   ///< The whole shape is assumed.
+    /// Height (mm) above the tip up to which the flutes certainly reach; empty: up to the modelled
+    /// height.
     std::optional<double> certain_flutes;
     bool holder_told = false;
-    bool gauge_length_specified = false;  ///< From the spindle nose to the tip.
+    bool gauge_length_specified = false;  ///< Length from the spindle nose to the tip.
     std::optional<double> max_feed;       ///< mm/min
     std::optional<double> max_rpm;
     std::optional<double> max_depth;         ///< Along the axis, mm.
-    std::optional<double> max_engagement;    ///< Removed volume per path, mm³/mm (= mm²).
+    std::optional<double> max_engagement;    ///< Removed volume per path length, mm³/mm (= mm²).
     std::optional<double> max_removal_rate;  ///< mm³/min
-    /// Diameter (mm) about the axis that does not cut; 0: cuts to its centre.
+    /// Diameter (mm) of the core about the axis that does not cut; 0: the tool cuts to the centre.
     std::optional<double> blind_diameter;
-    std::string blind_assumption;    ///< Where that was concluded, in words.
-    std::optional<double> max_ramp;  ///< Degrees, of one with such a diameter.
+    std::string blind_assumption;    ///< Description of the conclusion that gave the diameter.
+    std::optional<double> max_ramp;  ///< Degrees, for a tool with a core.
     bool left_hand = false;          ///< Cuts with M4.
-    std::optional<double> pitch;     ///< Of a tap, mm.
-    /// Specified height of the flutes of a drill, mm.
+    std::optional<double> pitch;     ///< Pitch of a tap, mm.
+    /// Specified flute length of a drill, mm.
     std::optional<double> flute_length;
 };
 
-/// The accuracy of the tools leaves open whether something touches: somewhere in `boxes` (mm, W).
+/// Contact that the accuracy of the tools leaves open, somewhere in `boxes` (mm, W).
 struct OpenContact {
-    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
+    std::uint64_t motion = 0;  ///< Number of the motion from 1, in the order of execution.
     std::string_view rule;
     int tool = 0;
-    std::optional<std::size_t> piece;  ///< Of the tool; none: what cuts.
+    std::optional<std::size_t> piece;  ///< Piece of the tool; empty: the cutter.
     std::vector<cda::Box> boxes;
 };
 
-/// Decides it with finer tools: certain, still open (Within), or nothing: they do not touch.
+/// Decides an open contact with finer tools: Certain, still open (Within), or empty: no contact.
 using SecondLook = std::function<std::optional<Certainty>(const OpenContact&)>;
 
+/// Tools, machine, stock, selection of rules and assumptions of a verification.
 struct Setup {
     std::map<int, ToolFacts> tools;
     MachineDescription machine;
     Selection selection;
-    Suppressions suppressions;  ///< Of the program itself.
+    Suppressions suppressions;  ///< Suppressions of the program itself.
     toolpath::RapidPath rapid;
-    /// How the machine turns; null: nobody tells it.
+    /// Kinematics of the machine; null: unspecified.
     std::shared_ptr<const toolpath::Kinematics> kinematics;
-    /// Its links, as far as they are told; null: nobody tells any.
+    /// Links of the machine; null: unspecified.
     std::shared_ptr<const MachineBodies> bodies;
-    /// What of that is assumed nevertheless, in words: where the program tells places of the tip,
-    /// and where it tells those of axes.
+    /// Descriptions of the kinematics that is assumed although unspecified: for blocks that give
+    /// positions of the tip, and for blocks that give positions of axes.
     std::string tip_guess, axes_guess = "A, B and C turn about the program origin";
-    /// By how many degrees the part is set up askew, which G54.4 corrects; 0: it is straight.
+    /// Angle (degrees) by which the part is set up askew and which G54.4 corrects; 0: straight.
     double setting_askew = 0.0;
     toolpath::ToolAccuracy accuracy;
     std::optional<cda::Box> stock;   ///< mm, W.
-    double path_tolerance_mm = 0.0;  ///< How far a path may be missed; 0: nobody asks.
-    /// How far the control may miss corners of the path (G64 P), where that is more than the
-    /// tolerance of the path; mm, 0: not at all.
+    double path_tolerance_mm = 0.0;  ///< Largest permitted deviation from the path; 0: not checked.
+    /// Distance (mm) by which the control may miss corners of the path (G64 P) if it exceeds the
+    /// tolerance of the path; 0: none.
     double blend_mm = 0.0;
-    /// Can the program be simulated? Else why not: geometric rules are skipped then.
+    /// Reason why the program cannot be simulated; geometric rules are then skipped. Empty: the
+    /// program is simulated.
     std::optional<std::string> not_simulated;
-    /// What was assumed, in words; empty where it was told.
+    /// Descriptions of assumed values; empty if specified.
     std::string stock_assumption;
     std::string units_assumption;
-    std::string home_assumption;  ///< Of moves in machine coordinates.
-    /// Height of the reference point, where G28 leads, in W, mm: told, or assumed to be above all
-    /// that stands on the table.
+    std::string home_assumption;  ///< For moves in machine coordinates.
+    /// Height of the reference point (G28); mm, W. Specified, or assumed above all bodies on the
+    /// table.
     double home_z = 0.0;
-    bool pieces_counted = false;  ///< Somebody looks for pieces that are cut free.
-    bool design = false;          ///< Somebody compares the part with a design.
-    bool air_cuts = false;        ///< Somebody asks for feed moves that remove nothing.
-    bool ledger = false;          ///< Keep a row a block, with exact volumes.
-    /// The program uses G43: then every tool has to.
+    bool pieces_counted = false;  ///< The caller searches for detached pieces.
+    bool design = false;          ///< The caller compares the part with a design.
+    bool air_cuts = false;        ///< The caller requests feed moves that remove nothing.
+    bool ledger = false;          ///< Keep one row a block, with exact volumes.
+    /// The program uses G43, so every tool needs a length offset.
     bool uses_length_offsets = false;
-    std::set<int> cutting_tools;  ///< All that cut somewhere in the program.
-    /// Modes that the program does not set before its first move: "units (G20, G21)".
+    std::set<int> cutting_tools;  ///< All tools that cut in the program.
+    /// Modes that the program does not set before the first move: "units (G20, G21)".
     std::vector<std::string> inherited_modes;
-    SecondLook second_look;  ///< Empty: what is open stays open.
-    /// Reasons for doubt that do not count, by id: somebody decided so.
+    SecondLook second_look;  ///< Empty: open contacts stay open.
+    /// Ids of doubts that the user accepted.
     std::set<std::string, std::less<>> accepted;
-    /// What must be told: those of kRequirements.
+    /// Values that must be specified; elements of kRequirements.
     std::set<std::string, std::less<>> required;
 };
 
-/// The words that `required` knows.
+/// Permitted elements of `required`.
 inline constexpr std::string_view kRequirements[] = {"holder", "fixtures", "travels", "offsets",
                                                      "links",  "lengths",  "modes"};
 
-/// Does any selected rule look at the part?
+/// True if a selected rule needs the part.
 bool needs_part(const Setup& setup);
 
 }  // namespace ncsim::verify

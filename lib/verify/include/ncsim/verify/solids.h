@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Of how many pieces is a part? A program that cuts one free lets it fly.
+// Connected pieces of a part. A piece that a program cuts free can fly off.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -15,34 +15,36 @@
 
 namespace ncsim::verify {
 
-/// One connected piece of material. Pieces that touch in an edge or a corner only are two.
+/// Connected piece of material. Pieces that touch only along an edge or at a vertex are separate.
 struct Solid {
-    std::uint32_t shell = 0;  ///< Its outer surface in the boundary.
-    double volume_mm3 = 0.0;  ///< Within that surface; cavities are not taken off.
-    cda::Box box;             ///< mm, W
-    std::optional<cda::Vec3>
-        inner_point;                   ///< Strictly inside; empty if it is too thin to find one.
-    std::vector<cda::Origin> origins;  ///< Of its faces, sorted, without the stock's.
+    std::uint32_t shell = 0;               ///< Outer surface in the boundary.
+    double volume_mm3 = 0.0;               ///< Volume within the outer surface, including cavities.
+    cda::Box box;                          ///< mm, W.
+    std::optional<cda::Vec3> inner_point;  ///< Strictly inside; empty if the piece is too thin.
+    std::vector<cda::Origin> origins;      ///< Origins of the faces, sorted, without the stock's.
 };
 
-/// The surface of a part, ready to be asked.
+/// Surface of a part with search structures for its pieces.
 class Solids {
 public:
-    /// O(n log n) for n faces.
+    /// Finds the pieces of `boundary`.
+    /// Cost: O(n log n) for n faces.
     explicit Solids(const cda::Boundary& boundary);
 
-    /// The largest volume first.
+    /// Returns the pieces, the largest volume first.
     const std::vector<Solid>& all() const { return solids_; }
-    /// Index into all() of the piece that `point` is in; of nested ones the inner one. Expected
-    /// O(pieces + log n).
+    /// Returns the index into all() of the piece that contains `point`; the innermost of nested
+    /// pieces.
+    /// Cost: expected O(pieces + log n).
     std::optional<std::size_t> at(cda::Vec3 point) const;
 
 private:
     std::optional<cda::Vec3> point_in(std::size_t solid) const;
 
-    std::unique_ptr<const cda::TriangleMesh> mesh_;      // stays where it is, for surfaces_
-    std::vector<std::vector<std::uint32_t>> triangles_;  // of each shell
-    std::vector<cda::TriangleTree> surfaces_;            // the same
+    // on the heap, so that pointers of surfaces_ stay valid
+    std::unique_ptr<const cda::TriangleMesh> mesh_;
+    std::vector<std::vector<std::uint32_t>> triangles_;  // by shell
+    std::vector<cda::TriangleTree> surfaces_;            // by shell
     std::vector<Solid> solids_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Findings that the programmer has looked at and accepts: "(ncsim: ignore rapid-in-material)".
+// Suppressions: findings that the programmer accepts in a comment, "(ncsim: ignore
+// rapid-in-material)".
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -14,20 +15,23 @@
 
 namespace ncsim::verify {
 
+/// Suppressions of a program, by line.
 class Suppressions {
 public:
-    /// A word after "ignore" that names no rule; without a name, a comment that asks for something
-    /// but cannot be understood: "(ncsim: ignores …)", "(ncsim ignore …)", "(ncsim: ignore)".
+    /// Word after "ignore" that names no rule. Without a name: a comment that requests something
+    /// but is not understood, such as "(ncsim: ignores …)", "(ncsim ignore …)", "(ncsim: ignore)".
     struct Unknown {
         std::string name;
         gcode::SourceSpan span;
     };
 
     Suppressions() = default;
-    /// Reads the comments of `program`. A comment in a line with words is about that block, one in
-    /// a line of its own about the next line with words; several rules are separated by commas or
-    /// blanks; a category or "all" stands for all its rules. Blanks about the colon and the case of
-    /// letters do not matter. Total; O(size of the program).
+    /// Reads the comments of `program`. A comment in a line with words applies to that block; a
+    /// comment in a line of its own applies to the next line with words. Commas or blanks separate
+    /// several rules; a category or "all" stands for all of its rules. Blanks around the colon and
+    /// letter case do not matter.
+    /// Guarantees: accepts every text.
+    /// Cost: O(size of the program).
     explicit Suppressions(const gcode::SourceFile& program);
 
     bool covers(std::uint32_t line, std::string_view rule) const;

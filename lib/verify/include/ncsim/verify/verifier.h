@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verifies a program while it is being simulated: it sees every motion before and after its cells
-// are taken away, and changes nothing.
+// Verifier of a program during the simulation. It sees every motion before and after the cells are
+// removed, and changes nothing.
 //
 //     if (verifier.needs_account()) part.keep_account();  // before the first cell
-//     verifier.begin(motion, &part);  // each motion its own origin
+//     verifier.begin(motion, &part);  // each motion has its own origin
 //     walk.take(motion, origin, [&](const toolpath::Step& step) {
 //         verifier.look(step, part);
 //         for (const cda::Cell& cell : step.cells) part.subtract(cell);
@@ -26,48 +26,53 @@
 
 namespace ncsim::verify {
 
-/// What a walk has to follow whose steps a Verifier of this setup looks at.
+/// Returns the places and parts of tools that a walk must follow for a Verifier with this setup.
 toolpath::Watch watch_of(const Setup& setup);
 
+/// Verifier of one program, or of one tile of its part.
 class Verifier {
 public:
-    /// `stock` (mm, W) and `lattice` are those of the part; an empty box if nothing is simulated.
+    /// Starts the verification of a program. `stock` (mm, W) and `lattice` are the part's; `stock`
+    /// is empty if nothing is simulated.
     Verifier(Setup setup, const cda::Box& stock, const cda::Lattice& lattice, Share share = {});
     ~Verifier();
     Verifier(const Verifier&) = delete;
     Verifier& operator=(const Verifier&) = delete;
 
-    /// The frame that the next motion is programmed in: where its tool length is taken from.
+    /// Sets the frame of the next motion, which includes the tool length offset.
     void set_frame(const gcode::ProgramFrame& frame);
-    /// `part` is as it is before the motion; null if nothing is simulated.
+    /// Begins a motion. `part` is the part before the motion; null if nothing is simulated.
     void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part = nullptr);
-    /// Before the cells of the step are taken away from `part`, which is of a model that verifies.
+    /// Observes `step` before the cells are removed from `part`.
+    /// Requires: the model of the part supports verification.
     void look(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// After that. `removed` is the volume they took (mm³), where measures_all().
+    /// Observes `step` after the cells are removed. `removed` is the removed volume (mm³); only
+    /// used if measures_all().
     void look_back(const toolpath::Step& step, const cda::WorkpieceModel& part,
                    double removed = 0.0);
-    /// The tool at rest where a motion ends that came from nobody knows where.
+    /// Observes the tool at rest at the end of a motion with an unknown start.
     void arrive(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// And as it is after it.
+    /// Ends the motion. `part` is the part after the motion.
     void end(const cda::WorkpieceModel* part = nullptr);
-    /// Wants it the volume of every step?
+    /// True if look_back() needs the removed volume of every step.
     bool measures_all() const;
-    /// Else: wants it the part to keep an account of all of them?
+    /// True if the part must keep an account of removed volumes; false if measures_all().
     bool needs_account() const;
 
-    /// Adds what the interpreter and others have to say.
+    /// Adds diagnostics of the interpreter and of other sources.
     void add(const gcode::Diagnostics& diagnostics);
-    /// Adds what somebody else found, complete but for category, hint and suppression. Left out if
-    /// its rule is not selected.
+    /// Adds a finding of the caller, complete except for category, hint and suppression. Ignored if
+    /// the rule is not selected.
     void add(Finding finding);
-    /// The same for a reason that keeps the program from being proven.
+    /// Adds a doubt of the caller.
     void add_doubt(std::string_view reason, std::string message, const Place& place = {});
-    /// After the last motion. `part` is null if nothing was simulated; `stock_mm3` is its volume
-    /// before the first cut.
+    /// Finishes the verification after the last motion. `part` is null if nothing was simulated;
+    /// `stock_mm3` is the volume of the stock before the first cut.
     Verdict finish(const gcode::Interpretation& interpretation, const cda::WorkpieceModel* part,
                    double stock_mm3);
 
-    /// Of a tile: what was seen so far. It is asked for that instead of finish().
+    /// Returns the evidence of a tile so far.
+    /// Requires: the Verifier is of a tile; finish() is not called.
     Evidence take_evidence();
 
 private:
