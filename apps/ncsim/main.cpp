@@ -8,6 +8,7 @@
 #include "commands/machine_command.h"
 #include "commands/measure_command.h"
 #include "commands/options.h"
+#include "commands/project.h"
 #include "merge/merge.h"
 #include "run/run.h"
 #include "system/console.h"
@@ -27,7 +28,7 @@
 
 namespace {
 
-int run(const ncsim::app::Farewell& farewell) {
+int run(const ncsim::app::EarlyExit& farewell) {
     if (farewell.exit_code == ncsim::app::kClean) {
         ncsim::app::put_text(farewell.text);
     } else {
@@ -54,7 +55,7 @@ int main(int argc, char** argv) {
     try {
         keep_closed_streams_closed();
         Command command =
-            parse_options(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+            options_with_project(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
         return std::visit([](auto& chosen) { return run(std::move(chosen)); }, command);
     } catch (const std::bad_alloc&) {
         std::fputs("ncsim: out of memory\n", stderr);

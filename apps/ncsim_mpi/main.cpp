@@ -144,7 +144,7 @@ int run(app::Options options, int rank, int ranks) {
 }
 
 // Only rank 0 prints the text.
-int say_once(const app::Farewell& farewell, int rank) {
+int say_once(const app::EarlyExit& farewell, int rank) {
     if (rank == 0) {
         if (farewell.exit_code == app::kClean) {
             app::put_text(farewell.text);
@@ -177,7 +177,7 @@ int main(int argc, char** argv) {
         if (auto* options = std::get_if<app::Options>(&command)) {
             if (threads < MPI_THREAD_SERIALIZED) options->threads = 1;
             code = run(std::move(*options), rank, ranks);
-        } else if (const auto* farewell = std::get_if<app::Farewell>(&command)) {
+        } else if (const auto* farewell = std::get_if<app::EarlyExit>(&command)) {
             code = say_once(*farewell, rank);
         } else {
             code = say_once({app::kEnvironment, "ncsim-mpi: there is only ncsim-mpi run\n"}, rank);

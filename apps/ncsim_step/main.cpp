@@ -248,7 +248,7 @@ bool has_length(const Handle(StepRepr_GlobalUnitAssignedContext) & context) {
 }
 
 // True if the file specifies a unit of length; OpenCASCADE assumes millimetres otherwise.
-bool tells_lengths(const Handle(Interface_InterfaceModel) & model) {
+bool has_lengths(const Handle(Interface_InterfaceModel) & model) {
     bool tells = false;
     for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
         const Handle(Standard_Transient) entity = model->Value(i);
@@ -272,7 +272,7 @@ Surface read(std::istream& in, double deflection) {
     Surface surface;
     TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
     reader.FileUnits(lengths, angles, solid_angles);
-    if (lengths.IsEmpty() || !tells_lengths(reader.WS()->Model()))
+    if (lengths.IsEmpty() || !has_lengths(reader.WS()->Model()))
         throw Refused{"it does not say in which unit its lengths are"};
     surface.unit = on_a_line(lengths.First().ToCString());
     if (reader.NbRootsForTransfer() == 0) throw Refused{"there is no shape in it"};

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;
 
-std::string told(const std::vector<Fault>& faults) {
+std::string specified(const std::vector<Fault>& faults) {
     std::string text;
     for (const Fault& fault : faults)
         text += "face " + std::to_string(fault.face) + ": " + fault.what + "\n";
@@ -30,7 +30,7 @@ std::string told(const std::vector<Fault>& faults) {
 TEST(Check, FindsNothingAgainstSoundSolids) {
     for (test::NamedPart& solid : test::solids()) {
         SCOPED_TRACE(solid.name);
-        EXPECT_EQ(told(check(solid.part, kTolerance)), "");
+        EXPECT_EQ(specified(check(solid.part, kTolerance)), "");
         EXPECT_LT(solid.part.miss_mm, 1e-13);
     }
 }
@@ -80,7 +80,7 @@ TEST(Check, FindsTheOneHoleOfManyThatMeetsAnother) {
     constexpr int kHoles = 20;
     const Part sound = face_with_holes(kHoles);
     double miss = 0.0;
-    EXPECT_EQ(told(faults_of(sound, 0, kTolerance, miss)), "");
+    EXPECT_EQ(specified(faults_of(sound, 0, kTolerance, miss)), "");
     // By hole, and the direction in which it moves onto the next one: within a strip of the plane
     // and across the border of two.
     for (int hole = 0; hole < kHoles * kHoles; hole += 7) {
@@ -108,14 +108,14 @@ TEST(Check, FindsALoopTheWrongWayRound) {
         for (EdgeUse& use : loop)
             use.is_forward = !use.is_forward;
     }
-    EXPECT_NE(told(check(part, kTolerance)), "");
+    EXPECT_NE(specified(check(part, kTolerance)), "");
 }
 
 TEST(Check, FindsAnEdgeOffItsSurface) {
     Part part = solid_named("slotted_box").part;
     auto& wall = std::get<Plane>(part.faces[7].surface.form);
     wall.origin = wall.origin + Vec3{0, 1e-4, 0};
-    EXPECT_NE(told(check(part, kTolerance)).find("off the surface"), std::string::npos);
+    EXPECT_NE(specified(check(part, kTolerance)).find("off the surface"), std::string::npos);
     EXPECT_NEAR(part.miss_mm, 1e-4, 1e-9);
 }
 
@@ -128,7 +128,7 @@ TEST(Check, FindsAnArcThatMissesItsEnd) {
         circle->centre.y += 0.5;
         break;
     }
-    EXPECT_NE(told(check(part, 1.0 / 16)).find("misses its end"), std::string::npos);
+    EXPECT_NE(specified(check(part, 1.0 / 16)).find("misses its end"), std::string::npos);
 }
 
 // The bore touches a round boss beside it, in a point of the floor that neither has a corner in.
@@ -171,7 +171,7 @@ std::string faults_between(std::vector<Vec3> corners, std::vector<Edge> edges, L
     face.loops = {std::move(loop)};
     part.faces.push_back(face);
     double miss = 0.0;
-    return told(faults_of(part, 0, 1e-9, miss));
+    return specified(faults_of(part, 0, 1e-9, miss));
 }
 
 // A line through the axis of a pipe is at no angle there.
@@ -185,7 +185,7 @@ TEST(Check, FindsEdgesThatAreNowhereOnTheirSurface) {
     face.loops = {{{0, true}, {1, true}, {2, true}}};
     part.faces.push_back(face);
     double miss = 0.0;
-    EXPECT_NE(told(faults_of(part, 0, 1e-3, miss)).find("nowhere"), std::string::npos);
+    EXPECT_NE(specified(faults_of(part, 0, 1e-3, miss)).find("nowhere"), std::string::npos);
 }
 
 // Two curves that begin 2 um beside their common corner, as edges do beside facets: they come no
@@ -201,7 +201,7 @@ TEST(Check, EndsWhereNeighboursMissTheirCorner) {
     face.loops = {{{0, true}, {1, true}}};
     part.faces.push_back(face);
     double miss = 0.0;
-    EXPECT_EQ(told(faults_of(part, 0, 1e-2, miss)), "");
+    EXPECT_EQ(specified(faults_of(part, 0, 1e-2, miss)), "");
 }
 
 // A line ends at the tip of a slender ellipse, and crosses it once more if it goes up: 0.04 mm
@@ -285,7 +285,7 @@ TEST(Check, FindsEdgesBesideTheApexOfACone) {
         face.loops = {{{2, false}, {1, false}, {0, false}}};
         part.faces.push_back(face);
         double miss = 0.0;
-        return told(faults_of(part, 0, 0.1, miss));
+        return specified(faults_of(part, 0, 0.1, miss));
     };
     EXPECT_NE(faults({0, -2e-4, 0.013}).find("misses the apex"), std::string::npos);
     // On the cone, but on its other side.
@@ -303,13 +303,14 @@ TEST(Check, FindsFacesWithoutAnOtherEnd) {
     ASSERT_NE(wall, part.faces.end());
     const auto number = static_cast<std::uint32_t>(wall - part.faces.begin());
     double miss = 0.0;
-    EXPECT_EQ(told(faults_of(part, number, kTolerance, miss)), "");
+    EXPECT_EQ(specified(faults_of(part, number, kTolerance, miss)), "");
     const Cylinder bore = std::get<Cylinder>(wall->surface.form);
     wall->loops.pop_back();
-    EXPECT_NE(told(faults_of(part, number, kTolerance, miss)).find("no other end"),
+    EXPECT_NE(specified(faults_of(part, number, kTolerance, miss)).find("no other end"),
               std::string::npos);
     wall->surface.form = Torus{bore.origin, bore.axis, bore.radius - 1.0, 1.0};
-    EXPECT_NE(told(faults_of(part, number, 10.0, miss)).find("no other end"), std::string::npos);
+    EXPECT_NE(specified(faults_of(part, number, 10.0, miss)).find("no other end"),
+              std::string::npos);
 }
 
 TEST(Check, FindsLoopsThatCross) {
@@ -324,7 +325,7 @@ TEST(Check, FindsLoopsThatCross) {
     for (Face& face : part.faces) {
         if (auto* bore = std::get_if<Cylinder>(&face.surface.form)) bore->origin.x += 9;
     }
-    EXPECT_NE(told(check(part, kTolerance)).find("cross or touch"), std::string::npos);
+    EXPECT_NE(specified(check(part, kTolerance)).find("cross or touch"), std::string::npos);
 }
 
 TEST(Check, FindsTheLongWayRound) {
@@ -333,7 +334,7 @@ TEST(Check, FindsTheLongWayRound) {
         auto* circle = std::get_if<Circle>(&edge.curve);
         if (circle) circle->axis = -circle->axis;
     }
-    EXPECT_NE(told(check(part, kTolerance)), "");
+    EXPECT_NE(specified(check(part, kTolerance)), "");
 }
 
 // Walls and lids of a post with these corners, 5 high.
@@ -385,7 +386,7 @@ TEST(Apart, MakesOneOfCornersThatReadersWouldTakeForOne) {
     keep_apart(part);
     EXPECT_EQ(part.faces.size(), 6U);
     EXPECT_GT(shortest_edge(part), 4.9);
-    EXPECT_EQ(told(check(part, 1e-4)), "");
+    EXPECT_EQ(specified(check(part, 1e-4)), "");
 }
 
 // A spur of 1e-7 mm, at 3 degrees to one of its walls: longer, it would be nearer to the wall than
@@ -395,7 +396,7 @@ TEST(Apart, MakesNoSpursOfCorners) {
     Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {near, 10 - 0.05 * near}});
     keep_apart(part);
     EXPECT_EQ(part.faces.size(), 6U);
-    EXPECT_EQ(told(check(part, 1e-4)), "");
+    EXPECT_EQ(specified(check(part, 1e-4)), "");
 }
 
 // The lid of a post goes on as a line into a wall, which has a hole with two edges there.
@@ -412,9 +413,9 @@ TEST(Apart, TakesOutWhatHasNoWidth) {
     part.edges.push_back({tip, corner, Line{}});
     lid.insert(lid.begin(), {{there, true}, {there + 1, true}});
     part.faces[0].loops.push_back({{there + 1, false}, {there, false}});
-    EXPECT_NE(told(check(part, 10.0)), "");
+    EXPECT_NE(specified(check(part, 10.0)), "");
     keep_apart(part);
-    EXPECT_EQ(told(check(part, 1e-9)), "");
+    EXPECT_EQ(specified(check(part, 1e-9)), "");
     EXPECT_EQ(part.faces.size(), 6U);
 }
 
@@ -435,9 +436,9 @@ TEST(Apart, ClosesSlitsBetweenAnOutlineAndAHole) {
     part.faces[4].loops.push_back({{first, false}, {first + 2, false}, {first + 1, false}});
     part.solids.front().outside.push_back(static_cast<std::uint32_t>(part.faces.size()));
     part.faces.push_back(within);
-    EXPECT_NE(told(check(part, 1e-4)), "");
+    EXPECT_NE(specified(check(part, 1e-4)), "");
     keep_apart(part);
-    EXPECT_EQ(told(check(part, 1e-4)), "");
+    EXPECT_EQ(specified(check(part, 1e-4)), "");
     EXPECT_EQ(part.faces.size(), 7U);
     EXPECT_EQ(part.faces[4].loops.size(), 1U);
     EXPECT_EQ(part.faces[4].loops.front().size(), 5U);
@@ -447,14 +448,14 @@ TEST(Apart, ClosesSlitsBetweenAnOutlineAndAHole) {
 std::string told_of_readers(Part& part) {
     for (const Solid& solid : part.solids)
         EXPECT_EQ(solid.outside.size(), part.faces.size());
-    return told(check(part, 1e-4));
+    return specified(check(part, 1e-4));
 }
 
 // A corner of the lid is in the middle of the opposite edge, but for rounding: the lid is two
 // triangles that meet in it.
 TEST(Apart, PartsFacesWithACornerOnTheirEdge) {
     Part part = post({{0, 0}, {10, 0}, {10, 10}, {5, 1e-8}, {0, 10}});
-    EXPECT_NE(told(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
+    EXPECT_NE(specified(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
     const std::vector<std::uint32_t> was = keep_apart(part);
     EXPECT_EQ(told_of_readers(part), "");
     EXPECT_EQ(part.faces.size(), 9U);
@@ -465,7 +466,7 @@ TEST(Apart, PartsFacesWithACornerOnTheirEdge) {
 // Two corners of the lid are one but for rounding, with a hole in one of the parts that it has.
 TEST(Apart, PartsFacesWithTwoCornersInOnePlace) {
     Part part = post({{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5 + 1e-8}});
-    EXPECT_NE(told(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
+    EXPECT_NE(specified(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
     keep_apart(part);
     EXPECT_EQ(told_of_readers(part), "");
     EXPECT_EQ(part.faces.size(), 10U);
@@ -479,7 +480,7 @@ TEST(Apart, TakesOutFoldsThatReadersCannotSee) {
         SCOPED_TRACE(width);
         Part part =
             post({{0, 0}, {10, 0}, {10, 10}, {2 * width, 10}, {-6 * width, 8}, {-2 * width, 10}});
-        EXPECT_NE(told(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
+        EXPECT_NE(specified(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
         keep_apart(part);
         EXPECT_EQ(told_of_readers(part), "");
         EXPECT_NEAR(volume(part), 500.0, 1e-2);
@@ -505,7 +506,7 @@ TEST(Apart, ClosesPitsTooNarrowForReaders) {
             {cda::normalized(cda::cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
     }
     Part part = faceted(block, std::vector<std::vector<cda::Origin>>(9, {cda::kStockOrigin}));
-    EXPECT_NE(told(check(part, 1e-4)), "");
+    EXPECT_NE(specified(check(part, 1e-4)), "");
     keep_apart(part);
     EXPECT_EQ(told_of_readers(part), "");
     EXPECT_EQ(part.faces.size(), 6U);

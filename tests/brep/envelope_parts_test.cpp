@@ -321,7 +321,7 @@ TEST(Envelope, ManyTurnsAreFewSurfaces) {
         });
         EXPECT_GT(envelopes, 0);
         EXPECT_LE(envelopes, 8);
-        EXPECT_TRUE(source.leaves_unknown);
+        EXPECT_TRUE(source.may_leave_other_surfaces);
     });
     EXPECT_EQ(arcs, 1);
 }

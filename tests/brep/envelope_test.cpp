@@ -27,7 +27,7 @@ using cda::normalized;
 using test::Draw;
 
 // The tip along a bent line, the axis on a circle about another one.
-std::optional<TurningWay> random_turn(Draw& draw, Vec3 axis) {
+std::optional<RotaryPath> random_turn(Draw& draw, Vec3 axis) {
     const Vec3 from = draw.point(), along = draw.from(8.0, 30.0) * draw.direction();
     const Vec3 bow = draw.from(0.0, 3.0) * draw.direction();
     const Vec3 about = draw.direction(), side = cross(about, axis);
@@ -72,10 +72,10 @@ Envelope random_flank(Draw& draw) {
         }
         Envelope envelope{std::make_shared<Sweep>(flank, way)};
         const Sweep& sweep = *envelope.sweep;
-        const auto is_usual = [&](const Passage& at) {
+        const auto is_usual = [&](const ToolFrame& at) {
             return std::ranges::all_of(std::array{0.5, 1.0, 1.5, 2.0, 2.5}, [&](double place) {
                 const Vec3 p = point_across(sweep, at, place * flank.length);
-                const Aspect aspect = aspect_at(sweep, at, p);
+                const ClosestPoint aspect = aspect_at(sweep, at, p);
                 return std::abs(aspect.rate) < 1e-6 && aspect.bend > 0.0 &&
                        !is_at_pivot(sweep, aspect);
             });
@@ -111,7 +111,7 @@ Envelope random_envelope(Draw& draw) {
             way = random_round_way(draw, axis, fillet.ring + fillet.radius);
         }
         Envelope envelope{std::make_shared<Sweep>(fillet, way)};
-        const auto is_usual = [&](const Passage& at) {
+        const auto is_usual = [&](const ToolFrame& at) {
             const double lean = std::abs(dot(normalized(at.speed), at.axis));
             return lean < 0.95 && (fillet.ring == 0.0 || lean > 0.05);
         };
@@ -148,7 +148,7 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
         const Vec3 u = point(t, across_way + kAcross) - point(t, across_way - kAcross);
         const Vec3 v = point(t + kTime, across_way) - point(t - kTime, across_way);
         const Vec3 n = normalized(cross(u, v));
-        const Aspect place = place_on(envelope, p);
+        const ClosestPoint place = place_on(envelope, p);
         EXPECT_NEAR(place.off, 0.0, 1e-11);
         EXPECT_NEAR(norm(place.normal - n), 0.0, 1e-5);
         EXPECT_NEAR(place.t, t, 1e-9);
@@ -174,7 +174,7 @@ TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
                        0.3 * draw.direction();
         const double least = least_off(sweep, p);
         if (least < -0.05) continue;
-        const Aspect place = place_on(envelope, p);
+        const ClosestPoint place = place_on(envelope, p);
         if (place.t < 0.0 || place.t > 1.0) continue;
         EXPECT_NEAR(place.off, least, 1e-3);
         EXPECT_LE(place.off, least + 1e-9);
@@ -192,10 +192,10 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
                                     random_place(draw, sweep, 120.0, 240.0)) +
                        0.01 * draw.direction();
         const auto value = [&](Vec3 at) {
-            const Aspect aspect = place_on(envelope, at);
+            const ClosestPoint aspect = place_on(envelope, at);
             return Vec3{aspect.off, aspect.t, dot(aspect.normal, aspect.passage.axis)};
         };
-        const Aspect aspect = place_on(envelope, p);
+        const ClosestPoint aspect = place_on(envelope, p);
         const Vec3 time = gradient_of_time(aspect), rise = gradient_of_rise(sweep, aspect);
         for (int k = 0; k < 3; ++k) {
             Vec3 step;
@@ -220,11 +220,11 @@ TEST(Envelope, PointsInARowHaveTheirTimesForetold) {
         const Vec3 p = point_across(sweep, sweep.at(t), place);
         if (least_off(sweep, p) < -1e-6) continue;
         ++seen;
-        Beside beside;
+        ProjectionSeed beside;
         EXPECT_EQ(place_on(envelope, p, beside).t, place_on(envelope, p).t);
         const Vec3 q = p + kStep * draw.direction();
         const double foretold = *beside.time + dot(beside.slope, q - beside.at);
-        const Aspect next = place_on(envelope, q, beside), alone = place_on(envelope, q);
+        const ClosestPoint next = place_on(envelope, q, beside), alone = place_on(envelope, q);
         EXPECT_NEAR(next.t, alone.t, 1e-10);
         EXPECT_NEAR(next.off, alone.off, 1e-10);
         const double gone = std::abs(next.t - t);
@@ -268,7 +268,7 @@ TEST(Envelope, OfARimIsWhereItsCirclePasses) {
         const Envelope rim{
             std::make_shared<Sweep>(Fillet{draw.from(1.0, 5.0), draw.from(0.0, 3.0), 0.0}, *turn)};
         const Sweep& sweep = *rim.sweep;
-        const auto is_usual = [&](const Passage& at) {
+        const auto is_usual = [&](const ToolFrame& at) {
             const double lean = std::abs(dot(normalized(at.speed), at.axis));
             return lean < 0.9 && lean > 0.1;
         };
@@ -282,7 +282,7 @@ TEST(Envelope, OfARimIsWhereItsCirclePasses) {
         constexpr double kTime = 1e-5, kAcross = 1e-3;
         const Vec3 n = normalized(cross(point(t, place + kAcross) - point(t, place - kAcross),
                                         point(t + kTime, place) - point(t - kTime, place)));
-        const Aspect on = place_on(rim, p);
+        const ClosestPoint on = place_on(rim, p);
         EXPECT_NEAR(on.off, 0.0, 1e-10);
         EXPECT_NEAR(on.t, t, 1e-9);
         EXPECT_NEAR(std::abs(dot(on.normal, n)), 1.0, 1e-8);
@@ -296,10 +296,10 @@ TEST(Envelope, OfARimIsWhereItsCirclePasses) {
         EXPECT_NEAR(distance(Characteristic{rim, t}, p), 0.0, 1e-10);
         constexpr double kStep = 1e-6;
         const auto value = [&](Vec3 at) {
-            const Aspect aspect = place_on(rim, at);
+            const ClosestPoint aspect = place_on(rim, at);
             return Vec3{aspect.off, aspect.t, dot(aspect.normal, aspect.passage.axis)};
         };
-        const Aspect aspect = place_on(rim, beside);
+        const ClosestPoint aspect = place_on(rim, beside);
         const Vec3 time = gradient_of_time(aspect), rise = gradient_of_rise(sweep, aspect);
         for (int k = 0; k < 3; ++k) {
             Vec3 step;
@@ -322,7 +322,7 @@ TEST(Envelope, HasNoSideWhereTheToolPivots) {
     ASSERT_TRUE(way.has_value());
     const Envelope side{std::make_shared<Sweep>(Flank{3.0, 0.0, 1.0, 0.0, 40.0}, *way)};
     const auto pivots = [&](double height) {
-        const Passage at = side.sweep->at(0.5);
+        const ToolFrame at = side.sweep->at(0.5);
         const Vec3 p = point_across(*side.sweep, at, 40.0 + height);
         return is_at_pivot(*side.sweep, aspect_at(*side.sweep, at, p));
     };
@@ -333,7 +333,7 @@ TEST(Envelope, HasNoSideWhereTheToolPivots) {
 }
 
 // What machines do: axes turn evenly, and places turn with them.
-TEST(TurningWay, GoesThroughWhatItIsMadeOf) {
+TEST(RotaryPath, GoesThroughWhatItIsMadeOf) {
     const auto pose = [](double t) {
         const double b = 2.5 * t, c = 1.0 - 1.5 * t;
         const Vec3 tip{60.0 + 30.0 * t, -20.0, 5.0 - 10.0 * t};
@@ -349,7 +349,7 @@ TEST(TurningWay, GoesThroughWhatItIsMadeOf) {
     ASSERT_TRUE(way.has_value());
     constexpr double kStep = 1e-4;
     for (const double t : {-0.2, 0.0, 0.1, 0.37, 0.5, 0.93, 1.0, 1.2}) {
-        const Passage at = passage(*way, t);
+        const ToolFrame at = passage(*way, t);
         const TipAndAxis here = pose(t), before = pose(t - kStep), after = pose(t + kStep);
         EXPECT_NEAR(norm(at.tip - here.tip), 0.0, 1e-10);
         EXPECT_NEAR(norm(at.axis - here.axis), 0.0, 1e-12);
@@ -362,7 +362,7 @@ TEST(TurningWay, GoesThroughWhatItIsMadeOf) {
     }
 }
 
-TEST(TurningWay, DoesNotGoThroughMoreThanItCan) {
+TEST(RotaryPath, DoesNotGoThroughMoreThanItCan) {
     const auto spin = [](double t) {
         return TipAndAxis{{}, {std::cos(40.0 * t), std::sin(40.0 * t), 0.0}};
     };

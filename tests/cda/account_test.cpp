@@ -22,16 +22,16 @@ using test::Random;
 
 const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
 
-Account booked(const std::vector<Cell>& cuts, const TreeParameters& parameters) {
+RemovalByMotion booked(const std::vector<Cell>& cuts, const TreeParameters& parameters) {
     TreeCda part(kStock, kLattice, parameters);
-    part.keep_account();
+    part.track_removal();
     part.subtract_unmeasured(cuts);
     return part.account();
 }
 
-Account measured(const std::vector<Cell>& cuts) {
+RemovalByMotion measured(const std::vector<Cell>& cuts) {
     TreeCda part(kStock, kLattice);
-    Account account;
+    RemovalByMotion account;
     for (const Cell& cut : cuts) {
         const double volume = part.subtract(cut);
         account[cut.origin].volume += volume;
@@ -41,20 +41,20 @@ Account measured(const std::vector<Cell>& cuts) {
 }
 
 void expect_booked(const std::vector<Cell>& cuts, double tolerance = 1e-11) {
-    const Account expected = measured(cuts);
+    const RemovalByMotion expected = measured(cuts);
     // One cell at a time, some, all; in leaves that are split early or late.
     for (const TreeParameters& parameters :
          {TreeParameters{12, 1, 1}, TreeParameters{12, 1, 7}, TreeParameters{12, 1, 8192},
           TreeParameters{80, 1, 25}, TreeParameters{80, 1, 8192}}) {
         SCOPED_TRACE(testing::Message() << parameters.leaf << ' ' << parameters.batch);
-        const Account account = booked(cuts, parameters);
+        const RemovalByMotion account = booked(cuts, parameters);
         for (const auto& [origin, taken] : expected) {
             const auto found = account.find(origin);
-            const Taking got = found == account.end() ? Taking{} : found->second;
+            const RemovedVolume got = found == account.end() ? RemovedVolume{} : found->second;
             EXPECT_NEAR(got.volume, taken.volume, tolerance) << static_cast<std::uint32_t>(origin);
             // What takes nothing takes nothing at all.
             if (taken.volume == 0.0) {
-                EXPECT_EQ(got, Taking{}) << static_cast<std::uint32_t>(origin);
+                EXPECT_EQ(got, RemovedVolume{}) << static_cast<std::uint32_t>(origin);
             }
         }
         for (const auto& [origin, taken] : account)
@@ -62,14 +62,14 @@ void expect_booked(const std::vector<Cell>& cuts, double tolerance = 1e-11) {
     }
 }
 
-TEST(Account, OfHullsOfAllKinds) {
+TEST(RemovalByMotion, OfHullsOfAllKinds) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
         expect_booked(test::random_cuts(seed, 60, 60000 + static_cast<std::int64_t>(seed) * 15000));
     }
 }
 
-TEST(Account, OfPassesOnFloorsAndWallsOfEachOther) {
+TEST(RemovalByMotion, OfPassesOnFloorsAndWallsOfEachOther) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
         expect_booked(test::passes_of_several_tools(seed, 120));
@@ -78,7 +78,7 @@ TEST(Account, OfPassesOnFloorsAndWallsOfEachOther) {
 
 // A lattice unit or two beside each other, in part twice: planes that are nearly parallel meet in
 // lines that doubles tell to a hundredth of a unit only.
-TEST(Account, OfPassesNextToEachOther) {
+TEST(RemovalByMotion, OfPassesNextToEachOther) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
         auto passes = test::jittered_passes(seed, 60);
@@ -91,7 +91,7 @@ TEST(Account, OfPassesNextToEachOther) {
 }
 
 // An arc is many cells with one origin; a loop has the same origin again, later.
-TEST(Account, OfOriginsWithManyCells) {
+TEST(RemovalByMotion, OfOriginsWithManyCells) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
@@ -105,20 +105,20 @@ TEST(Account, OfOriginsWithManyCells) {
     }
 }
 
-TEST(Account, OfStepsThatWentStraightOn) {
+TEST(RemovalByMotion, OfStepsThatWentStraightOn) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
         const std::vector<test::StraightWay> ways = test::straight_ways(seed, 20);
         std::vector<Cell> steps;
         for (const test::StraightWay& way : ways)
             steps.insert(steps.end(), way.steps.begin(), way.steps.end());
-        const Account expected = measured(steps);
+        const RemovalByMotion expected = measured(steps);
         for (const TreeParameters& parameters :
              {TreeParameters{12, 1, 1}, TreeParameters{12, 1, 7}, TreeParameters{12, 1, 32768},
               TreeParameters{80, 2, 32768}}) {
             SCOPED_TRACE(testing::Message() << parameters.leaf << ' ' << parameters.batch);
             TreeCda part(kStock, kLattice, parameters), alone(kStock, kLattice, parameters);
-            part.keep_account();
+            part.track_removal();
             std::span<const Cell> before;
             for (const test::StraightWay& way : ways) {
                 for (const Cell& step : way.steps) {
@@ -128,10 +128,10 @@ TEST(Account, OfStepsThatWentStraightOn) {
                 before = std::span(&way.all, 1);
             }
             part.subtract_step({}, {}, before);
-            const Account account = part.account();
+            const RemovalByMotion account = part.account();
             for (const auto& [origin, taken] : expected) {
                 const auto found = account.find(origin);
-                const Taking got = found == account.end() ? Taking{} : found->second;
+                const RemovedVolume got = found == account.end() ? RemovedVolume{} : found->second;
                 EXPECT_NEAR(got.volume, taken.volume, 1e-11) << static_cast<std::uint32_t>(origin);
                 EXPECT_EQ(got.bounds, taken.bounds) << static_cast<std::uint32_t>(origin);
             }
@@ -141,62 +141,62 @@ TEST(Account, OfStepsThatWentStraightOn) {
     }
 }
 
-TEST(Account, SumsUpToWhatThePartLost) {
+TEST(RemovalByMotion, SumsUpToWhatThePartLost) {
     const auto passes = test::passes_of_several_tools(3, 200);
     TreeCda part(kStock, kLattice);
     const double before = part.volume();
-    part.keep_account();
+    part.track_removal();
     part.subtract_unmeasured(passes);
-    const Account account = part.account();
+    const RemovalByMotion account = part.account();
     const double sum =
         std::accumulate(account.begin(), account.end(), 0.0,
                         [](double all, const auto& one) { return all + one.second.volume; });
     EXPECT_NEAR(sum, before - part.volume(), 1e-10);
 }
 
-TEST(Account, DoesNotDependOnTheNumberOfThreads) {
+TEST(RemovalByMotion, DoesNotDependOnTheNumberOfThreads) {
     const auto passes = test::passes_of_several_tools(7, 300);
-    const Account one = booked(passes, {.threads = 1, .batch = 100});
+    const RemovalByMotion one = booked(passes, {.threads = 1, .batch = 100});
     EXPECT_EQ(one, booked(passes, {.threads = 2, .batch = 100}));
     EXPECT_EQ(one, booked(passes, {.threads = 5, .batch = 100}));
 }
 
 // Ten cells of one origin in a row, the first five through what is empty already.
-TEST(Account, IsWhereSomethingWasTaken) {
+TEST(RemovalByMotion, IsWhereSomethingWasTaken) {
     for (const std::uint32_t batch : {1U, 3U, 8192U}) {
         TreeCda part(kStock, kLattice, {.batch = batch});
-        part.keep_account();
+        part.track_removal();
         part.subtract_unmeasured(mm_box(-3, -3, 0, 1, 3, 3, Origin{1}));
         for (std::int64_t x = -3; x < 3; x += 1)
             part.subtract_unmeasured(mm_box(x, -1, 1, x + 1, 1, 2, Origin{2}));
         part.subtract_unmeasured(mm_box(-3, -1, 1, 3, 1, 2, Origin{3}));
-        const Account account = part.account();
+        const RemovalByMotion account = part.account();
         EXPECT_NEAR(account.at(Origin{2}).volume, 4.0, 1e-12);
         EXPECT_EQ(account.at(Origin{2}).bounds, (Box{{1, -1, 1}, {3, 1, 2}}));
-        EXPECT_TRUE(!account.contains(Origin{3}) || account.at(Origin{3}) == Taking{});
+        EXPECT_TRUE(!account.contains(Origin{3}) || account.at(Origin{3}) == RemovedVolume{});
     }
 }
 
-TEST(Account, OfTheFlatAggregateIsTheSame) {
+TEST(RemovalByMotion, OfTheFlatAggregateIsTheSame) {
     const auto cuts = test::random_cuts(4, 30, 120000);
     FlatCda flat(kStock, kLattice);
-    flat.keep_account();
+    flat.track_removal();
     flat.subtract_unmeasured(cuts);
-    const Account expected = flat.account();
+    const RemovalByMotion expected = flat.account();
     for (const auto& [origin, taken] : booked(cuts, {})) {
         const auto found = expected.find(origin);
-        const Taking other = found == expected.end() ? Taking{} : found->second;
+        const RemovedVolume other = found == expected.end() ? RemovedVolume{} : found->second;
         EXPECT_NEAR(taken.volume, other.volume, 1e-11);
         EXPECT_EQ(taken.bounds, other.bounds);
     }
 }
 
 // What was asked in between, and what waits, changes nothing.
-TEST(Account, GoesOnWhereQuestionsAreAsked) {
+TEST(RemovalByMotion, GoesOnWhereQuestionsAreAsked) {
     const auto passes = test::passes_of_several_tools(11, 80);
     TreeCda part(kStock, kLattice);
-    part.keep_account();
-    Account expected;
+    part.track_removal();
+    RemovalByMotion expected;
     TreeCda reference(kStock, kLattice);
     for (std::size_t i = 0; i < passes.size(); ++i) {
         expected[passes[i].origin].volume += reference.subtract(passes[i]);
@@ -210,7 +210,7 @@ TEST(Account, GoesOnWhereQuestionsAreAsked) {
     }
     const TreeCda copy(part);
     for (const TreeCda* model : {static_cast<const TreeCda*>(&part), &copy}) {
-        const Account account = model->account();
+        const RemovalByMotion account = model->account();
         for (const auto& [origin, taken] : expected) {
             const auto found = account.find(origin);
             const double got = found == account.end() ? 0.0 : found->second.volume;
@@ -219,13 +219,13 @@ TEST(Account, GoesOnWhereQuestionsAreAsked) {
     }
 }
 
-TEST(Account, OfNobodyIsEmpty) {
+TEST(RemovalByMotion, OfNobodyIsEmpty) {
     TreeCda part(kStock, kLattice);
     part.subtract_unmeasured(mm_box(0, 0, 0, 1, 1, 1, Origin{1}));
     EXPECT_TRUE(part.account().empty());
-    part.keep_account();
+    part.track_removal();
     part.subtract_unmeasured(mm_box(0, 0, 0, 1, 1, 2, Origin{2}));
-    const Account account = part.account();
+    const RemovalByMotion account = part.account();
     ASSERT_EQ(account.size(), 1U);
     EXPECT_NEAR(account.at(Origin{2}).volume, 1.0, 1e-12);
 }

@@ -143,17 +143,18 @@ TEST(FilteredPolygon, LooksAtManyPlanesAsAtEach) {
             static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(count) - 1));
         polygon.look(rows, begin, count, glances);
         for (std::size_t i = begin; i < count; ++i) {
-            const Glance where = glances.where[i];
+            const FilterResult where = glances.where[i];
             ++seen[static_cast<std::size_t>(where)];
-            if (where == Glance::Doubtful) continue;
-            ASSERT_EQ(polygon.classify(rows[i]), where == Glance::Below   ? 1
-                                                 : where == Glance::Above ? -1
-                                                                          : 0);
-            ASSERT_EQ(glances.low[i] < 0.0, where != Glance::Above);
-            ASSERT_EQ(glances.high[i] > 0.0, where != Glance::Below);
+            if (where == FilterResult::Doubtful) continue;
+            ASSERT_EQ(polygon.classify(rows[i]), where == FilterResult::Below   ? 1
+                                                 : where == FilterResult::Above ? -1
+                                                                                : 0);
+            ASSERT_EQ(glances.low[i] < 0.0, where != FilterResult::Above);
+            ASSERT_EQ(glances.high[i] > 0.0, where != FilterResult::Below);
         }
     }
-    for (const Glance where : {Glance::Doubtful, Glance::Below, Glance::Above, Glance::Across})
+    for (const FilterResult where :
+         {FilterResult::Doubtful, FilterResult::Below, FilterResult::Above, FilterResult::Across})
         EXPECT_GT(seen[static_cast<std::size_t>(where)], 100);
 }
 

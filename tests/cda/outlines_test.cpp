@@ -82,9 +82,9 @@ TEST(Outlines, TellsPointsOfOnePageApartByTheirPlanes) {
 // Two squares of one face side by side, on pages of their own: their common edge goes if both name
 // it alike, have one owner and go opposite ways along all of it.
 TEST(Outlines, DropsWhatGoesThereAndBack) {
-    enum class Second { Beside, OfAnother, SameWay, Longer };
+    enum class Second { ProjectionSeed, OfAnother, SameWay, Longer };
     for (const Second second :
-         {Second::Beside, Second::OfAnother, Second::SameWay, Second::Longer}) {
+         {Second::ProjectionSeed, Second::OfAnother, Second::SameWay, Second::Longer}) {
         Outlines outlines;
         const std::uint32_t floor = outlines.add_plane({0, 0, 1, 0});
         const std::uint32_t left = outlines.add_plane({1, 0, 0, 0});
@@ -114,7 +114,7 @@ TEST(Outlines, DropsWhatGoesThereAndBack) {
         second == Second::SameWay ? add(seam, front, end, other) : add(seam, end, front, other);
         EXPECT_EQ(outlines.points().size(), 8U);
         outlines.cancel(seams);
-        const bool cancels = second == Second::Beside;
+        const bool cancels = second == Second::ProjectionSeed;
         EXPECT_EQ(outlines.pieces().size(), cancels ? 6U : 8U);
         EXPECT_EQ(outlines.points().size(), 8U);  // others end there, still
         double doubled_area = 0.0;

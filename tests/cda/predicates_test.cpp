@@ -114,10 +114,10 @@ TEST(Classify, InDoublesIsRightOrSilent) {
     int silent = 0;
     for (int i = 0; i < kMany; ++i) {
         const Four f = random_four(random);
-        const auto told = classify_in_doubles(f.p, f.h);
-        silent += told ? 0 : 1;
-        if (told) {
-            EXPECT_EQ(*told, classify_exact(f.p, f.h));
+        const auto specified = classify_in_doubles(f.p, f.h);
+        silent += specified ? 0 : 1;
+        if (specified) {
+            EXPECT_EQ(*specified, classify_exact(f.p, f.h));
         }
         EXPECT_FALSE(classify_in_doubles(f.p, f.a));
     }

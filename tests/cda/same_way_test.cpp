@@ -133,7 +133,7 @@ TEST(SameWay, AToolOfTheSameShapeGoesOn) {
 TEST(SameWay, NothingIsForgottenThatIsBooked) {
     const auto cells = contour(tool(false), random_way(7), 4);
     TreeCda part(kStock, kLattice);
-    part.keep_account();
+    part.track_removal();
     part.subtract_unmeasured(cells);
     EXPECT_EQ(part.counts().forgotten, 0U);
     double sum = 0.0;

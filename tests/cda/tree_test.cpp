@@ -357,7 +357,7 @@ TEST(TreeCda, GoesDownWhereNobodyComesWhateverTheThreads) {
 TEST(TreeCda, AnswersManyThreadsAtATime) {
     const auto cuts = random_cuts(5, 300, 50000);
     TreeCda part(kStock, kLattice, {.leaf = 20, .threads = 2});
-    part.keep_account();
+    part.track_removal();
     part.subtract_unmeasured(cuts);
     const TreeCda& asked = part;
     const Boundary expected = TreeCda(part).boundary();

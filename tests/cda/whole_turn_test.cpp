@@ -207,7 +207,7 @@ TEST(WholeTurn, CoversWhatWaits) {
     const TranslationSweep body = prism(100000, 16, 900000);
     TreeCda plain(kStock, kLattice), covered(kStock, kLattice), booked(kStock, kLattice),
         asked(kStock, kLattice);
-    booked.keep_account();
+    booked.track_removal();
     std::int64_t z = 200000;
     std::uint32_t motion = 0;
     for (int i = 0; i < 5; ++i, z -= 60000) {

@@ -11,10 +11,6 @@
 namespace ncsim::cli_test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // kSlot, but the slot is made at rapid.
 std::string rapid_slot() {
     std::string text(kSlot);

@@ -30,10 +30,6 @@ Words operator+(Words words, const Words& more) {
     return words;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::string tile_name(int i, int n) {
     return fmt::format("tiles/tile-{:04}-of-{:04}.nctile", i, n);
 }
@@ -43,31 +39,31 @@ Ran check_tile(const Folder& folder, const Words& program, int i, int n, const W
                       Words{"--tile-out", "tiles", "--threads", "1"} + more);
 }
 
-struct Told {
+struct Specified {
     int exit_code = -1;
     std::string out, err;
     json all, sarif;
 };
 
-Told told_by(const Folder& folder, const Words& command) {
+Specified specified_by(const Folder& folder, const Words& command) {
     const Ran ran = folder.run(command + Words{"--json", "a.json", "--sarif", "a.sarif"});
-    Told told{ran.exit_code, ran.out, ran.err, {}, {}};
+    Specified specified{ran.exit_code, ran.out, ran.err, {}, {}};
     if (!folder.has("a.json")) {
         ADD_FAILURE() << ran.err;
-        return told;
+        return specified;
     }
-    told.all = json::parse(folder.read("a.json"));
-    for (json& finding : told.all["programs"][0]["findings"]) {
+    specified.all = json::parse(folder.read("a.json"));
+    for (json& finding : specified.all["programs"][0]["findings"]) {
         if (!finding["point"].is_null()) finding["point"] = "somewhere";
     }
-    told.sarif = json::parse(folder.read("a.sarif"));
+    specified.sarif = json::parse(folder.read("a.sarif"));
     fs::remove(folder.path() / "a.json");
     fs::remove(folder.path() / "a.sarif");
-    return told;
+    return specified;
 }
 
 void expect_one_verdict(const Folder& folder, const Words& program, const std::vector<int>& ns) {
-    const Told once = told_by(folder, Words{"check"} + program);
+    const Specified once = specified_by(folder, Words{"check"} + program);
     for (const int n : ns) {
         SCOPED_TRACE(n);
         for (int k = 0; k < n; ++k) {
@@ -75,7 +71,7 @@ void expect_one_verdict(const Folder& folder, const Words& program, const std::v
             ASSERT_EQ(ran.exit_code, 0) << ran.err;
             EXPECT_FALSE(contains(ran.out + ran.err, "error")) << "a tile judges nothing";
         }
-        const Told merged = told_by(folder, {"merge", "tiles"});
+        const Specified merged = specified_by(folder, {"merge", "tiles"});
         EXPECT_EQ(merged.exit_code, once.exit_code);
         EXPECT_EQ(merged.out, once.out);
         EXPECT_EQ(merged.err, once.err);

@@ -17,10 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
     const std::size_t at = text.find(what);
     EXPECT_NE(at, std::string::npos) << what;
@@ -135,8 +131,8 @@ TEST(JobFile, TellsStartOffsetsWhatIsAcceptedAndWhatIsRequired) {
     folder.write("job.toml",
                  "version = 2\nstart = [0, 0, 100]\n[offsets]\nG54 = [-200, -100, "
                  "-300]\nG55 = [-200, -94, -300]\n");
-    const json told = verdict_of(folder, {"two.nc", "--job", "job.toml"});
-    EXPECT_EQ(told["verdict"], "clean") << told.dump(1);
+    const json specified = verdict_of(folder, {"two.nc", "--job", "job.toml"});
+    EXPECT_EQ(specified["verdict"], "clean") << specified.dump(1);
     folder.write("job.toml", "version = 2\naccept = ['offset-guess', 'start-unknown']\n");
     EXPECT_EQ(verdict_of(folder, {"two.nc", "--job", "job.toml"})["verdict"], "accepted");
     folder.write("job.toml", "version = 2\naccept = ['all']\nrequire = ['travels']\n");

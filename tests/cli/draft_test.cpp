@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 const std::string kHead = "G21 G90 G17 S1000 M3 F500\nT3 M6\nG0 X0 Y0 Z5\n";
 
 // What the refusal of a program that describes no tool names.
@@ -76,8 +72,8 @@ TEST(Draft, MakesAPictureAndSaysWhatItGuessed) {
     const unsigned height = 256U * byte(22) + byte(23);
     EXPECT_GT(height, 300U);
     // A tool that somebody describes is not guessed.
-    const Ran told = folder.run({"run", "a.nc", "--draft", "--tool", "T3=flat:D8"});
-    EXPECT_FALSE(contains(told.err, "a guess")) << told.err;
+    const Ran specified = folder.run({"run", "a.nc", "--draft", "--tool", "T3=flat:D8"});
+    EXPECT_FALSE(contains(specified.err, "a guess")) << specified.err;
     // A tool that --draft guesses is missing information for check.
     EXPECT_EQ(folder.run({"check", "a.nc", "-q"}).exit_code, 4);
 }
@@ -133,10 +129,10 @@ TEST(Draft, IsCoarserTheLargerTheBlock) {
     const double one = exact["volume_mm3"]["removed"];
     const double other = draft["volume_mm3"]["removed"];
     EXPECT_NEAR(other, one, 0.05 * one);
-    const json told = report_of_run(folder, "ball:D8",
-                                    {"--draft", "--tolerance", "0.01", "--tool-tolerance", "0.1"});
-    EXPECT_EQ(told["accuracy_mm"]["chord_tolerance"], 0.01);
-    EXPECT_EQ(told["accuracy_mm"]["tool_tolerance"], 0.1);
+    const json specified = report_of_run(
+        folder, "ball:D8", {"--draft", "--tolerance", "0.01", "--tool-tolerance", "0.1"});
+    EXPECT_EQ(specified["accuracy_mm"]["chord_tolerance"], 0.01);
+    EXPECT_EQ(specified["accuracy_mm"]["tool_tolerance"], 0.1);
 }
 
 TEST(Draft, OfAShortProgramIsExact) {
@@ -181,7 +177,7 @@ TEST(StockComment, OfASizeAloneLiesWhereTheCutsAre) {
     EXPECT_EQ(min_of("G0 X-90 Y40\nG1 Z2\nX-10\nY10\n"), json({-100.0, 0.0, 0.0}));
 }
 
-TEST(UntoldAxis, IsTakenAsZeroAndNamed) {
+TEST(UnspecifiedAxis, IsTakenAsZeroAndNamed) {
     Folder folder;
     folder.write("wrap.nc",
                  "G21 G90 T1 M6 S1000 M3\nG0 X0 Z30\nG0 A0\nG1 Z20 F500\nX40\nZ18\nX0 A20\nG0 Z30\n"
@@ -196,12 +192,12 @@ TEST(UntoldAxis, IsTakenAsZeroAndNamed) {
     EXPECT_TRUE(contains(check.out, "doubt: the program never sets Y; taken as 0")) << check.out;
     EXPECT_NE(check.exit_code, 0);
     // Told, it is not assumed.
-    const Ran told =
+    const Ran specified =
         folder.run({"run", "wrap.nc", "--assume-tool", "flat:D6", "--start", "0,3,100"});
-    EXPECT_FALSE(contains(told.err, "never sets")) << told.err;
+    EXPECT_FALSE(contains(specified.err, "never sets")) << specified.err;
 }
 
-TEST(UntoldAxis, PromisesNoDrawingWhereThereIsNone) {
+TEST(UnspecifiedAxis, PromisesNoDrawingWhereThereIsNone) {
     Folder folder;
     folder.write("steps.nc", "G21 G91 F100\nG1 X1\nG1 Y1\nM2\n");
     const Ran ran = folder.run({"run", "steps.nc", "--draft", "--png", "a.png"});
@@ -211,7 +207,7 @@ TEST(UntoldAxis, PromisesNoDrawingWhereThereIsNone) {
     EXPECT_FALSE(contains(ran.err, "drawn as a path")) << ran.err;
 }
 
-TEST(UntoldAxis, OfHeightMakesADrawing) {
+TEST(UnspecifiedAxis, OfHeightMakesADrawing) {
     Folder folder;
     folder.write("plot.nc", "G21 G90 M3 S200 F1000\nG0 X10 Y10\nG1 X50\nY40\nX10 Y10\nM5\nM2\n");
     const Ran ran = folder.run({"run", "plot.nc", "--png", "a.png"});

@@ -14,10 +14,6 @@
 namespace ncsim::cli_test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // Runs the script with a disk at "disk" that is mounted with `options`.
 Ran with_disk(const Folder& folder, const std::string& options, const std::string& script) {
     std::filesystem::create_directories(folder.path() / "disk");

@@ -285,8 +285,8 @@ TEST(Machine, AMeshThatCrossesItselfIsRefusedOrItsHullIsTaken) {
         "f 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n");
     folder.write("box.obj", box_obj({-50, -50, -90}, {50, 50, -50}));
     folder.write("p.nc", "G21 G90 G94 T1 M6\nG0 X0 Y0 Z5\nM2\n");
-    const auto asked = [&](const std::string& told, std::vector<std::string> command) {
-        folder.write("m.toml", kOneLink + told);
+    const auto asked = [&](const std::string& specified, std::vector<std::string> command) {
+        folder.write("m.toml", kOneLink + specified);
         return folder.run(std::move(command));
     };
     const std::vector<std::string> machine{"machine", "m.toml"},

@@ -193,9 +193,9 @@ TEST(Machine, AFixtureOffsetGoesWithTheTable) {
     // by +90 it turns the part by the right hand.
     const std::string by_x = "P3 = { offset = [100, 0, 2], at = {} }";
     const std::string by_y = "P3 = { offset = [0, -100, 2], at = { C = -90 } }";
-    for (const std::string& told : {by_x, by_y}) {
+    for (const std::string& specified : {by_x, by_y}) {
         for (const bool moves : {true, false}) {
-            const std::string control = "fixture_offsets = { " + told +
+            const std::string control = "fixture_offsets = { " + specified +
                                         " }, fixture_offset_moves = " + (moves ? "true" : "false");
             const std::string turned = bytes(
                 control,

@@ -215,9 +215,9 @@ TEST(MovingMachine, CarriesTheTipThroughThePartAsTheProgramSays) {
         if (ends.empty()) continue;
         ASSERT_LT(begins[0], ends[0]);
         const auto [tip, axis] = at(ends[0]);
-        const Vec3 told{words.at('X'), words.at('Y'), words.at('Z')};
+        const Vec3 specified{words.at('X'), words.at('Y'), words.at('Z')};
         // Floats of places and of times.
-        EXPECT_LT(apart(tip, told), 1e-3 + missed) << line;
+        EXPECT_LT(apart(tip, specified), 1e-3 + missed) << line;
         // The table turns the part by the right hand: A, then C, turned back.
         const trig::SinCos a = trig::sin_cos(words.at('A')), c = trig::sin_cos(words.at('C'));
         EXPECT_LT(apart(axis, {c.sin * a.sin, c.cos * a.sin, a.cos}), 1e-5) << line;
@@ -225,7 +225,7 @@ TEST(MovingMachine, CarriesTheTipThroughThePartAsTheProgramSays) {
         const Vec3 from = at(begins[0]).first;
         for (const double share : {0.21, 0.5, 0.83}) {
             const Vec3 there = at(begins[0] + share * (ends[0] - begins[0])).first;
-            EXPECT_LT(apart(there, from + share * (told - from)), 2e-3 + 3 * missed) << line;
+            EXPECT_LT(apart(there, from + share * (specified - from)), 2e-3 + 3 * missed) << line;
         }
         ++compared;
     }

@@ -17,10 +17,6 @@ namespace {
 
 #ifdef NCSIM_MPI_PROGRAM
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // What mpirun itself says of how ranks ended is not ours.
 Ran with_ranks(const Folder& folder, int ranks, const std::string& arguments) {
     return folder.shell("mpirun --allow-run-as-root --oversubscribe --bind-to none -np " +

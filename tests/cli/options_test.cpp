@@ -5,12 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace ncsim::app {
 namespace {
 
 Options options(const std::vector<std::string>& arguments) {
     auto parsed = parse_options(arguments);
-    const auto* farewell = std::get_if<Farewell>(&parsed);
+    const auto* farewell = std::get_if<EarlyExit>(&parsed);
     EXPECT_FALSE(farewell) << farewell->text;
     const auto* run = std::get_if<Options>(&parsed);
     return run ? *run : Options{};
@@ -18,7 +20,7 @@ Options options(const std::vector<std::string>& arguments) {
 
 std::string refusal(const std::vector<std::string>& arguments) {
     auto parsed = parse_options(arguments);
-    const auto* farewell = std::get_if<Farewell>(&parsed);
+    const auto* farewell = std::get_if<EarlyExit>(&parsed);
     if (!farewell) return "accepted";
     EXPECT_EQ(farewell->exit_code, kEnvironment);
     return farewell->text;
@@ -216,19 +218,19 @@ TEST(Options, RefuseEmptyNamesOfFiles) {
                                                {"run", "a.nc", "--png", ""},
                                                {"merge", ""}}) {
         const Command command = parse_options(words);
-        const auto* farewell = std::get_if<Farewell>(&command);
+        const auto* farewell = std::get_if<EarlyExit>(&command);
         ASSERT_TRUE(farewell) << words.back();
         EXPECT_EQ(farewell->exit_code, kEnvironment);
         EXPECT_NE(farewell->text.find("the name is empty"), std::string::npos) << farewell->text;
     }
     const Command command = parse_options({"check", "a.nc", "--machine="});
-    EXPECT_TRUE(std::holds_alternative<Farewell>(command));
+    EXPECT_TRUE(std::holds_alternative<EarlyExit>(command));
 }
 
 TEST(Options, AreGuessedWhereSomebodyMistypes) {
     const auto said = [](std::vector<std::string> words) {
         const Command command = parse_options(words);
-        const auto* farewell = std::get_if<Farewell>(&command);
+        const auto* farewell = std::get_if<EarlyExit>(&command);
         return farewell ? farewell->text : "accepted";
     };
     EXPECT_EQ(said({"rnu", "a.nc"}),
@@ -247,17 +249,58 @@ TEST(Options, AreGuessedWhereSomebodyMistypes) {
     EXPECT_EQ(said({"help", "check"}), said({"check", "--help"}));
 }
 
+TEST(Options, RefusesAnOutputWithTheEndingOfAnotherFormat) {
+    const auto refused = [](const std::string& option, const std::string& path) {
+        const Command command = parse_options({"run", "a.nc", option, path});
+        const auto* exit = std::get_if<EarlyExit>(&command);
+        return exit ? exit->text : "";
+    };
+    EXPECT_EQ(refused("--png", "out/a.jpg"),
+              "ncsim: --png 'out/a.jpg': the ending is that of another format; 'out/a.png'\n");
+    EXPECT_NE(refused("--gltf", "a.gltf"), "");
+    EXPECT_NE(refused("--stl", "a.PLY"), "");
+    EXPECT_NE(refused("--svg", "a.dxf"), "");
+    for (const char* path : {"a.png", "a.PNG", "-", "a", "a.out", "a.jpg.tmp", "/dev/full"})
+        EXPECT_EQ(refused("--png", path), "") << path;
+    EXPECT_EQ(refused("--step", "a.stp"), "");
+    EXPECT_EQ(refused("--vrml", "a.vrml"), "");
+}
+
 TEST(Options, HelpNamesTheExitCodesAndEndsWithAnExample) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                       {"run", "--help"},
                                                       {"parse", "--help"},
                                                       {"tools", "--help"}}) {
         auto parsed = parse_options(arguments);
-        const auto& farewell = std::get<Farewell>(parsed);
+        const auto& farewell = std::get<EarlyExit>(parsed);
         EXPECT_EQ(farewell.exit_code, kClean);
-        EXPECT_NE(farewell.text.find("Exit codes: 0 clean, 1"), std::string::npos);
+        EXPECT_NE(farewell.text.find("Exit codes: 0 clean; 1"), std::string::npos);
         EXPECT_NE(farewell.text.find("Example: ncsim "), std::string::npos);
     }
+}
+
+TEST(Options, HelpHasALinePerOptionThatFitsATerminal) {
+    for (const char* name : {"run", "check", "parse", "tools", "diff", "measure", "merge"}) {
+        SCOPED_TRACE(name);
+        auto parsed = parse_options({name, "--help"});
+        std::istringstream text(std::get<EarlyExit>(parsed).text);
+        std::size_t lines = 0;
+        std::size_t options = 0;
+        bool had_wrapped_names = false;
+        for (std::string line; std::getline(text, line); ++lines) {
+            EXPECT_LE(line.size(), 101U) << line;  // the ellipsis has three bytes
+            // Long names have a line of their own, which the description follows.
+            const bool names_option = line.starts_with("  -");
+            EXPECT_FALSE(had_wrapped_names && names_option) << line;
+            had_wrapped_names = names_option && line.find("   ", 4) == std::string::npos;
+            options += names_option ? 1 : 0;
+        }
+        EXPECT_GE(options, 6U);
+        EXPECT_LE(lines, options + 50);
+    }
+    // The models that a command refuses are not offered.
+    auto check = parse_options({"check", "--help"});
+    EXPECT_EQ(std::get<EarlyExit>(check).text.find("dexel"), std::string::npos);
 }
 
 TEST(ProgressBar, TellsShareAndTimeLeft) {

@@ -11,10 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST(Parse, ShowsBlocksInOneSpelling) {
     Folder folder;
     folder.write("a.nc", "n10 g21 g90 ( go )\n#1=4 g0 x#1 y-.5\n\ng0 z 1 . 5\n/m2\n");

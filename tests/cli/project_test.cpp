@@ -13,10 +13,6 @@
 namespace ncsim::cli_test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // Its rapid moves go through a vice that no one told.
 constexpr const char* kVice =
     "[[fixture]]\nname = \"vice\"\nbox = [[-29, -30, 0], [-24, 30, 20]]\n";
@@ -51,6 +47,38 @@ TEST(Project, TellsProgramsBelowItTheirMachine) {
     EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 0);
     // Unless somebody says otherwise.
     EXPECT_EQ(folder.run({"check", "clamped", "--no-project"}).exit_code, 0);
+}
+
+TEST(Project, IsReadByEveryCommandThatReadsAProgram) {
+    const Repository folder("stock = \"80x60x20\"\naccept = [\"all\"]\n");
+    const auto stock_of = [&](const std::vector<std::string>& words) {
+        const Ran ran = folder.run(words);
+        EXPECT_NE(ran.exit_code, 2) << ran.err;
+        return ran.out + ran.err;
+    };
+    const std::string stock = "80 x 60 x 20 mm";
+    const std::string program = "plain/deep/a.nc";
+    for (const char* command : {"run", "check", "tools", "measure"}) {
+        SCOPED_TRACE(command);
+        EXPECT_TRUE(contains(stock_of({command, program}), stock));
+        EXPECT_FALSE(contains(stock_of({command, program, "--no-project"}), stock));
+        EXPECT_FALSE(contains(stock_of({command, program, "--stock=90x60x20"}), stock));
+    }
+    EXPECT_TRUE(contains(stock_of({"run", program}), "settings  ncsim.toml\n"));
+    // The volumes of both programs are those of the stock in the file.
+    EXPECT_NE(stock_of({"diff", program, "clamped/b.nc"}),
+              stock_of({"diff", program, "clamped/b.nc", "--no-project"}));
+    folder.write("ncsim.toml", "version = 1\nstrict = true\n");
+    folder.write("plain/q.nc", "G21 G90\nG1 X1 Q5 F100\nM2\n");
+    EXPECT_EQ(folder.run({"parse", "plain/q.nc"}).exit_code, 1);
+    EXPECT_EQ(folder.run({"parse", "plain/q.nc", "--no-project"}).exit_code, 0);
+    // A fault is an error of every command, with its place.
+    folder.write("ncsim.toml", "version = 1\ntolerance = \"wide\"\n");
+    for (const char* command : {"run", "tools", "measure", "parse"}) {
+        const Ran ran = folder.run({command, program});
+        EXPECT_EQ(ran.exit_code, 2) << command;
+        EXPECT_TRUE(contains(ran.err, "ncsim.toml:2:1")) << ran.err;
+    }
 }
 
 TEST(Project, GivesWayToTheCommandLine) {

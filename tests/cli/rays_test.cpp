@@ -15,10 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 const std::string kBlock = "(STOCK/BLOCK,20.,20.,10.,0.,0.,10.)\nG21 G90 G17\nT1 M6\nS9000 M3\n";
 const std::string kFlat = "(T1 D=6. CR=0. - flat end mill)\n" + kBlock;
 const std::string kBall = "(T1 D=6. CR=3. - ball end mill)\n" + kBlock;

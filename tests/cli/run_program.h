@@ -52,4 +52,9 @@ inline constexpr const char* kSlot =
     "G0 Z5.\n"
     "M30\n";
 
+/// True if `part` occurs in `text`.
+inline bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 }  // namespace ncsim::cli_test

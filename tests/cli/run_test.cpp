@@ -16,10 +16,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST(Run, SaysWhatItStandsOnAndWhatIsLeft) {
     Folder folder;
     folder.write("slot.nc", kSlot);
@@ -278,9 +274,9 @@ TEST(Run, ShowsPathAndToolOnlyIfAskedTo) {
 TEST(Run, TellsHowLongItCutsIfEveryFeedIsTold) {
     Folder folder;
     folder.write("slot.nc", kSlot);
-    const Ran told = folder.run({"run", "slot.nc", "--report", "a.json"});
+    const Ran specified = folder.run({"run", "slot.nc", "--report", "a.json"});
     // 60 mm at 500 mm/min
-    EXPECT_TRUE(contains(told.out, "feed 0:07 min, rapid")) << told.out;
+    EXPECT_TRUE(contains(specified.out, "feed 0:07 min, rapid")) << specified.out;
     EXPECT_DOUBLE_EQ(json::parse(folder.read("a.json"))["feed_seconds"], 7.2);
     std::string text(kSlot);
     text.erase(text.find(" F500."), 6);
@@ -312,15 +308,16 @@ TEST(Run, TellsHowLongAllOfItTakesAndByWhatModel) {
     folder.write("m.toml",
                  "[rapid]\nx = 6000\ny = 6000\nz = 6000\n[acceleration]\nx = 1000\ny = "
                  "1000\nz = 1000\n[time]\ntool_change = 20\n");
-    const Ran told = folder.run({"check", "slot.nc", "--machine", "m.toml"});
-    EXPECT_TRUE(contains(told.out, "the rest 0:23 min; as the machine is described")) << told.out;
+    const Ran specified = folder.run({"check", "slot.nc", "--machine", "m.toml"});
+    EXPECT_TRUE(contains(specified.out, "the rest 0:23 min; as the machine is described"))
+        << specified.out;
     // And run gives the same time as check.
     const Ran same = folder.run({"run", "slot.nc", "--machine", "m.toml", "--report", "a.json"});
     const auto time_of = [](const std::string& of) {
         const std::size_t at = of.find("0:", of.find("time    "));
         return of.substr(at, of.find('\n', at) - at);
     };
-    EXPECT_EQ(time_of(same.out), time_of(told.out)) << same.out;
+    EXPECT_EQ(time_of(same.out), time_of(specified.out)) << same.out;
     EXPECT_EQ(json::parse(folder.read("a.json"))["time_on_machine"]["other_seconds"], 22.5);
 }
 

@@ -14,10 +14,6 @@
 namespace ncsim::cli_test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
 }
@@ -153,19 +149,19 @@ TEST(Shards, ThatContradictEachOtherAreRefused) {
 TEST(Shards, TakeTheirNumberFromTheScheduler) {
     Folder folder;
     many_programs(folder);
-    const auto told = [&](const std::string& environment, const std::string& more = "") {
+    const auto specified = [&](const std::string& environment, const std::string& more = "") {
         return folder.shell(environment + " \"$0\" check --list list.txt --shard auto --out out " +
                             more);
     };
-    EXPECT_TRUE(contains(told("SLURM_ARRAY_TASK_ID=11 SLURM_ARRAY_TASK_MIN=10 "
-                              "SLURM_ARRAY_TASK_COUNT=4")
+    EXPECT_TRUE(contains(specified("SLURM_ARRAY_TASK_ID=11 SLURM_ARRAY_TASK_MIN=10 "
+                                   "SLURM_ARRAY_TASK_COUNT=4")
                              .out,
                          "shard 1 of 4: "));
-    EXPECT_TRUE(contains(told("JOB_COMPLETION_INDEX=2", "--shards 3").out, "shard 2 of 3: "));
-    EXPECT_TRUE(contains(told("CI_NODE_INDEX=3 CI_NODE_TOTAL=3").out, "shard 2 of 3: "));
-    EXPECT_EQ(told("JOB_COMPLETION_INDEX=2").exit_code, 2);
-    EXPECT_EQ(told("JOB_COMPLETION_INDEX=3", "--shards 3").exit_code, 2);
-    EXPECT_EQ(told("").exit_code, 2);
+    EXPECT_TRUE(contains(specified("JOB_COMPLETION_INDEX=2", "--shards 3").out, "shard 2 of 3: "));
+    EXPECT_TRUE(contains(specified("CI_NODE_INDEX=3 CI_NODE_TOTAL=3").out, "shard 2 of 3: "));
+    EXPECT_EQ(specified("JOB_COMPLETION_INDEX=2").exit_code, 2);
+    EXPECT_EQ(specified("JOB_COMPLETION_INDEX=3", "--shards 3").exit_code, 2);
+    EXPECT_EQ(specified("").exit_code, 2);
     for (const char* number : {"3/3", "-1/3", "1", "1/0", "1/x", "a/3", ""})
         EXPECT_EQ(
             folder.run({"check", "--list", "list.txt", "--shard", number, "--out", "o"}).exit_code,

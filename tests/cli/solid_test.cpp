@@ -17,10 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     Folder folder;
     folder.write("drill.nc",
@@ -32,9 +28,9 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     // 20 x 20 x 20 less a bore of 6 to where its tip starts, and that.
     const double pi = std::numbers::pi, tip = 3.0 / std::tan(59.0 * pi / 180.0);
     const double left = 8000.0 - 9.0 * pi * (10.0 - tip + tip / 3.0);
-    const std::string step = folder.read("a.step"), told = "VOLUME_MEASURE(";
-    ASSERT_TRUE(contains(step, told));
-    EXPECT_NEAR(std::stod(step.substr(step.find(told) + told.size())), left, 1e-6);
+    const std::string step = folder.read("a.step"), specified = "VOLUME_MEASURE(";
+    ASSERT_TRUE(contains(step, specified));
+    EXPECT_NEAR(std::stod(step.substr(step.find(specified) + specified.size())), left, 1e-6);
     const json report = json::parse(folder.read("a.json"));
     EXPECT_NEAR(report["step"]["volume_mm3"].get<double>(), left, 1e-3);
     EXPECT_TRUE(contains(ran.out, "step      8 faces: 6 planes, 1 cylinder, 1 cone; edges within"))

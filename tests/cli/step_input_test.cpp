@@ -29,10 +29,6 @@ constexpr const char* kAir =
     "G1 X30. F500.\n"
     "M30\n";
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // Written once for each run of the tests.
 std::string cases() {
     static const Folder folder;

@@ -11,10 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 constexpr const char* kTwoTools =
     "(T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
     "(T3 D=4. CR=2. - ZMIN=-2. - ball end mill)\n"
@@ -229,8 +225,8 @@ TEST(Tools, SayWhatMovesAtTiltedAnglesTellOfXYZ) {
                          "  tip     2 along the tool of xyzac-trt\n"
                          "  axes    0 along Z\n"))
         << ran.out;
-    const json told = json::parse(folder.run({"tools", "tip.nc", "--json"}).out)["plunges"];
-    EXPECT_EQ(told, json::parse(R"({"moves": 2, "along_z": 0,
+    const json specified = json::parse(folder.run({"tools", "tip.nc", "--json"}).out)["plunges"];
+    EXPECT_EQ(specified, json::parse(R"({"moves": 2, "along_z": 0,
                                     "tip": [{"machines": ["xyzac-trt"], "moves": 2}]})"));
     // By G43.4, of a table that counts the other way: the part turns by -A, by -C.
     folder.write("iso.nc", begin +

@@ -10,9 +10,9 @@
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/setup/machine_formats.h"
+#include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/simulate.h"
-#include "ncsim/simulation/take_machine.h"
 
 #include "entries.h"
 
@@ -48,7 +48,7 @@ struct Comparison {
     double exact = 0.0, off = 0.0;  ///< mm³; by how much rays have more.
     /// What rays tell; and what round tools may leave that those of the exact model, which are
     /// polygons, do not.
-    double told = 0.0, polygons = 0.0;
+    double specified = 0.0, polygons = 0.0;
     std::array<char, 200> why{};
 
     void say(const std::string& text) {
@@ -58,7 +58,7 @@ struct Comparison {
         std::ranges::replace(why, '\n', ' ');
     }
     /// The share of what is allowed.
-    double share() const { return std::abs(off) / std::max(told + polygons, 1e-300); }
+    double share() const { return std::abs(off) / std::max(specified + polygons, 1e-300); }
 };
 
 double longest_side(const cda::Box& box) {
@@ -72,11 +72,11 @@ double cut_area(cda::Boundary boundary) {
     return cda::area(boundary);
 }
 
-struct Told {
+struct Specified {
     std::string job, machine;  ///< Files; empty: none.
 };
 
-Comparison compare(const std::string& path, const Told& files) {
+Comparison compare(const std::string& path, const Specified& files) {
     setup::InputSet inputs;
     setup::JobOptions options;
     options.program = path;
@@ -84,7 +84,7 @@ Comparison compare(const std::string& path, const Told& files) {
     simulation::Plan plan;
     plan.job = setup::read_job(options, inputs);
     if (!files.machine.empty())
-        simulation::take_machine(plan, setup::read_machine(files.machine, inputs));
+        simulation::apply_machine(plan, setup::read_machine(files.machine, inputs));
     plan.threads = 1;
     plan.draft = true;
     plan.keep_boundary = true;
@@ -109,10 +109,10 @@ Comparison compare(const std::string& path, const Told& files) {
     const simulation::Simulation rays = simulation::simulate(plan, survey, {}, {});
     result.exact = exact.part_volume;
     result.off = rays.part_volume - exact.part_volume;
-    result.told = rays.part_volume_error;
+    result.specified = rays.part_volume_error;
     // A millionth of a millionth is what sums of doubles may be off by.
     const double rounding = 1e-12 * exact.stock_volume;
-    result.verdict = !(std::abs(result.off) <= result.told + result.polygons + rounding)
+    result.verdict = !(std::abs(result.off) <= result.specified + result.polygons + rounding)
                          ? Verdict::Beyond
                      : exact.part_volume == exact.stock_volume ? Verdict::NothingCut
                                                                : Verdict::Within;
@@ -125,7 +125,7 @@ void limit(int what, rlim_t most) {
 }
 
 // In a process of its own.
-Comparison compare_apart(const std::string& path, const Told& files, unsigned seconds) {
+Comparison compare_apart(const std::string& path, const Specified& files, unsigned seconds) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
     std::fflush(stdout);
@@ -166,7 +166,7 @@ Comparison compare_apart(const std::string& path, const Told& files, unsigned se
 
 int main(int argc, char** argv) {
     std::filesystem::path path;
-    Told files;
+    Specified files;
     std::uintmax_t largest = ~std::uintmax_t{0};
     unsigned seconds = 60;
     std::string only;
@@ -227,7 +227,7 @@ int main(int argc, char** argv) {
                 std::printf(": %s\n", c.why.data());
             } else {
                 std::printf(": %.1f mm3, by rays %+.4g, told %.4g, polygons %.4g at most\n",
-                            c.exact, c.off, c.told, c.polygons);
+                            c.exact, c.off, c.specified, c.polygons);
             }
             std::fflush(stdout);
         }

@@ -223,10 +223,11 @@ Made make_apart(const std::string& path, const std::filesystem::path& step, cons
     }
     ::close(ends[1]);
     // The last one that it told.
-    Made made, told;
+    Made made, specified;
     bool is_there = false;
-    while (::read(ends[0], &told, sizeof told) == static_cast<ssize_t>(sizeof told)) {
-        made = told;
+    while (::read(ends[0], &specified, sizeof specified) ==
+           static_cast<ssize_t>(sizeof specified)) {
+        made = specified;
         is_there = true;
     }
     ::close(ends[0]);

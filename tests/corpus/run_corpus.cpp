@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
         const gcode::SourceFile file{entry.name, read_file(entry.path)};
         gcode::InterpreterOptions options;
         options.strict = entry.status == "ok";
-        options.work_offsets_told.fill(true);  // all of them in the machine's zero
+        options.work_offsets_specified.fill(true);  // all of them in the machine's zero
         // What the reference machine was configured with.
         if (!entry.reference.empty()) {
             options.peck_clearance = 1.0;

@@ -225,7 +225,7 @@ std::unique_ptr<cda::WorkpieceModel> BoxModel::create(const cda::Cell&, const cd
 double BoxModel::subtract(const cda::Cell&) {
     return 0.0;
 }
-cda::Account BoxModel::account() const {
+cda::RemovalByMotion BoxModel::account() const {
     return {};
 }
 

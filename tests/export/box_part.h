@@ -48,7 +48,7 @@ public:
     std::unique_ptr<cda::WorkpieceModel> create(const cda::Cell& stock,
                                                 const cda::Lattice& lattice) const override;
     double subtract(const cda::Cell& cell) override;
-    cda::Account account() const override;
+    cda::RemovalByMotion account() const override;
     void render(cda::FacetCanvas& canvas) const override;
     std::unique_ptr<cda::WorkpieceModel> clone() const override;
     double volume() const override { return cda::volume(boundary()); }

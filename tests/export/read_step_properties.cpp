@@ -70,13 +70,13 @@ int main(int argc, char** argv) {
     BRepGProp::VolumeProperties(shape, volume, 1e-9);
     BRepGProp::SurfaceProperties(shape, area, 1e-9);
     constexpr double kSame = 1e-7;
-    double told = 0.0;
-    expect(XCAFDoc_Volume::Get(part, told), "no volume is told");
-    expect(std::abs(told - volume.Mass()) < kSame * told,
-           "volume " + std::to_string(told) + ", not " + std::to_string(volume.Mass()));
-    expect(XCAFDoc_Area::Get(part, told), "no area is told");
-    expect(std::abs(told - area.Mass()) < kSame * told,
-           "area " + std::to_string(told) + ", not " + std::to_string(area.Mass()));
+    double specified = 0.0;
+    expect(XCAFDoc_Volume::Get(part, specified), "no volume is told");
+    expect(std::abs(specified - volume.Mass()) < kSame * specified,
+           "volume " + std::to_string(specified) + ", not " + std::to_string(volume.Mass()));
+    expect(XCAFDoc_Area::Get(part, specified), "no area is told");
+    expect(std::abs(specified - area.Mass()) < kSame * specified,
+           "area " + std::to_string(specified) + ", not " + std::to_string(area.Mass()));
     gp_Pnt centre;
     expect(XCAFDoc_Centroid::Get(part, centre), "no centroid is told");
     const double off = centre.Distance(volume.CentreOfMass());

@@ -376,14 +376,14 @@ TEST(Render, AGhostIsPaleAndItsEdgesAreSeenWhereNothingStands) {
     for (const Background background : {Background::White, Background::Dark}) {
         RenderOptions options = options_for(boundary, View::Top);
         options.background = background;
-        const Image told = render_boundary(boundary, {}, options);
+        const Image specified = render_boundary(boundary, {}, options);
         options.ghost_stock = true;
         const Image pale = render_boundary(boundary, {}, options);
         // Nearer to the background, and not it.
         const auto contrast = [&](const Image& image) {
             return difference(image.at(200, 150), image.at(0, 0));
         };
-        EXPECT_LT(contrast(pale), contrast(told));
+        EXPECT_LT(contrast(pale), contrast(specified));
         EXPECT_GT(contrast(pale), 10);
         const auto ink = [&](const cda::Box& box) {
             return path_pixels(render_boundary(boundary, {}, options, {{}, {}, {{box}}}), pale);

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.strict = (data[0] & 0x40) != 0;
     options.block_delete = (data[0] & 0x80) != 0;
     options.tools = {
-        {.number = 1, .offset = {}, .length_told = false, .diameter = Length::from_mm(1.0)}};
+        {.number = 1, .offset = {}, .length_specified = false, .diameter = Length::from_mm(1.0)}};
     options.limits = {.repeated_blocks = 3000, .call_depth = 20};
     options.read_file = [&](std::string_view name) -> std::optional<SourceFile> {
         if (name.size() > 1) return std::nullopt;

@@ -18,7 +18,7 @@
 namespace ncsim::gcode {
 namespace {
 
-enum class By : unsigned char { Default, Strict, Fanuc, Haas, Grbl, Untold };
+enum class By : unsigned char { Default, Strict, Fanuc, Haas, Grbl, Unspecified };
 
 struct Case {
     const char* what;
@@ -40,8 +40,8 @@ std::string made_of(const Case& c) {
     options.limits.repeated_blocks = 20;
     options.limits.call_depth = 5;
     options.work_offsets[0].z = Length::from_mm(-300);  // home is above the part
-    options.work_offsets_told.fill(c.by != By::Untold);
-    if (c.by == By::Untold) options.work_offsets.fill(options.work_offsets[0]);
+    options.work_offsets_specified.fill(c.by != By::Unspecified);
+    if (c.by == By::Unspecified) options.work_offsets.fill(options.work_offsets[0]);
     ToolTableEntry tool;
     tool.number = 1;
     tool.offset[2] = Length::from_mm(50);
@@ -459,9 +459,9 @@ TEST(Traps, AreNotSteppedInto) {
          "feed X0 Y0 Z0 F100"},
         {"18 after it it does not", By::Default, "G1 X1~G10 L2 P1 X10~G1 X0",
          "feed X1 Y0 Z0 F100; feed X10 Y0 Z0 F100"},
-        {"18 what nobody told", By::Untold, "G1 X1~G55 G0 X3",
+        {"18 what nobody told", By::Unspecified, "G1 X1~G55 G0 X3",
          "feed X1 Y0 Z0 F100; rapid X3 Y0 Z0 ! offset-unknown"},
-        {"18 the system that it cuts in", By::Untold, "G55 G0 X3~G1 X4",
+        {"18 the system that it cuts in", By::Unspecified, "G55 G0 X3~G1 X4",
          "rapid X3 Y0 Z0; feed X4 Y0 Z0 F100 ! offset-unknown"},
         {"18 G10 with rotation", By::Default, "G10 L2 P1 R90~G0 X10", "rapid X0 Y10 Z0"},
         {"18 P0 is the active system", By::Default, "G55~G10 L2 P0 X3~G0 X0", "rapid X3 Y0 Z0"},

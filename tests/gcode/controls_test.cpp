@@ -41,7 +41,7 @@ Made run(const std::string& program, Dialect dialect) {
     options.dialect = dialect;
     options.tools.push_back({.number = 1,
                              .offset = {Length(), Length(), Length::from_mm(7)},
-                             .length_told = true,
+                             .length_specified = true,
                              .diameter = Length::from_mm(4.0)});
     made.result = interpret({"t.nc", program}, options, [&](const Motion& motion) {
         const Position* end = end_of(motion);
@@ -252,8 +252,10 @@ TEST(Controls, RegistersOfCompensationComeBeforeTheDiameterOfTheTool) {
     const auto radius = [&](std::optional<double> mm, const std::string& text) {
         InterpreterOptions options;
         options.dialect = Dialect::Fanuc;
-        options.tools.push_back(
-            {.number = 1, .offset = {}, .length_told = true, .diameter = Length::from_mm(4.0)});
+        options.tools.push_back({.number = 1,
+                                 .offset = {},
+                                 .length_specified = true,
+                                 .diameter = Length::from_mm(4.0)});
         if (mm) options.compensation[1] = Length::from_mm(*mm);
         double y = 0.0;
         const Interpretation made = interpret({"t.nc", text}, options, [&](const Motion& motion) {
@@ -530,6 +532,20 @@ TEST(Controls, TheModeBeforeG90AndG91IsAGuessUnlessSomethingDecides) {
     EXPECT_TRUE(guess("G3 X0 Y10 I0 J5\nG0 Z5\n", Dialect::Auto));  // fits both
     EXPECT_TRUE(guess("G0 X3\nG3 X1 Y1 R50\nG0 Z5\n", Dialect::Auto));
     EXPECT_TRUE(guess(quarter + "G3 X-10 Y10 I-10\n", Dialect::Auto));
+}
+
+TEST(Controls, AFeedWithG20IsInTheUnitsBeforeOnLinuxCncAlone) {
+    const auto feed = [](Dialect dialect) {
+        InterpreterOptions options;
+        options.dialect = dialect;
+        double last = 0.0;
+        interpret({"t.nc", "G21 G90 F100\nG0 X0 Y0 Z0\nG20 F6\nG1 X.5\nM30\n"}, options,
+                  [&last](const Motion& motion) { last = motion.feed; });
+        return last;
+    };
+    EXPECT_NEAR(feed(Dialect::Rs274), 6.0, 1e-9);
+    for (const Dialect dialect : {Dialect::Auto, Dialect::Fanuc, Dialect::Haas, Dialect::Grbl})
+        EXPECT_NEAR(feed(dialect), 152.4, 1e-9) << name_of(dialect);
 }
 
 // --- Documentation -----------------------------------------------------------------------------

@@ -51,8 +51,8 @@ std::string motions_of(const SourceFile& file, const fs::path& directory) {
         }
     }
     options.tools = {
-        {.number = 1, .offset = {}, .length_told = false, .diameter = Length::from_mm(10.0)}};
-    options.work_offsets_told.fill(head.find("offsets: told") != std::string::npos);
+        {.number = 1, .offset = {}, .length_specified = false, .diameter = Length::from_mm(10.0)}};
+    options.work_offsets_specified.fill(head.find("offsets: told") != std::string::npos);
     options.read_file = [&](std::string_view name) -> std::optional<SourceFile> {
         const fs::path path = directory / (std::string(name) + ".sub");
         if (!fs::exists(path)) return std::nullopt;
@@ -95,8 +95,10 @@ TEST_P(BadProgram, IsRefusedWithTheMessageInItsFirstLine) {
     InterpreterOptions options;
     options.strict = first_line(file.text).find("strict: ") != std::string::npos;
     if (options.strict) {
-        options.tools = {
-            {.number = 1, .offset = {}, .length_told = false, .diameter = Length::from_mm(10.0)}};
+        options.tools = {{.number = 1,
+                          .offset = {},
+                          .length_specified = false,
+                          .diameter = Length::from_mm(10.0)}};
     }
     const Interpretation result = interpret(file, options, {});
     const auto error =

@@ -114,12 +114,12 @@ TEST(ModePairs, LeadToThePlacesOfTheirFormulas) {
             options.dialect = Dialect::Fanuc;
             options.work_offsets[0] = position(kG54);
             options.work_offsets[1] = position(kG55);
-            options.work_offsets_told[0] = options.work_offsets_told[1] = true;
+            options.work_offsets_specified[0] = options.work_offsets_specified[1] = true;
             options.homes[0] = position(kHome);
             options.start = {Length(), Length(), Length()};
             options.tools.push_back({.number = 1,
                                      .offset = {Length(), Length(), Length::from_mm(kLength)},
-                                     .length_told = true,
+                                     .length_specified = true,
                                      .diameter = Length::from_mm(4.0)});
             Position last;
             std::vector<double> machine_z;  // of places in machine coordinates

@@ -31,10 +31,10 @@ std::string motions_of(const std::string& text, const Mode& mode) {
     InterpreterOptions options;
     options.dialect = mode.dialect;
     options.strict = mode.strict;
-    options.work_offsets_told.fill(true);
+    options.work_offsets_specified.fill(true);
     options.tools = {
-        {.number = 1, .offset = {}, .length_told = true, .diameter = Length::from_mm(6.0)},
-        {.number = 2, .offset = {}, .length_told = true, .diameter = Length::from_mm(1.0)}};
+        {.number = 1, .offset = {}, .length_specified = true, .diameter = Length::from_mm(6.0)},
+        {.number = 2, .offset = {}, .length_specified = true, .diameter = Length::from_mm(1.0)}};
     std::string out;
     const Interpretation result = interpret({"p.nc", text}, options, [&](const Motion& motion) {
         std::string line;

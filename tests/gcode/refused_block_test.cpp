@@ -25,7 +25,7 @@ InterpreterOptions options_of(const Rules& rules) {
     options.homes[0].z = Length::from_mm(300);
     options.tools = {{.number = 1,
                       .offset = {Length(), Length(), Length::from_mm(50)},
-                      .length_told = true,
+                      .length_specified = true,
                       .diameter = Length::from_mm(4)}};
     return options;
 }

@@ -65,7 +65,7 @@ std::vector<double> numbers_of(const Position& p) {
 std::vector<Event> events_of(const Recorded& program, bool& has_errors) {
     InterpreterOptions options;
     options.strict = true;
-    options.work_offsets_told.fill(true);
+    options.work_offsets_specified.fill(true);
     for (auto& start : options.start)
         start = Length();
     const double diameters[] = {6.0, 5.0, 10.0};
@@ -75,7 +75,7 @@ std::vector<Event> events_of(const Recorded& program, bool& has_errors) {
         tool.number = i + 1;
         tool.offset[0] = Length::from_mm(i == 2 ? 2.54 : 0.0);
         tool.offset[2] = Length::from_mm(lengths[i]);
-        tool.length_told = true;
+        tool.length_specified = true;
         tool.diameter = Length::from_mm(diameters[i]);
         options.tools.push_back(tool);
     }

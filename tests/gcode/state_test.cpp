@@ -26,7 +26,7 @@ Made run(const std::string& program, InterpreterOptions options = {}) {
     Made made;
     options.tools.push_back({.number = 1,
                              .offset = {Length(), Length(), Length::from_mm(7)},
-                             .length_told = true,
+                             .length_specified = true,
                              .diameter = Length::from_mm(10.0)});
     made.result = interpret({"t.nc", program}, options, [&](const Motion& motion) {
         print(made.motions, motion);
@@ -109,17 +109,17 @@ TEST(Workpiece, IsTheCoordinateSystemOfTheFirstCut) {
 TEST(Workpiece, HasOtherSystemsAsFarAwayAsToldOrTellsThatNobodyDid) {
     const std::string program =
         "G21 G90 F100\nG54 G0 X0 Y0 Z5\nG1 Z-1\nG0 Z5\nG55 X1 Y2\nG1 Z-3\nM2\n";
-    const Made untold = run(program);
-    EXPECT_TRUE(says(untold, "offset-unknown"));
-    EXPECT_EQ(last_line(untold.motions), "L6 feed X1 Y2 Z-3 F100\n");
+    const Made unspecified = run(program);
+    EXPECT_TRUE(says(unspecified, "offset-unknown"));
+    EXPECT_EQ(last_line(unspecified.motions), "L6 feed X1 Y2 Z-3 F100\n");
 
     InterpreterOptions options;
     options.work_offsets[0] = at(-100, -50, -300);
     options.work_offsets[1] = at(100, -50, -310);
-    options.work_offsets_told[0] = options.work_offsets_told[1] = true;
-    const Made told = run(program, options);
-    EXPECT_FALSE(says(told, "offset-unknown"));
-    EXPECT_EQ(last_line(told.motions), "L6 feed X201 Y2 Z-13 F100\n");
+    options.work_offsets_specified[0] = options.work_offsets_specified[1] = true;
+    const Made specified = run(program, options);
+    EXPECT_FALSE(says(specified, "offset-unknown"));
+    EXPECT_EQ(last_line(specified.motions), "L6 feed X201 Y2 Z-13 F100\n");
 
     // Both set by the program: nobody else is needed.
     const Made set = run("G10 L2 P1 X-100 Y0 Z-300\nG10 L2 P2 X-80 Y0 Z-300\n" + program);
@@ -136,7 +136,7 @@ TEST(Workpiece, HasOtherSystemsAsFarAwayAsToldOrTellsThatNobodyDid) {
 
 TEST(Workpiece, TakesExtendedSystemsThatAreTold) {
     InterpreterOptions options;
-    options.work_offsets_told[0] = true;
+    options.work_offsets_specified[0] = true;
     options.extended_offsets[7] = at(40, 0, 0);
     const std::string program = "G21 G90 F100\nG0 X0 Y0 Z5\nG1 Z-1\nG54.1 P7 G0 X1\nG1 X2\nM2\n";
     const Made made = run(program, options);
@@ -164,7 +164,7 @@ InterpreterOptions with_home() {
 InterpreterOptions with_offset(std::size_t index, Position origin) {
     InterpreterOptions options = with_home();
     options.work_offsets[index] = origin;
-    options.work_offsets_told[index] = true;
+    options.work_offsets_specified[index] = true;
     return options;
 }
 

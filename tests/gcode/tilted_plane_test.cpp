@@ -63,15 +63,15 @@ struct Made {
     }
 };
 
-Made run(const std::string& program, Dialect dialect = Dialect::Fanuc, bool told = true,
+Made run(const std::string& program, Dialect dialect = Dialect::Fanuc, bool specified = true,
          const TableOffsets& offsets = {}) {
     InterpreterOptions options;
     options.fixture_offsets = options.setting_errors = offsets;
-    if (told) options.joints = std::make_shared<ATable>();
+    if (specified) options.joints = std::make_shared<ATable>();
     options.tip_control = {{{428, Coordinates::Tip}, {429, Coordinates::Axes}}, true, true};
     options.dialect = dialect;
     options.tools.push_back(
-        {.number = 1, .offset = {}, .length_told = true, .diameter = Length::from_mm(4.0)});
+        {.number = 1, .offset = {}, .length_specified = true, .diameter = Length::from_mm(4.0)});
     Made made;
     made.result = interpret({"t.nc", "G21 G90 G17 G94 F100\nG0 X0 Y0 Z0\n" + program}, options,
                             [&](const Motion& motion) {

@@ -22,16 +22,16 @@ struct Made {
     }
 };
 
-TipControl told() {
+TipControl specified() {
     return {{{428, Coordinates::Tip}, {429, Coordinates::Axes}}, true, false};
 }
 
-Made run(const std::string& program, TipControl tip_control = told()) {
+Made run(const std::string& program, TipControl tip_control = specified()) {
     InterpreterOptions options;
     options.tip_control = std::move(tip_control);
     options.tools.push_back({.number = 1,
                              .offset = {Length(), Length(), Length::from_mm(70)},
-                             .length_told = true,
+                             .length_specified = true,
                              .diameter = Length::from_mm(10.0)});
     Made made;
     made.result =
@@ -59,7 +59,7 @@ TEST(TipControl, BeginsAndEndsWithTheWordsOfTheMachine) {
 }
 
 TEST(TipControl, MayBeThereFromTheStart) {
-    TipControl from_start = told();
+    TipControl from_start = specified();
     from_start.at_start = Coordinates::Tip;
     const Made made = run("G0 X1 Y2 Z3\nG1 X4 A10\nG1 A0\nM429\nG1 X5\n", from_start);
     ASSERT_EQ(made.moves.size(), 4U);
@@ -119,7 +119,7 @@ TEST(TipControl, APlaceOfTheMachineIsNoPlaceOfTheTipThen) {
 TEST(TipControl, G43_4WithTurnedAxesNeedsToKnowWhatTurnsWithTheTable) {
     const std::string program = "G0 X1 Y2 Z3 A10\nG43.4 H1\nG1 X4 Y5 Z6\n";
     EXPECT_TRUE(run(program).result.stopped);
-    TipControl at_zero = told();
+    TipControl at_zero = specified();
     at_zero.frame_at_zero = true;
     const Made made = run(program, at_zero);
     EXPECT_FALSE(made.result.stopped);

@@ -38,7 +38,7 @@ set(headers_cda base:int128 base:mix base:vec base:tile_number exact:origin poly
 set(headers_toolpath polytope:pose polytope:side)
 set(headers_brep geometry:spline_surface geometry:facets)
 set(headers_export render:image render:render_options formats:moving_scene mesh:simplified)
-set(headers_setup machines:told_kinematics job:job_options)
+set(headers_setup machines:specified_kinematics job:job_options)
 # Values that all floors hand on: every floor may include the public headers of these libraries.
 set(open_headers gcode)
 

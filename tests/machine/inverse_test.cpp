@@ -25,7 +25,7 @@ bool has(const std::vector<Turns>& found, std::size_t i, double qi, std::size_t 
 
 TEST(Inverse, FindsBothWaysOfACradle) {
     const Vec3 axis = normalized({0.557571, -0.769406, 0.311655});
-    const auto found = turns_for(*preset("xyzac-trt"), axis);
+    const auto found = orientation_solutions(*preset("xyzac-trt"), axis);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_TRUE(has(found, kA, -71.841, kC, -35.93));
     EXPECT_TRUE(has(found, kA, 71.841, kC, 144.07));
@@ -33,26 +33,27 @@ TEST(Inverse, FindsBothWaysOfACradle) {
 
 TEST(Inverse, FindsBothWaysOfANutatingHead) {
     const Vec3 axis{0.362497596587, 0.298106103092, 0.883022221559};
-    const auto found = turns_for(*preset("nutating-cb"), axis);
+    const auto found = orientation_solutions(*preset("nutating-cb"), axis);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_TRUE(has(found, kB, 40, kC, 25));
     EXPECT_TRUE(has(found, kB, -40, kC, -126.134489913));
-    EXPECT_TRUE(turns_for(*preset("nutating-cb"), normalized({0.3, 0.2, -0.1})).empty());
+    EXPECT_TRUE(
+        orientation_solutions(*preset("nutating-cb"), normalized({0.3, 0.2, -0.1})).empty());
 }
 
 TEST(Inverse, OfTheFrameOfG68_2) {
     const Vec3 z = normalized({0.321393805, -0.556670399, 0.766044443});
     const Chain table{{joint_of('C', true, {0, 0, 1}), joint_of('A', true, {1, 0, 0})}};
-    EXPECT_TRUE(has(turns_for(table, z), kA, 40, kC, 30));
+    EXPECT_TRUE(has(orientation_solutions(table, z), kA, 40, kC, 30));
     const Chain head{{joint_of('C', true, {0, 0, 1}), joint_of('B', true, {0, 1, 0})}};
-    EXPECT_TRUE(has(turns_for(head, z), kB, 40, kC, -60));
-    EXPECT_TRUE(has(turns_for(head, z), kB, -40, kC, 120));
+    EXPECT_TRUE(has(orientation_solutions(head, z), kB, 40, kC, -60));
+    EXPECT_TRUE(has(orientation_solutions(head, z), kB, -40, kC, 120));
 }
 
 TEST(Inverse, StaysWhereItIsWhereOneJointIsFree) {
     Values now{};
     now[kC] = 77.0;
-    const auto found = turns_for(*preset("xyzac-trt"), {0, 0, 1}, now);
+    const auto found = orientation_solutions(*preset("xyzac-trt"), {0, 0, 1}, now);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(found[0].singular);
     EXPECT_EQ(found[0].values[kA], 0.0);
@@ -60,10 +61,10 @@ TEST(Inverse, StaysWhereItIsWhereOneJointIsFree) {
 }
 
 TEST(Inverse, OfOneJointIsThatOneOrNone) {
-    const auto found = turns_for(*preset("4axis-a"), {0, -0.6, 0.8});
+    const auto found = orientation_solutions(*preset("4axis-a"), {0, -0.6, 0.8});
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(found[0].values[kA], 36.86989764584402, 1e-12);
-    EXPECT_TRUE(turns_for(*preset("4axis-a"), {0.6, 0, 0.8}).empty());
+    EXPECT_TRUE(orientation_solutions(*preset("4axis-a"), {0.6, 0, 0.8}).empty());
 }
 
 TEST(Inverse, LinearJointsOfOnePlaneReachNothing) {
@@ -111,7 +112,7 @@ TEST(Inverse, UndoesForwardOnAnyMachine) {
         values[kC] = random.within(-180, 180);
         const Pose X_WT = chain.pose(values);
         const Vec3 axis = axis_of(X_WT);
-        const auto ways = turns_for(chain, axis, values);
+        const auto ways = orientation_solutions(chain, axis, values);
         ASSERT_FALSE(ways.empty()) << i;
         ++count;
         bool is_back = false;

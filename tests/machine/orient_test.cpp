@@ -72,12 +72,12 @@ TEST(Orient, StaysWithinTheTravels) {
 
 TEST(Orient, GoesTheWayThatIsAskedFor) {
     const Chain table = with_iso_signs(*preset("xyzac-trt"));
-    expect(orient(table, kNormal, at(50, 0, 0), {}, Prefer::WayUp), kA, 320, kC, -150);
-    expect(orient(table, kNormal, at(50, 0, 0), {}, Prefer::WayDown), kA, 40, kC, 30);
-    expect(orient(table, kNormal, at(0, 0, 0), {{'A', {-180, 180}}}, Prefer::StandDown), kA, -40,
-           kC, -150);
-    expect(orient(table, kNormal, at(-40, 0, 0), {{'A', {-180, 180}}}, Prefer::StandUp), kA, 40, kC,
-           30);
+    expect(orient(table, kNormal, at(50, 0, 0), {}, SolutionPreference::WayUp), kA, 320, kC, -150);
+    expect(orient(table, kNormal, at(50, 0, 0), {}, SolutionPreference::WayDown), kA, 40, kC, 30);
+    expect(orient(table, kNormal, at(0, 0, 0), {{'A', {-180, 180}}}, SolutionPreference::StandDown),
+           kA, -40, kC, -150);
+    expect(orient(table, kNormal, at(-40, 0, 0), {{'A', {-180, 180}}}, SolutionPreference::StandUp),
+           kA, 40, kC, 30);
 }
 
 TEST(Orient, LeavesAFreeJointWhereItIs) {

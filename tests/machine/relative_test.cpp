@@ -73,7 +73,7 @@ TEST(Relative, NoPointGoesFartherThanItsBounds) {
         for (const char letter : std::string_view("CAXYZB")) {
             if (!random.one_in(3)) chain.joints.push_back(random_joint(random, letter));
         }
-        Going going;
+        JointMotion going;
         going.from = random_values(random, 100.0, 180.0);
         const Values by = random_values(random, 20.0, random.one_in(2) ? 5.0 : 90.0);
         for (std::size_t k = 0; k < 6; ++k)

@@ -59,8 +59,8 @@ void straight_ways(std::uint64_t seed) {
     cda::TreeCda measured(stock, test::kLattice);
     cda::TreeCda booked(stock, test::kLattice,
                         {static_cast<std::uint32_t>(random.between(8, 120)), 1, batch});
-    booked.keep_account();
-    cda::Account taken;
+    booked.track_removal();
+    cda::RemovalByMotion taken;
     std::vector<cda::Cell> before;
     for (const test::StraightWay& way :
          test::straight_ways(seed, static_cast<int>(random.between(1, 12)))) {

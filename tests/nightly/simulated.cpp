@@ -34,7 +34,7 @@ simulation::Simulation ProgramFile::run(const Program& program,
     words.insert(words.end(), program.arguments.begin(), program.arguments.end());
     words.insert(words.end(), more.begin(), more.end());
     app::Command command = app::parse_options(words);
-    if (const auto* farewell = std::get_if<app::Farewell>(&command)) {
+    if (const auto* farewell = std::get_if<app::EarlyExit>(&command)) {
         throw std::runtime_error("the options are refused: " + farewell->text);
     }
     setup::InputSet inputs;

@@ -12,16 +12,16 @@
 namespace ncsim::setup {
 namespace {
 
-class Told : public InputSet {
+class Specified : public InputSet {
 public:
     std::string text;
     std::string read(const std::string&, std::uintmax_t) override { return text; }
 };
 
 MachineFile read(const std::string& text) {
-    Told told;
-    told.text = text;
-    return read_machine("m.fcm", told);
+    Specified specified;
+    specified.text = text;
+    return read_machine("m.fcm", specified);
 }
 
 std::string axis(const std::string& letter, const std::string& role, const std::string& along,
@@ -61,7 +61,7 @@ TEST(FreeCad, OfATableOfTwo) {
     // The table turns by the right hand: the tool against it the other way.
     EXPECT_EQ(file.kinematics->chain.find('C')->direction, (cda::Vec3{0, 0, -1}));
     EXPECT_FALSE(file.kinematics->guess.empty());
-    EXPECT_EQ(file.kinematics->untold_pivots, "A");
+    EXPECT_EQ(file.kinematics->unspecified_pivots, "A");
 }
 
 TEST(FreeCad, OfAHead) {

@@ -20,9 +20,9 @@ public:
 };
 
 MachineFile read_fusion(const std::string& text) {
-    FusionText told;
-    told.text = text;
-    return read_machine("m.machine", told);
+    FusionText specified;
+    specified.text = text;
+    return read_machine("m.machine", specified);
 }
 
 std::string fusion_axis(const std::string& letter, const std::string& link,
@@ -69,7 +69,7 @@ TEST(FusionMachine, TellsItsAxesAndLimits) {
     EXPECT_EQ(letters, "CAYXZ");
     EXPECT_EQ(file.kinematics->chain.find('A')->through, (cda::Vec3{0, 25.4, 5}));
     EXPECT_EQ(file.kinematics->chain.find('A')->direction, (cda::Vec3{-1, 0, 0}));
-    EXPECT_EQ(file.kinematics->untold_pivots, "C");
+    EXPECT_EQ(file.kinematics->unspecified_pivots, "C");
     EXPECT_NE(file.kinematics->guess, "");
     EXPECT_EQ(file.kinematics->travels.at('A').max, 30);
     // Nothing turns: nothing is guessed.
@@ -133,7 +133,7 @@ TEST(FusionMachine, ReadsATableOnATable) {
     for (const machine::Joint& j : file.kinematics->chain.joints)
         letters += j.letter;
     EXPECT_EQ(letters, "CAYXZ");
-    EXPECT_EQ(file.kinematics->untold_pivots, "");
+    EXPECT_EQ(file.kinematics->unspecified_pivots, "");
     EXPECT_EQ(file.kinematics->travels.at('A').min, -120);
     EXPECT_FALSE(file.kinematics->travels.contains('C'));  // without ends
     EXPECT_EQ(file.machine.rapid[2], 30'000);
@@ -161,7 +161,7 @@ TEST(FusionMachine, ReadsAHeadAndATable) {
     for (const machine::Joint& j : file.kinematics->chain.joints)
         letters += j.letter;
     EXPECT_EQ(letters, "CXYZB");
-    EXPECT_EQ(file.kinematics->untold_pivots, "");
+    EXPECT_EQ(file.kinematics->unspecified_pivots, "");
     EXPECT_EQ(file.kinematics->travels.at('B').max, 110);
     EXPECT_NE(file.kinematics->guess, "");
     // On paper: the head turns the nose, 200 below its axis, towards -X; the table turns that about

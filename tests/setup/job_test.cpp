@@ -20,7 +20,7 @@ TEST(Job, OfATextHasWhatItsCommentsTell) {
     const Job job = job_of({"a.nc", kText});
     EXPECT_EQ(job.program.name, "a.nc");
     ASSERT_EQ(job.tools.size(), 1U);
-    EXPECT_EQ(job.tools[0].told_by, toolpath::ToldBy::Comment);
+    EXPECT_EQ(job.tools[0].specified_by, toolpath::ValueSource::Comment);
     EXPECT_EQ(job.tools[0].spec.diameter, 6.0);
     ASSERT_TRUE(job.stock);
     EXPECT_EQ(job.stock->box.size(), (cda::Vec3{40, 30, 10}));
@@ -39,7 +39,7 @@ TEST(Job, OptionsComeBeforeComments) {
     options.tools[0].diameter = 4.0;
     const Job job = job_of({"a.nc", kText}, options);
     ASSERT_EQ(job.tools.size(), 1U);
-    EXPECT_EQ(job.tools[0].told_by, toolpath::ToldBy::Option);
+    EXPECT_EQ(job.tools[0].specified_by, toolpath::ValueSource::Option);
     EXPECT_EQ(job.tools[0].spec.diameter, 4.0);
     EXPECT_EQ(job.start, (cda::Vec3{1, 2, 3}));
     EXPECT_EQ(job.interpreter.default_units, gcode::DefaultUnits::Inches);

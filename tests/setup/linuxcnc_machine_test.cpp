@@ -16,7 +16,7 @@ namespace {
 using machine::Values;
 
 // Files that are told.
-class Told : public InputSet {
+class Specified : public InputSet {
 public:
     std::map<std::string, std::string> files;
     std::string read(const std::string& path, std::uintmax_t) override {
@@ -28,10 +28,10 @@ public:
 };
 
 MachineFile read(const std::string& text, const std::map<std::string, std::string>& more = {}) {
-    Told told;
-    told.files = more;
-    told.files["m.ini"] = text;
-    return read_machine("m.ini", told);
+    Specified specified;
+    specified.files = more;
+    specified.files["m.ini"] = text;
+    return read_machine("m.ini", specified);
 }
 
 void expect_tip(const MachineFile& file, double length, const Values& values, double x, double y,

@@ -79,7 +79,7 @@ TEST(UrdfMachine, IsTheChainThatItsJointsTell) {
     EXPECT_EQ(file.machine.name, "mill");
     ASSERT_TRUE(file.kinematics);
     EXPECT_EQ(file.kinematics->guess, "");
-    EXPECT_EQ(file.kinematics->untold_pivots, "");
+    EXPECT_EQ(file.kinematics->unspecified_pivots, "");
     std::string letters;
     for (const machine::Joint& j : file.kinematics->chain.joints)
         letters += j.letter;

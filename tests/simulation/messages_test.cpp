@@ -37,9 +37,9 @@ constexpr Case kCases[] = {
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Y0 Z1\nT0 M6\nG1 Z-1 F100\nX9\nM2\n",
      false, "spindle-empty: T0 left the spindle empty before this cut: call a tool"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
-     "axis-untold: the program never sets Y; taken as 0 (--start)"},
+     "axis-unknown: the program never sets Y; taken as 0 (--start)"},
     {"G21 G90\nG0 X0 Y0\nG1 X9 F100\nM2\n", true,
-     "axis-untold: the program never sets Z; taken as 0 (--start), and the program is drawn as a "
+     "axis-unknown: the program never sets Z; taken as 0 (--start), and the program is drawn as a "
      "path"},
     {"G21 G90\nM2\n", false, "no-motion: the program makes no move"},
     {"G21 G90\nG0 X1 Y1 Z1\nX2\nM2\n", false,

@@ -143,8 +143,8 @@ TEST(Simulation, EachLineOfAStraightWayIsToldWhatItTook) {
         EXPECT_GT(measured.removed_by_block.size(), 100U);
         for (const auto& [place, volume] : measured.removed_by_block) {
             const auto found = booked.removed_by_block.find(place);
-            const double told = found == booked.removed_by_block.end() ? 0.0 : found->second;
-            EXPECT_NEAR(told, volume, 1e-9) << place.second;
+            const double specified = found == booked.removed_by_block.end() ? 0.0 : found->second;
+            EXPECT_NEAR(specified, volume, 1e-9) << place.second;
         }
     }
 }
@@ -237,7 +237,7 @@ TEST(Check, OfALoopWithoutEndJudgesItsBeginning) {
     Plan plan = plan_of(kTool + kStock +
                         "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y120. Z5.\nWHILE [1 EQ 1] DO1\n"
                         "G0 X-6.\nX-5.\nEND1\nM30\n");
-    plan.job.interpreter.work_offsets_told[0] = true;
+    plan.job.interpreter.work_offsets_specified[0] = true;
     plan.job.interpreter.limits.repeated_blocks = 4000;
     const report::Checked checked = check(std::move(plan), questions);
     EXPECT_EQ(checked.outcome, verify::Outcome::Failed);

@@ -18,7 +18,7 @@ using gcode::Linear;
 using gcode::Motion;
 
 struct Taken {
-    std::vector<Motion> told, handed_on;
+    std::vector<Motion> specified, handed_on;
     double most_moved_mm = 0.0;
 };
 
@@ -29,7 +29,7 @@ Taken take(const std::string& moves) {
         taken.most_moved_mm = std::max(taken.most_moved_mm, moved_mm);
     });
     gcode::interpret({"runs.nc", "G21 G90 G17 F300\n" + moves}, {}, [&](const Motion& motion) {
-        taken.told.push_back(motion);
+        taken.specified.push_back(motion);
         runs.take(motion);
     });
     runs.flush();
@@ -55,17 +55,17 @@ TEST(UprightRuns, PutRoundedLinesIntoOnePlane) {
     const Taken taken = take(
         "G0 X0 Y0 Z5\nG1 Z0\nG1 X0.051 Y-0.041 Z-0.1\nG1 X0.11 Y-0.088 Z-0.15\n"
         "G1 X0.176 Y-0.142 Z-0.2\nG1 X10 Y-8\n");
-    ASSERT_EQ(taken.handed_on.size(), taken.told.size());
-    const std::size_t first = taken.told.size() - 4, last = first + 2;
-    EXPECT_GT(off_plane(taken.told, first, last), 1e-5);
+    ASSERT_EQ(taken.handed_on.size(), taken.specified.size());
+    const std::size_t first = taken.specified.size() - 4, last = first + 2;
+    EXPECT_GT(off_plane(taken.specified, first, last), 1e-5);
     EXPECT_LT(off_plane(taken.handed_on, first, last), 1e-12);
     EXPECT_GT(taken.most_moved_mm, 1e-5);
     EXPECT_LE(taken.most_moved_mm, UprightRuns::kRoundedMm);
-    EXPECT_EQ(line(taken.handed_on[first]).from, line(taken.told[first]).from);
-    EXPECT_EQ(line(taken.handed_on[last]).to, line(taken.told[last]).to);
+    EXPECT_EQ(line(taken.handed_on[first]).from, line(taken.specified[first]).from);
+    EXPECT_EQ(line(taken.handed_on[last]).to, line(taken.specified[last]).to);
     for (std::size_t i = first; i < last; ++i) {
         EXPECT_EQ(line(taken.handed_on[i]).to, line(taken.handed_on[i + 1]).from);
-        EXPECT_EQ(line(taken.handed_on[i]).to.z, line(taken.told[i]).to.z);
+        EXPECT_EQ(line(taken.handed_on[i]).to.z, line(taken.specified[i]).to.z);
     }
 }
 
@@ -80,10 +80,10 @@ TEST(UprightRuns, LeaveOthersAsTheyAre) {
          }) {
         SCOPED_TRACE(moves);
         const Taken taken = take("G0 X0 Y0 Z5\nG1 Z0\n" + moves);
-        ASSERT_EQ(taken.handed_on.size(), taken.told.size());
+        ASSERT_EQ(taken.handed_on.size(), taken.specified.size());
         EXPECT_EQ(taken.most_moved_mm, 0.0);
-        for (std::size_t i = 0; i < taken.told.size(); ++i)
-            EXPECT_EQ(gcode::end_of(taken.told[i])->y, gcode::end_of(taken.handed_on[i])->y);
+        for (std::size_t i = 0; i < taken.specified.size(); ++i)
+            EXPECT_EQ(gcode::end_of(taken.specified[i])->y, gcode::end_of(taken.handed_on[i])->y);
     }
 }
 

@@ -45,7 +45,8 @@ inline cda::Boundary sound_boundary(const cda::TreeCda& part, double scale) {
 
 /// What was booked in passing is what each origin took, to 1e-9 of the stock; what took nothing has
 /// nothing.
-inline void require_booked(const cda::Account& account, const cda::Account& taken, double stock) {
+inline void require_booked(const cda::RemovalByMotion& account, const cda::RemovalByMotion& taken,
+                           double stock) {
     double sum = 0.0;
     for (const auto& [origin, expected] : taken) {
         const auto found = account.find(origin);
@@ -63,7 +64,7 @@ inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint3
     constexpr int n = UnitCubes::kSize;
     UnitCubes cubes;
     std::vector<cda::Cell> cells;
-    cda::Account taken;
+    cda::RemovalByMotion taken;
     for (const auto& b : boxes) {
         const cda::Origin origin{static_cast<std::uint32_t>(cells.size() + 1)};
         taken[origin].volume = cubes.volume();
@@ -73,7 +74,7 @@ inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint3
     }
     cda::TreeCda part(mm_box(0, 0, 0, n, n, n), kLattice, {leaf, 1});
     if (at_once) {
-        part.keep_account();
+        part.track_removal();
         part.subtract_unmeasured(cells);
         require_booked(part.account(), taken, 1.0);
     } else {
@@ -92,7 +93,7 @@ inline void check_hulls(std::vector<cda::Cell> cells, std::uint32_t leaf) {
     std::ranges::transform(cells, cells.begin(), ranked);
     const cda::Cell stock = mm_box(-3, -3, -3, 3, 3, 3);
     cda::TreeCda part(stock, kLattice, {leaf, 1});
-    part.keep_account();
+    part.track_removal();
     part.subtract_unmeasured(cells);
     cda::FlatCda flat(stock, kLattice);
     for (const cda::Cell& cell : cells)

@@ -39,7 +39,7 @@ struct Tool {
     Length deepest = 0, highest_cut = 0;                  // below the top; in one pass
     std::vector<std::pair<std::size_t, Length>> heights;  // line, cut sideways
     std::size_t first_cut = 0, change = 0, spindle = 0, length = 0;  // lines
-    bool told = true;
+    bool specified = true;
     bool slopes = false;
     bool has_cut = false;  // of which first_cut is the line, or 0: it is in a loop
 };
@@ -49,7 +49,7 @@ struct Draft {
     std::vector<std::string> lines;
     std::vector<Tool> tools;
     std::array<Length, 3> travel_min{}, travel_max{}, zero{}, start{};
-    bool start_told = true;
+    bool start_specified = true;
     std::vector<Fixture> fixtures;
     Length below_stock = 0;
     std::array<Length, 3> stock_min{}, stock_max{};

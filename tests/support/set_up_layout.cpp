@@ -121,7 +121,7 @@ void Writer::lay_out() {
     clear_ = high_ + margin(1, 10);
     home_height_ = clear_ + margin(1, 60);
     // What is no higher than a clamp may meet it.
-    draft_.start_told = home_height_ == high_ || happens(70);
+    draft_.start_specified = home_height_ == high_ || happens(70);
     const int rest = static_cast<int>(random_.between(0, 2));
     if (rest == 0) {
         const Length jaw = open > 0 ? top_ - open - margin(0.1, 2) : top_ - mm(3);

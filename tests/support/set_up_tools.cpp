@@ -106,7 +106,7 @@ void Writer::length_faults(std::size_t index) {
     const std::size_t where = home_height_ > clear_ ? block : 0;
     fault("tool without a description", "not-proven", "tool-guess", {"not-simulated"},
           [=](Draft& d) {
-              d.tools[index].told = false;
+              d.tools[index].specified = false;
               return std::size_t{0};
           });
     if (tools < 2) return;
@@ -196,7 +196,7 @@ void Writer::general_faults() {
         return offset;
     });
     fault("start that nobody tells", "not-proven", "start-unknown", {}, [=](Draft& d) {
-        d.start_told = false;
+        d.start_specified = false;
         d.drop(home);
         return std::size_t{0};
     });

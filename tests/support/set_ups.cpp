@@ -32,7 +32,7 @@ Judged written(const Draft& d) {
                    mm(d.travel_max[axis] + d.zero[axis]) + "]\n";
     }
     machine += "[position]\nhome = [0, 0, 0]\n";
-    if (d.start_told) {
+    if (d.start_specified) {
         machine += "start = [" + mm(d.start[X] + d.zero[X]) + ", " + mm(d.start[Y] + d.zero[Y]) +
                    ", " + mm(d.start[Z] + d.zero[Z]) + "]\n";
     }
@@ -47,7 +47,7 @@ Judged written(const Draft& d) {
             machine += "[[tool]]\nnumber = " + std::to_string(i + 1) +
                        "\nblind_diameter = " + mm(t.blind) + "\n";
         }
-        if (!t.told) continue;
+        if (!t.specified) continue;
         std::string text = "T" + std::to_string(i + 1) + "=" + t.kind + ":D" + mm(t.diameter) +
                            ":L" + mm(t.flutes);
         if (t.corner > 0) text += ":R" + mm(t.corner);

@@ -51,20 +51,20 @@ inline std::vector<StraightWay> straight_ways(std::uint64_t seed, int count) {
         if (ends.back() == at) continue;
         at = ends.back();
         StraightWay way;
-        cda::StraightSteps told{ends.back() - ends.front(), {}};
+        cda::StraightSteps specified{ends.back() - ends.front(), {}};
         const auto length = [&](const cda::LatticePoint& end) {
             return norm(kLattice.to_mm(end - ends[0]));
         };
         for (std::size_t k = 1; k < ends.size(); ++k) {
             way.steps.push_back(body(ends[k - 1], ends[k], cda::Origin{++origin}));
             way.steps.back().rank = 0;
-            told.steps.push_back({cda::Origin{origin}, length(ends[k]) / length(ends.back()),
-                                  way.steps.back().bounds});
+            specified.steps.push_back({cda::Origin{origin}, length(ends[k]) / length(ends.back()),
+                                       way.steps.back().bounds});
         }
-        told.steps.back().end = 1.0;
+        specified.steps.back().end = 1.0;
         way.all = body(ends.front(), ends.back(), cda::Origin{origin});
         way.all.rank = -1;
-        way.all.steps = std::make_shared<const cda::StraightSteps>(std::move(told));
+        way.all.steps = std::make_shared<const cda::StraightSteps>(std::move(specified));
         ways.push_back(std::move(way));
     }
     return ways;

@@ -40,7 +40,7 @@ Vec3 direction(test::Random& random) {
 
 // One to three rotary joints, anywhere before, between and behind X, Y and Z.
 Kinematics random_machine(test::Random& random) {
-    Kinematics told;
+    Kinematics specified;
     const Vec3 along[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     std::vector<std::int64_t> places;
     for (std::int64_t count = random.between(1, 3); count > 0; --count)
@@ -52,16 +52,16 @@ Kinematics random_machine(test::Random& random) {
             const Vec3 through{random.within(-50, 50), random.within(-50, 50),
                                random.within(-50, 50)};
             const Vec3 about = random.one_in(3) ? direction(random) : along[random.between(0, 2)];
-            told.chain.joints.push_back(joint_of("CAB"[next], true, about, through));
+            specified.chain.joints.push_back(joint_of("CAB"[next], true, about, through));
         }
         if (i < 3) {
-            told.chain.joints.push_back(
+            specified.chain.joints.push_back(
                 joint_of("XYZ"[i], false, along[static_cast<std::size_t>(i)]));
         }
     }
-    told.zero = {random.within(-30, 30), random.within(-30, 30), random.within(-30, 30)};
-    if (random.one_in(3)) told.chain.joints.push_back(machine::along_tool('W'));
-    return told;
+    specified.zero = {random.within(-30, 30), random.within(-30, 30), random.within(-30, 30)};
+    if (random.one_in(3)) specified.chain.joints.push_back(machine::along_tool('W'));
+    return specified;
 }
 
 struct Cylinder {
@@ -95,12 +95,12 @@ Position between(const Position& a, const Position& b, double t) {
 }
 
 struct Case {
-    Kinematics told;
+    Kinematics specified;
     gcode::Motion motion;
     Cylinder tool{};
     Samples samples;
 
-    explicit Case(test::Random& random) : told(random_machine(random)) {
+    explicit Case(test::Random& random) : specified(random_machine(random)) {
         const auto somewhere = [&](const Position* near) {
             const double way = near ? 8.0 : 30.0;
             const double turn = near ? 25.0 : 180.0;
@@ -133,17 +133,17 @@ struct Case {
             place->add(Vec3{random.within(-60, 0), random.within(-60, 0), random.within(-60, 0)});
             place->add(Vec3{random.within(0, 60), random.within(0, 60), random.within(0, 60)});
         }
-        samples = sample(motion, extent, coarse, place, &told);
+        samples = sample(motion, extent, coarse, place, &specified);
         where = place;
     }
     std::optional<cda::Box> where;
     Pose pose(double t) const {
         const auto& m = std::get<gcode::Linear>(motion.what);
-        return Poses(&told, motion).at(between(m.from, m.to, t));
+        return Poses(&specified, motion).at(between(m.from, m.to, t));
     }
 };
 
-TEST(ToldMachine, NoSweepIsMissedByMoreThanTheBound) {
+TEST(SpecifiedMachine, NoSweepIsMissedByMoreThanTheBound) {
     test::Random random(11);
     double worst = 0.0;
     for (int i = 0; i < 100'000; ++i) {
@@ -176,7 +176,7 @@ TEST(ToldMachine, NoSweepIsMissedByMoreThanTheBound) {
     EXPECT_GT(worst, 0.3) << "the bound is no bound of this";
 }
 
-TEST(ToldMachine, NoHullGainsMoreThanTheBound) {
+TEST(SpecifiedMachine, NoHullGainsMoreThanTheBound) {
     test::Random random(12);
     double worst = 0.0;
     int judged = 0;
@@ -222,7 +222,7 @@ TEST(ToldMachine, NoHullGainsMoreThanTheBound) {
 }
 
 // Whatever moves and turns: tools are cut off above that height.
-TEST(ToldMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
+TEST(SpecifiedMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
     test::Random random(13);
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 10'000; ++i) {
@@ -236,10 +236,10 @@ TEST(ToldMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
             arc.centre_2 = Length::from_mm(random.within(-20, 20));
             c.motion.what = arc;
         }
-        const Kinematics* told = random.one_in(3) ? nullptr : &c.told;
-        if (!told) c.motion.coordinates = gcode::Coordinates::Axes;
+        const Kinematics* specified = random.one_in(3) ? nullptr : &c.specified;
+        if (!specified) c.motion.coordinates = gcode::Coordinates::Axes;
         const ToolExtent tool = extent_of(flat_end_mill(2 * c.tool.radius, c.tool.height));
-        const Samples samples = sample(c.motion, tool, {.max_steps = 50}, c.where, told);
+        const Samples samples = sample(c.motion, tool, {.max_steps = 50}, c.where, specified);
         for (const Pose& X_WT : samples.poses) {
             const double angle = random.within(0, 6.2831853);
             const double r = c.tool.radius + random.within(0, Turning::kBeside);
@@ -253,7 +253,7 @@ TEST(ToldMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
     EXPECT_LT(nearest, 0.5) << "the bound is no bound of this";
 }
 
-TEST(ToldMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
+TEST(SpecifiedMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
     test::Random random(14);
     double worst = 0.0;
     for (int i = 0; i < 4'000; ++i) {
@@ -265,15 +265,15 @@ TEST(ToldMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
             arc.centre_2 = Length::from_mm(random.within(-20, 20));
             c.motion.what = arc;
         }
-        const Kinematics* told = random.one_in(3) ? nullptr : &c.told;
-        if (!told) c.motion.coordinates = gcode::Coordinates::Axes;
-        const Poses poses(told, c.motion);
+        const Kinematics* specified = random.one_in(3) ? nullptr : &c.specified;
+        if (!specified) c.motion.coordinates = gcode::Coordinates::Axes;
+        const Poses poses(specified, c.motion);
         const double reach =
             std::sqrt(c.tool.radius * c.tool.radius + c.tool.height * c.tool.height);
         const double strays = strays_mm(c.motion, poses, reach).value();
         const ToolExtent tool = extent_of(flat_end_mill(2 * c.tool.radius, c.tool.height));
         const Pose A = poses.at(line.from), B = poses.at(line.to);
-        for (const Pose& now : sample(c.motion, tool, {.max_steps = 30}, {}, told).poses) {
+        for (const Pose& now : sample(c.motion, tool, {.max_steps = 30}, {}, specified).poses) {
             const Vec3 d = direction(random);
             const double beyond =
                 support(now, c.tool, d) - std::max(support(A, c.tool, d), support(B, c.tool, d));
@@ -285,40 +285,40 @@ TEST(ToldMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
 }
 
 // At 15 degrees it leaves the upper side of a wide stock at once.
-TEST(ToldMachine, AToolIsCutOffWhereItLeavesTheStock) {
+TEST(SpecifiedMachine, AToolIsCutOffWhereItLeavesTheStock) {
     const cda::Box stock{{-100, -100, -30}, {100, 100, 0}};
     const ToolExtent tool = extent_of(flat_end_mill(6, 40));
-    const auto top_of = [&](const gcode::Motion& motion, const Kinematics* told) {
-        return sample(motion, tool, {}, stock, told).turning.top_mm;
+    const auto top_of = [&](const gcode::Motion& motion, const Kinematics* specified) {
+        return sample(motion, tool, {}, stock, specified).turning.top_mm;
     };
-    Kinematics told{*machine::preset("xyzab-table"), {}};
+    Kinematics specified{*machine::preset("xyzab-table"), {}};
     const gcode::Motion of_tip =
         line(at(0, 0, -5, 15, 0), at(1, 0, -5, 16, 0), gcode::Coordinates::Tip);
-    EXPECT_LT(top_of(of_tip, &told), 8.0);
-    EXPECT_GT(top_of(of_tip, &told), 5.0);
+    EXPECT_LT(top_of(of_tip, &specified), 8.0);
+    EXPECT_GT(top_of(of_tip, &specified), 5.0);
     const gcode::Motion of_axes =
         line(at(0, 0, -5, 15, 0), at(1, 0, -5, 16, 0), gcode::Coordinates::Axes);
     EXPECT_LT(top_of(of_axes, nullptr), 8.0);
 }
 
 // A head that leans by 30 degrees drills by W what another program drills by X and Z.
-TEST(ToldMachine, AWordAlongTheToolIsAMoveOfXAndZ) {
-    Kinematics told{*machine::preset("bridge-cb"), {5, 6, 7}};
-    for (machine::Joint& joint : told.chain.joints)
+TEST(SpecifiedMachine, AWordAlongTheToolIsAMoveOfXAndZ) {
+    Kinematics specified{*machine::preset("bridge-cb"), {5, 6, 7}};
+    for (machine::Joint& joint : specified.chain.joints)
         joint.through = {0, 0, 250};
-    told.chain.joints.push_back(machine::along_tool('W'));
+    specified.chain.joints.push_back(machine::along_tool('W'));
     const double s = 0.5, c = std::sqrt(0.75);
     Position from = at(1, 2, 3, 0, -30, 0), to = from;
     to.w = Length::from_mm(-10);
     for (const auto mode : {gcode::Coordinates::Tip, gcode::Coordinates::Axes}) {
         const gcode::Motion m = line(from, to, mode);
-        const Samples samples = sample(m, extent_of(flat_end_mill(6, 40)), {}, {}, &told);
+        const Samples samples = sample(m, extent_of(flat_end_mill(6, 40)), {}, {}, &specified);
         ASSERT_EQ(samples.poses.size(), 2U);
         EXPECT_EQ(samples.bounds, SampleBounds{});
         const Vec3 way = samples.poses[1].translation - samples.poses[0].translation;
         EXPECT_LT(norm(way - Vec3{-10 * s, 0, -10 * c}), 1e-12);
         EXPECT_LT(norm(axis_of(samples.poses[1]) - Vec3{s, 0, c}), 1e-15);
-        const cda::Box box = extent_of_path(m, {&told, m});
+        const cda::Box box = extent_of_path(m, {&specified, m});
         if (mode == gcode::Coordinates::Axes) continue;
         EXPECT_LT(norm(box.min - Vec3{1 - 10 * s, 2, 3 - 10 * c}), 1e-12);
         EXPECT_EQ(box.max, (Vec3{1, 2, 3}));
@@ -332,7 +332,7 @@ TEST(ToldMachine, AWordAlongTheToolIsAMoveOfXAndZ) {
     EXPECT_EQ(poses.place(at_90), (Vec3{1, 2, 3}) - 10.0 * axis_of(poses.at(at_90)));
 }
 
-TEST(ToldMachine, TheExtentHoldsTheWayWhateverUVWDo) {
+TEST(SpecifiedMachine, TheExtentHoldsTheWayWhateverUVWDo) {
     test::Random random(15);
     for (int i = 0; i < 4'000; ++i) {
         Case c(random);
@@ -345,9 +345,9 @@ TEST(ToldMachine, TheExtentHoldsTheWayWhateverUVWDo) {
             c.motion.what = arc;
         }
         c.motion.coordinates = gcode::Coordinates::Tip;
-        const Poses poses(&c.told, c.motion);
+        const Poses poses(&c.specified, c.motion);
         const cda::Box box = extent_of_path(c.motion, poses);
-        for (const Pose& pose : sample(c.motion, {}, {.max_steps = 40}, {}, &c.told).poses) {
+        for (const Pose& pose : sample(c.motion, {}, {.max_steps = 40}, {}, &c.specified).poses) {
             for (int axis = 0; axis < 3; ++axis) {
                 ASSERT_GE(pose.translation[axis], box.min[axis] - 1e-9) << i;
                 ASSERT_LE(pose.translation[axis], box.max[axis] + 1e-9) << i;
@@ -356,54 +356,55 @@ TEST(ToldMachine, TheExtentHoldsTheWayWhateverUVWDo) {
     }
 }
 
-TEST(ToldMachine, TheTipStaysInItsPlaceWhileTheTableTurns) {
-    const Kinematics told{*machine::preset("xyzac-trt"), {}};
+TEST(SpecifiedMachine, TheTipStaysInItsPlaceWhileTheTableTurns) {
+    const Kinematics specified{*machine::preset("xyzac-trt"), {}};
     const gcode::Motion turn =
         line(at(10, 20, 30, 0, 0, 0), at(10, 20, 30, -60, 0, 75), gcode::Coordinates::Tip);
-    const Samples samples = sample(turn, extent_of(ball_end_mill(3, 20)), {}, {}, &told);
+    const Samples samples = sample(turn, extent_of(ball_end_mill(3, 20)), {}, {}, &specified);
     ASSERT_GT(samples.poses.size(), 10U);
     for (const Pose& pose : samples.poses)
         EXPECT_EQ(pose.translation, (Vec3{10, 20, 30}));
-    EXPECT_LT(norm(axis_of(samples.poses.back()) - axis_of(told.chain.pose({0, 0, 0, -60, 0, 75}))),
-              1e-15);
+    EXPECT_LT(
+        norm(axis_of(samples.poses.back()) - axis_of(specified.chain.pose({0, 0, 0, -60, 0, 75}))),
+        1e-15);
 }
 
 // C turns the part under an upright tool, which does not see it: the hull is exact.
-TEST(ToldMachine, AnUprightToolUnderTipControlOnlyMoves) {
-    const Kinematics told{*machine::preset("xyzac-trt"), {}};
+TEST(SpecifiedMachine, AnUprightToolUnderTipControlOnlyMoves) {
+    const Kinematics specified{*machine::preset("xyzac-trt"), {}};
     const Samples samples =
         sample(line(at(0, 0, 0), at(50, 0, 0, 0, 0, 300), gcode::Coordinates::Tip),
-               extent_of(flat_end_mill(10, 40)), {}, {}, &told);
+               extent_of(flat_end_mill(10, 40)), {}, {}, &specified);
     EXPECT_EQ(samples.poses.size(), 2U);
     EXPECT_EQ(samples.bounds, SampleBounds{});
     EXPECT_EQ(samples.poses.front().rows, samples.poses.back().rows);
 }
 
 // The same poses, told as places of the tip and as those of the axes.
-TEST(ToldMachine, BothModesMeetInTheSamePoses) {
+TEST(SpecifiedMachine, BothModesMeetInTheSamePoses) {
     test::Random random(13);
     for (int i = 0; i < 1000; ++i) {
-        const Kinematics told = random_machine(random);
+        const Kinematics specified = random_machine(random);
         Position p =
             at(random.within(-50, 50), random.within(-50, 50), random.within(-50, 50),
                random.within(-180, 180), random.within(-180, 180), random.within(-180, 180));
         const gcode::Motion axes = line(p, p, gcode::Coordinates::Axes);
-        const Pose X_WT = Poses(&told, axes).at(p);
+        const Pose X_WT = Poses(&specified, axes).at(p);
         Position tip = p;
         tip.x = Length::from_mm(X_WT.translation.x);
         tip.y = Length::from_mm(X_WT.translation.y);
         tip.z = Length::from_mm(X_WT.translation.z);
-        EXPECT_EQ(Poses(&told, line(tip, tip, gcode::Coordinates::Tip)).at(tip), X_WT);
+        EXPECT_EQ(Poses(&specified, line(tip, tip, gcode::Coordinates::Tip)).at(tip), X_WT);
         // U, V and W move it by the same in both.
         for (const auto axis : {&Position::u, &Position::v, &Position::w})
             p.*axis = tip.*axis = Length::from_mm(random.within(-20, 20));
-        const Vec3 by_axes = Poses(&told, axes).at(p).translation;
-        const Vec3 by_tip = Poses(&told, line(tip, tip, gcode::Coordinates::Tip)).place(tip);
+        const Vec3 by_axes = Poses(&specified, axes).at(p).translation;
+        const Vec3 by_tip = Poses(&specified, line(tip, tip, gcode::Coordinates::Tip)).place(tip);
         EXPECT_LT(norm(by_axes - by_tip), 1e-12 * (1.0 + norm(by_axes)));
     }
 }
 
-TEST(ToldMachine, WithoutOneThePosesAreThoseOfBefore) {
+TEST(SpecifiedMachine, WithoutOneThePosesAreThoseOfBefore) {
     const gcode::Motion m =
         line(at(1, 2, 3, 4, 5, 6), at(7, 8, 9, 10, 11, 12), gcode::Coordinates::Axes);
     const Poses poses(nullptr, m);

@@ -16,7 +16,7 @@ std::string tools_of(const std::string& text, bool inches = false) {
         out.append("T").append(std::to_string(entry.spec.number)).append(" ");
         out += describe(make_tool(entry.spec, 50));
         if (entry.offset.z != 0) out.append(" Z").append(std::to_string(entry.offset.z));
-        EXPECT_EQ(entry.told_by, ToldBy::Table);
+        EXPECT_EQ(entry.specified_by, ValueSource::Table);
         out += '\n';
     }
     for (const gcode::Diagnostic& d : file.diagnostics) {

@@ -241,7 +241,7 @@ TEST(Walk, TellsNoStraightWayThatDidNotMeetTheStock) {
 // are rounded.
 TEST(Walk, CoversStraightWaysExactlyOrNot) {
     test::Random random(5);
-    int told = 0, kept_back = 0;
+    int specified = 0, kept_back = 0;
     for (int i = 0; i < 60; ++i) {
         SCOPED_TRACE(i);
         // Decimals as programs have them: of a tenth to a thousandth of a millimetre.
@@ -257,9 +257,9 @@ TEST(Walk, CoversStraightWaysExactlyOrNot) {
             walked(and_away(straight(4, x, y, z)), i % 3 == 0 ? ball_end_mill(8, 40) : kFlat)
                 .covering.size();
         EXPECT_TRUE(i % 2 != 0 || i % 3 == 0 || count == 1U) << count;  // level, upright walls
-        (count > 0 ? told : kept_back) += 1;
+        (count > 0 ? specified : kept_back) += 1;
     }
-    EXPECT_GT(told, 20);
+    EXPECT_GT(specified, 20);
     EXPECT_GT(kept_back, 2);
 }
 

@@ -162,7 +162,7 @@ TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
     const gcode::SourceFile program{
         "slot.nc", "G21 G90 T1 M6 S1 M3 F100\nG0 X7.5 Y20 Z5\nG1 Z-5\nG1 X32.5\nG0 Z5\n"};
     ASSERT_TRUE(verifier.needs_account());
-    part.keep_account();
+    part.track_removal();
     std::uint32_t motions = 0;
     const auto result = gcode::interpret(program, {}, [&](const gcode::Motion& m) {
         take(m, cda::Origin{++motions}, verifier, walk, &part);

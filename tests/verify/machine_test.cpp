@@ -59,30 +59,30 @@ const Vec3 kAxis{0, 0, -320};
 // of the machine, T1 is 80 mm long: the nose is at Z - 220.
 LinkBodies tilting() {
     const Chain cradle{{joint_of('A', true, {1, 0, 0}, kAxis)}};  // by the right hand
-    LinkBodies told;
-    told.part_moved_by = cradle;
-    told.tool_moved_by = {{kX, kY, kZ}};
+    LinkBodies specified;
+    specified.part_moved_by = cradle;
+    specified.tool_moved_by = {{kX, kY, kZ}};
     // Corners 50 mm aside and 30 mm below the axis; its top is the bottom of the block.
-    told.links.push_back({"cradle", box({-100, -50, -350}, {100, 50, -310}), cradle});
-    told.links.push_back({"head", box({-40, -40, 0}, {40, 40, 100}), told.tool_moved_by});
-    told.links.push_back({"column", box({-200, 200, -500}, {200, 240, 100}), {}});
-    return told;
+    specified.links.push_back({"cradle", box({-100, -50, -350}, {100, 50, -310}), cradle});
+    specified.links.push_back({"head", box({-40, -40, 0}, {40, 40, 100}), specified.tool_moved_by});
+    specified.links.push_back({"column", box({-200, 200, -500}, {200, 240, 100}), {}});
+    return specified;
 }
 
-Setup setup_of(LinkBodies told) {
+Setup setup_of(LinkBodies specified) {
     verify::Setup setup = plain_setup();
     toolpath::Kinematics machine;
-    for (Joint joint : told.part_moved_by.joints) {
+    for (Joint joint : specified.part_moved_by.joints) {
         joint.direction = -joint.direction;
         machine.chain.joints.insert(machine.chain.joints.begin(), joint);
     }
-    for (const Joint& joint : told.tool_moved_by.joints)
+    for (const Joint& joint : specified.tool_moved_by.joints)
         machine.chain.joints.push_back(joint);
     machine.zero = {0, 0, -300};
     setup.kinematics = std::make_shared<const toolpath::Kinematics>(machine);
     setup.axes_guess.clear();
     setup.machine.work_zero = machine.zero;
-    setup.bodies = std::make_shared<const verify::MachineBodies>(std::move(told));
+    setup.bodies = std::make_shared<const verify::MachineBodies>(std::move(specified));
     setup.uses_length_offsets = true;
     setup.selection.ignored = {{"over-travel", ""}, {"spindle-off", ""}, {"rapid-in-material", ""}};
     return setup;
@@ -155,14 +155,14 @@ TEST(MachineCollision, TheHeadMeetsTheColumnOnItsWayAndNotBeforeIt) {
 
 TEST(MachineCollision, NeighboursAreAskedWhereThatIsTold) {
     // The column stands on the bed, and so does the cradle's bearing.
-    LinkBodies told = tilting();
-    told.links[2].mesh = box({-200, 45, -500}, {200, 240, -330});
+    LinkBodies specified = tilting();
+    specified.links[2].mesh = box({-200, 45, -500}, {200, 240, -330});
     const std::string program = "G0 X0 Y-100 Z200\nG0 A5\n";
-    EXPECT_TRUE(collisions(program, setup_of(told)).empty());
-    told.asked = {{"column", "cradle"}};
-    EXPECT_EQ(collisions(program, setup_of(told)).size(), 1U);
-    told.ignored = told.asked;
-    EXPECT_TRUE(collisions(program, setup_of(told)).empty());
+    EXPECT_TRUE(collisions(program, setup_of(specified)).empty());
+    specified.asked = {{"column", "cradle"}};
+    EXPECT_EQ(collisions(program, setup_of(specified)).size(), 1U);
+    specified.ignored = specified.asked;
+    EXPECT_TRUE(collisions(program, setup_of(specified)).empty());
 }
 
 TEST(MachineCollision, TheToolMeetsTheCradle) {
@@ -190,14 +190,14 @@ TEST(MachineCollision, AFixtureIsTurnedIntoTheHead) {
 TEST(MachineCollision, APartsCornerMeetsTheColumn) {
     // The block is 10 mm high, and 15 mm wide to either side of X: from the axis to its corner it
     // is 25 mm. A column that is nearer stands in its way as it turns.
-    LinkBodies told = tilting();
-    told.links[0].mesh = {};
+    LinkBodies specified = tilting();
+    specified.links[0].mesh = {};
     const double reach = std::sqrt(15.0 * 15.0 + 20.0 * 20.0);
     const std::string program = "G0 X0 Y200 Z200\nG0 A90\n";
-    told.links[2].mesh = box({-200, -240, -500}, {200, -reach - 0.01, 100});
-    EXPECT_TRUE(collisions(program, setup_of(told)).empty());
-    told.links[2].mesh = box({-200, -240, -500}, {200, -reach + 0.01, 100});
-    const auto found = collisions(program, setup_of(told));
+    specified.links[2].mesh = box({-200, -240, -500}, {200, -reach - 0.01, 100});
+    EXPECT_TRUE(collisions(program, setup_of(specified)).empty());
+    specified.links[2].mesh = box({-200, -240, -500}, {200, -reach + 0.01, 100});
+    const auto found = collisions(program, setup_of(specified));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].message, "the link 'column' meets the part");
     EXPECT_EQ(found[0].certainty, Certainty::Certain);
@@ -207,9 +207,9 @@ TEST(MachineCollision, APartsCornerMeetsTheColumn) {
 TEST(MachineCollision, AHeadDipsIntoAPocketWhereItFits) {
     // A square nose 2 mm above the tip of T1, whose radius is 5 mm.
     const auto with_nose = [](double half) {
-        LinkBodies told = tilting();
-        told.links[1].mesh = box({-half, -half, -78}, {half, half, 100});
-        return setup_of(told);
+        LinkBodies specified = tilting();
+        specified.links[1].mesh = box({-half, -half, -78}, {half, half, 100});
+        return setup_of(specified);
     };
     const std::string slot = "S1000 M3\nG0 X0 Y0 Z5\nG1 Z-6 F200\nX10\nX0\nG0 Z5\n";
     EXPECT_TRUE(collisions(slot, with_nose(3.5)).empty());  // its corners: 4.95 mm
@@ -223,29 +223,29 @@ TEST(MachineCollision, AHeadDipsIntoAPocketWhereItFits) {
 // An arm that goes ahead of the cutter meets what the same move cuts away later: after the motion
 // nothing is there any more, and nobody can tell.
 TEST(MachineCollision, WhatGoesAheadOfTheCutterIsNotClear) {
-    LinkBodies told = tilting();
-    told.links[1].mesh = box({20, -2, -78}, {24, 2, 100});
+    LinkBodies specified = tilting();
+    specified.links[1].mesh = box({20, -2, -78}, {24, 2, 100});
     const std::string slot = "S1000 M3\nG0 X-60 Y0 Z5\nZ-6\nG1 X60 F200\n";
-    const auto found = collisions(slot, setup_of(told));
+    const auto found = collisions(slot, setup_of(specified));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].message, "the link 'head' meets the part");
     EXPECT_EQ(found[0].certainty, Certainty::Within);
     // What is above the cutter follows it.
-    told.links[1].mesh = box({-2, -2, -78}, {2, 2, 100});
-    EXPECT_TRUE(collisions(slot, setup_of(told)).empty());
+    specified.links[1].mesh = box({-2, -2, -78}, {2, 2, 100});
+    EXPECT_TRUE(collisions(slot, setup_of(specified)).empty());
 }
 
 TEST(MachineNearMiss, IsToldWhereAClearanceIs) {
-    LinkBodies told = tilting();
-    told.links[1].clearance_mm = 2.0;
+    LinkBodies specified = tilting();
+    specified.links[1].clearance_mm = 2.0;
     const std::string program = at_height(100) + at_height(kTouching + 1.0) + "G0 A180\n";
-    const auto verdict = verdict_of(kLength + program, setup_of(told));
+    const auto verdict = verdict_of(kLength + program, setup_of(specified));
     EXPECT_TRUE(findings_of(verdict, "machine-collision").empty());
     const auto found = findings_of(verdict, "machine-near-miss");
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].message, "the link 'head' comes closer than 2 mm to the link 'cradle'");
     const auto far = verdict_of(
-        kLength + at_height(100) + at_height(kTouching + 2.01) + "G0 A180\n", setup_of(told));
+        kLength + at_height(100) + at_height(kTouching + 2.01) + "G0 A180\n", setup_of(specified));
     EXPECT_TRUE(findings_of(far, "machine-near-miss").empty());
 }
 
@@ -253,9 +253,9 @@ TEST(MachineCollision, SaysWhatWasNotAsked) {
     const std::string program = "G0 X0 Y0 Z100\n";
     EXPECT_EQ(skipped_because(verdict_of(program), "machine-collision"),
               "no mesh of a link is specified (machine.toml, [[link]] mesh)");
-    LinkBodies told = tilting();
-    told.links.push_back({"saddle", {}, {{kX}}});
-    EXPECT_EQ(skipped_because(verdict_of(program, setup_of(told)), "machine-collision"),
+    LinkBodies specified = tilting();
+    specified.links.push_back({"saddle", {}, {{kX}}});
+    EXPECT_EQ(skipped_because(verdict_of(program, setup_of(specified)), "machine-collision"),
               "no mesh is specified for the link 'saddle'; the others were verified");
     EXPECT_EQ(skipped_because(verdict_of(program, setup_of(tilting())), "machine-near-miss"),
               "no clearance of a link is specified (machine.toml, [[link]] clearance)");
@@ -266,12 +266,12 @@ TEST(MachineCollision, SaysWhatWasNotAsked) {
 }
 
 TEST(MachineCollision, LinksCanBeRequired) {
-    LinkBodies told = tilting();
-    verify::Setup setup = setup_of(told);
+    LinkBodies specified = tilting();
+    verify::Setup setup = setup_of(specified);
     setup.required = {"links"};
     EXPECT_FALSE(doubts_of(verdict_of(kLength, setup)).contains("required"));
-    told.links.push_back({"saddle", {}, {{kX}}});
-    setup = setup_of(told);
+    specified.links.push_back({"saddle", {}, {{kX}}});
+    setup = setup_of(specified);
     setup.required = {"links"};
     EXPECT_TRUE(doubts_of(verdict_of(kLength, setup)).contains("required"));
 }
@@ -296,44 +296,44 @@ TEST(MachineCollision, ALengthThatLeavesNoToolIsADoubt) {
 }
 
 TEST(MachineCollision, AMeshCountsAsItsHullWhereThatWasTold) {
-    LinkBodies told = tilting();
-    told.links[0].mesh =
+    LinkBodies specified = tilting();
+    specified.links[0].mesh =
         both(box({-100, -50, -350}, {100, 50, -310}), box({-100, -20, -340}, {100, 20, -330}));
     const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
     // Bodies of one mesh may overlap.
-    const auto known = collisions(deep, setup_of(told));
+    const auto known = collisions(deep, setup_of(specified));
     ASSERT_EQ(known.size(), 1U);
     EXPECT_EQ(known[0].certainty, Certainty::Certain);
-    told.links[0].as_hull = true;
-    const auto found = collisions(deep, setup_of(told));
+    specified.links[0].as_hull = true;
+    const auto found = collisions(deep, setup_of(specified));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].certainty, Certainty::Within);
     EXPECT_TRUE(
-        collisions(at_height(100) + at_height(kTouching + 0.01) + "G0 A180\n", setup_of(told))
+        collisions(at_height(100) + at_height(kTouching + 0.01) + "G0 A180\n", setup_of(specified))
             .empty());
 }
 
 // A shell that looks inwards is no hole in nothing: refused, and there as a hull.
 TEST(MachineCollision, AShellThatIsInsideOutIsRefused) {
-    LinkBodies told = tilting();
+    LinkBodies specified = tilting();
     cda::TriangleMesh cradle = box({-100, -50, -350}, {100, 50, -310});
     for (auto& t : cradle.triangles)
         std::swap(t[0], t[1]);
     // The rest of the link, far from all, is larger and looks outwards.
-    told.links[0].mesh = both(box({-400, -400, -2000}, {400, 400, -1500}), cradle);
+    specified.links[0].mesh = both(box({-400, -400, -2000}, {400, 400, -1500}), cradle);
     const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
-    EXPECT_THROW(setup_of(told), std::runtime_error);
-    told.links[0].as_hull = true;
-    EXPECT_FALSE(collisions(deep, setup_of(told)).empty());
+    EXPECT_THROW(setup_of(specified), std::runtime_error);
+    specified.links[0].as_hull = true;
+    EXPECT_FALSE(collisions(deep, setup_of(specified)).empty());
 }
 
 // A mesh that may be off by a tenth of a millimetre proves nothing to be nearer than that.
 TEST(MachineCollision, WhatAMeshMayBeOffIsOpen) {
-    LinkBodies told = tilting();
-    told.links[0].deflection_mm = 0.1;
+    LinkBodies specified = tilting();
+    specified.links[0].deflection_mm = 0.1;
     const auto found = [&](double beside) {
         return collisions(at_height(100) + at_height(kTouching + beside) + "G0 A180\n",
-                          setup_of(told));
+                          setup_of(specified));
     };
     ASSERT_EQ(found(0.05).size(), 1U);
     EXPECT_EQ(found(0.05)[0].certainty, Certainty::Within);

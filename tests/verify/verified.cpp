@@ -37,7 +37,7 @@ void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& ver
                     part->subtract_unmeasured(cell);
                 }
             }
-            verifier.look_back(step, *part, removed);
+            verifier.after_cut(step, *part, removed);
         });
         walk.arrive(motion, origin,
                     [&](const toolpath::Step& step) { verifier.arrive(step, *part); });
@@ -63,7 +63,7 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     options.observe_frame = [&](const gcode::Motion&, const gcode::ProgramFrame& frame) {
         verifier.set_frame(frame);
     };
-    if (verifier.needs_account()) part.keep_account();
+    if (verifier.needs_account()) part.track_removal();
     std::uint32_t motions = 0;
     const auto result = gcode::interpret(source, options, [&](const gcode::Motion& motion) {
         take(motion, cda::Origin{++motions}, verifier, walk, simulated ? &part : nullptr);

@@ -253,7 +253,7 @@ int run(CheckOptions options) {
 
 int run(const RulesOptions& options) {
     if (options.json) {
-        put_out(report::rules_json());
+        write_stdout(report::rules_json());
     } else {
         put_text(report::rules_text());
     }

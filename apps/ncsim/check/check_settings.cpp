@@ -12,6 +12,7 @@
 
 #include "check/reports.h"
 #include "commands/options.h"
+#include "commands/project.h"
 #include "system/console.h"
 
 #include <fmt/format.h>
@@ -28,68 +29,12 @@ namespace ncsim::app {
 
 namespace {
 
-std::runtime_error error_at(const setup::ProjectSetting& setting, const std::string& what) {
-    return std::runtime_error(fmt::format("{}: {}", setting.where, what));
-}
-
-// Returns a setting as words of a command line; file names are relative to the folder of the
-// project.
-std::vector<std::string> words_of(const setup::ProjectSetting& setting, const std::string& folder) {
-    const std::optional<OptionKind> kind = kind_of_check_option(setting.option);
-    if (!kind) {
-        throw error_at(setting, fmt::format("'{}': no option of ncsim check that decides verdicts",
-                                            setting.option));
-    }
-    if (setting.is_flag != kind->is_flag) {
-        throw error_at(setting, fmt::format("'{}': expected {}", setting.option,
-                                            kind->is_flag ? "true or false" : "a value"));
-    }
-    const std::string name = "--" + setting.option;
-    if (setting.is_flag) return setting.is_on ? std::vector{name} : std::vector<std::string>();
-    std::vector<std::string> words;
-    // Reading a FIFO without a writer would block.
-    const auto refuse_stream = [&](const std::string& file) {
-        std::error_code ignored;
-        const std::filesystem::file_status status = std::filesystem::status(file, ignored);
-        if (std::filesystem::exists(status) && std::filesystem::is_other(status)) {
-            throw error_at(setting,
-                           fmt::format("{} '{}': it is no regular file", setting.option, file));
-        }
-    };
-    for (const std::string& value : setting.values) {
-        const bool is_file =
-            kind->is_file || (setting.option == "stock" && setup::is_stock_file(value));
-        const bool is_path = is_file && !value.empty();
-        if (is_path) refuse_stream(setup::seen_in(folder, value));
-        words.push_back(name + '=' + (is_path ? setup::seen_in(folder, value) : value));
-    }
-    return words;
-}
-
 CheckOptions parsed(const std::vector<std::string>& words) {
-    Command command = parse_options(words);
-    if (const auto* farewell = std::get_if<Farewell>(&command)) {
-        std::string what = farewell->text.substr(0, farewell->text.find('\n'));
-        constexpr std::string_view kName = "ncsim: ";
-        if (what.starts_with(kName)) what.erase(0, kName.size());
-        throw std::runtime_error(what);
-    }
-    return std::get<CheckOptions>(std::move(command));
-}
-
-// Tries each setting separately, so a message can name the place of a fault.
-void try_out(const setup::ProjectSetting& setting, const std::vector<std::string>& words) {
-    std::vector<std::string> all{"check", "-"};
-    all.insert(all.end(), words.begin(), words.end());
-    try {
-        (void)parsed(all);
-    } catch (const std::runtime_error& e) {
-        throw error_at(setting, e.what());
-    }
+    return std::get<CheckOptions>(parsed_again(words));
 }
 
 std::string key_of(const CheckOptions& options, const setup::RecordedInput& read) {
-    std::string key = fmt::format("ncsim {}\n{}", report::kVersion, options.told);
+    std::string key = fmt::format("ncsim {}\n{}", report::kVersion, options.specified);
     if (!options.csv.empty()) key += "csv\n";
     for (const auto& [file, digest] : read.files())
         key += named_anywhere(file) + '\n' + digest.value_or("") + '\n';
@@ -115,14 +60,14 @@ report::EntryOptions entries_for(const CheckOptions& options, bool many) {
 
 }  // namespace
 
-SettingsOfPrograms::SettingsOfPrograms(const CheckOptions& told,
+SettingsOfPrograms::SettingsOfPrograms(const CheckOptions& specified,
                                        const std::vector<std::string>& programs,
                                        setup::InputSet& inputs)
-    : told_(told), inputs_(inputs), many_(programs.size() > 1) {
+    : specified_(specified), inputs_(inputs), many_(programs.size() > 1) {
     std::map<std::string, std::size_t> numbers;
     std::map<const setup::ProjectFile*, std::vector<std::string>> programs_of;
     for (const std::string& program : programs) {
-        const setup::ProjectFile* project = told.no_project ? nullptr : project_of(program);
+        const setup::ProjectFile* project = specified.no_project ? nullptr : project_of(program);
         if (project) programs_of[project].push_back(program);
         std::vector<setup::ProjectSetting> settings;
         if (project) settings = setup::settings_for(*project, program);
@@ -191,29 +136,21 @@ const setup::ProjectFile* SettingsOfPrograms::project_of(const std::string& prog
         projects_.emplace(*above->second, setup::read_project_file(*above->second, inputs_));
     for (const auto& section : read.first->second.sections) {
         for (const setup::ProjectSetting& setting : section.settings)
-            try_out(setting, words_of(setting, read.first->second.folder));
+            (void)words_of_setting(setting, read.first->second.folder);
     }
     return &read.first->second;
 }
 
 void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* project,
                               const std::vector<setup::ProjectSetting>& settings) {
-    made.options = told_;
+    made.options = specified_;
     if (project) {
         made.project = project->name;
-        // Inserted before "--": a list option would otherwise take the following program as a
-        // value.
-        std::vector<std::string> words = told_.words;
-        auto end = std::ranges::find(words, "--");
+        made.options = parsed(with_settings(
+            specified_.words, settings, project->folder,
+            [this](const std::string& option) { return !specified_.given.contains(option); }));
         for (const setup::ProjectSetting& setting : settings) {
-            if (told_.given.contains(setting.option)) continue;
-            const std::vector<std::string> more = words_of(setting, project->folder);
-            end = words.insert(end, more.begin(), more.end()) +
-                  static_cast<std::ptrdiff_t>(more.size());
-        }
-        made.options = parsed(words);
-        for (const setup::ProjectSetting& setting : settings) {
-            if (!told_.given.contains(setting.option))
+            if (!specified_.given.contains(setting.option))
                 made.options.selection.set_origin("--" + setting.option, setting.where);
         }
     }
@@ -247,7 +184,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     questions.selection = options.selection;
     questions.dog_leg = options.dog_leg;
     questions.is_rapid_specified = options.given.contains("rapid");
-    questions.cut_free = options.cut_free;
+    questions.detached_pieces = options.detached_pieces;
     questions.air_cuts = options.air_cuts;
     questions.ledger = !options.csv.empty();
     questions.look = !options.html.empty();

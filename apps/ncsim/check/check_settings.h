@@ -45,7 +45,7 @@ class SettingsOfPrograms {
 public:
     /// Reads the settings.
     /// Throws: std::runtime_error, with file, line and column of a fault in a project.
-    SettingsOfPrograms(const CheckOptions& told, const std::vector<std::string>& programs,
+    SettingsOfPrograms(const CheckOptions& specified, const std::vector<std::string>& programs,
                        setup::InputSet& inputs);
 
     CheckSettings& of(std::size_t program) { return settings_[number_of_[program]]; }
@@ -60,7 +60,7 @@ private:
               const std::vector<setup::ProjectSetting>& settings);
     std::shared_ptr<const report::Baseline> baseline_of(const CheckOptions& options);
 
-    const CheckOptions& told_;
+    const CheckOptions& specified_;
     setup::InputSet& inputs_;
     bool many_;
     std::map<std::string, std::optional<std::string>> project_above_;  // by folder

@@ -53,7 +53,7 @@ Reports::Reports(const ReportOptions& options, OutputSet& outputs, bool many)
 
 void Reports::tell(const report::Entry& entry) const {
     if (options_.github) {
-        put_out(entry.github);
+        write_stdout(entry.github);
     } else {
         put_text(entry.text, outputs_.takes_standard_output());
     }

@@ -6,9 +6,9 @@
 #include "ncsim/report/describe.h"
 #include "ncsim/report/difference.h"
 #include "ncsim/setup/machine_formats.h"
+#include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/compare_parts.h"
 #include "ncsim/simulation/models.h"
-#include "ncsim/simulation/take_machine.h"
 
 #include "options/plan_options.h"
 #include "system/console.h"
@@ -35,7 +35,7 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     Side side;
     side.plan = plan_for(options, diff, inputs);
     if (!diff.machine.empty())
-        simulation::take_machine(side.plan, setup::read_machine(diff.machine, inputs));
+        simulation::apply_machine(side.plan, setup::read_machine(diff.machine, inputs));
     if (side.plan.model.empty()) side.plan.model = simulation::verifying_model().name;
     side.survey = simulation::survey(side.plan);
     return side;
@@ -57,17 +57,18 @@ cli::App* add_diff(cli::App& app, DiffOptions& o) {
     diff->add_option("new", o.new_program, "NC program")->required()->type_name("NEW");
     add_language_options(*diff, o);
     add_setup_options(*diff, o);
-    add_simulation_options(*diff, o);
+    add_simulation_options(*diff, o, Models::Verifying);
+    diff->begin_group("Machine");
     diff->add_option("--machine", o.machine,
-                     "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
+                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
         ->type_name("FILE");
-    diff->add_option("--tol", o.tolerance_mm3, "Volume that may differ on each side, mm3 [0]")
+    diff->begin_group("Comparison");
+    diff->add_option("--tol", o.tolerance_mm3, "Permitted difference on each side, mm3 [0]")
         ->type_name("MM3")
         ->number_range(0.0, 1e15);
-    diff->add_flag("--process", o.process,
-                   "Exit code 1 if feeds, speeds, coolant, tools or dwells differ, too");
-    diff->add_option("--json", o.json, "The difference, JSON")->type_name("FILE");
-    diff->add_flag("--quiet,-q", o.quiet, "Only the exit code");
+    diff->add_flag("--process", o.process, "Compare feeds, speeds, coolant, tools and dwells, too");
+    diff->add_option("--json", o.json, "Differences, JSON")->type_name("FILE");
+    diff->add_flag("--quiet,-q", o.quiet, "Print nothing");
     return diff;
 }
 
@@ -94,9 +95,9 @@ int run(const DiffOptions& options) {
     report::Difference d = simulation::compare_parts(a, b);
     // An assumed stock follows from the motions and has no information of its own.
     const auto& other = b_alone.survey.stock;
-    const bool both_told = other && other->told_by != toolpath::ToldBy::Assumption &&
-                           a.survey.stock->told_by != toolpath::ToldBy::Assumption;
-    if (both_told && !(*other == stock)) {
+    const bool both_specified = other && other->specified_by != toolpath::ValueSource::Assumption &&
+                                a.survey.stock->specified_by != toolpath::ValueSource::Assumption;
+    if (both_specified && !(*other == stock)) {
         d.stocks = fmt::format("the blocks differ: {} and {}; both were cut from the first",
                                report::describe(stock), report::describe(*other));
     }

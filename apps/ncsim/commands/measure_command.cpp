@@ -10,10 +10,10 @@
 #include "ncsim/export/step.h"
 #include "ncsim/report/measure_sheet.h"
 #include "ncsim/setup/machine_formats.h"
+#include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
-#include "ncsim/simulation/take_machine.h"
 
 #include "options/plan_options.h"
 #include "system/console.h"
@@ -72,17 +72,18 @@ report::MeasureSheet sheet_of(const simulation::Solid& solid, const cda::Boundar
 }  // namespace
 
 cli::App* add_measure(cli::App& app, MeasureOptions& o) {
-    cli::App* measure = app.add_subcommand(
-        "measure", "List bores, floors, and what is between walls, as a calliper would find them");
+    cli::App* measure = app.add_subcommand("measure", "List bores, floors and distances of walls");
     add_program_options(*measure, o);
     add_setup_options(*measure, o);
-    add_simulation_options(*measure, o);
+    add_simulation_options(*measure, o, Models::Exact);
+    measure->begin_group("Machine");
     measure
         ->add_option("--machine", o.machine,
-                     "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
+                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
         ->type_name("FILE");
-    measure->add_option("--json", o.json, "The same, JSON")->type_name("FILE");
-    measure->add_flag("--quiet,-q", o.quiet, "Only errors and warnings, and what --json writes");
+    measure->begin_group("Outputs");
+    measure->add_option("--json", o.json, "Dimensions, JSON")->type_name("FILE");
+    measure->add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
     return measure;
 }
 
@@ -100,7 +101,7 @@ int run(const MeasureOptions& options) {
     if (!options.machine.empty()) inputs.expect(options.machine);
     simulation::Plan plan = plan_for(options, options, inputs);
     if (!options.machine.empty())
-        simulation::take_machine(plan, setup::read_machine(options.machine, inputs));
+        simulation::apply_machine(plan, setup::read_machine(options.machine, inputs));
     if (plan.model.empty()) plan.model = simulation::models().front().name;
     plan.keep_boundary = true;
     outputs.reserve(options.json);

@@ -30,14 +30,12 @@ Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest
 )";
 
 constexpr const char* kFiles = R"(
-Files:  - is the standard input, where a file is read, or the standard output, where one is written;
-        what people read goes to the standard error then. An output that is an input is refused.
+Files:  - is the standard input or the standard output; text then goes to the standard error.
 )";
 
 constexpr const char* kExitCodes = R"(
-Exit codes: 0 clean, 1 the NC program has faults, 2 wrong usage, unreadable input or a failing
-world (disk full, no such folder), 3 a bug of ours, 4 not proven: no fault was found, but something
-that nobody told stands before "clean" (check).
+Exit codes: 0 clean; 1 faults in the NC program; 2 wrong usage, unreadable input or failed output;
+3 internal error; 4 not proven: no fault was found, but information is missing (check).
 
 )";
 
@@ -105,9 +103,7 @@ void refuse_empty_names(const cli::App& command) {
 }  // namespace
 
 Command parse_options(const std::vector<std::string>& arguments) {
-    cli::App app{
-        "ncsim runs an NC milling program without a machine and shows what is left of the block.",
-        "ncsim"};
+    cli::App app{"ncsim simulates and verifies NC milling programs.", "ncsim"};
     app.set_version_flag("--version", fmt::format("ncsim {}", report::kVersion));
     app.require_subcommand();
     const char* const run_example =
@@ -154,9 +150,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
     try {
         const cli::App::Outcome outcome = app.parse(words);
         const cli::App* const chosen = app.chosen();
-        if (outcome == cli::App::Outcome::Help) return Farewell{kClean, chosen->help()};
+        if (outcome == cli::App::Outcome::Help) return EarlyExit{kClean, chosen->help()};
         if (outcome == cli::App::Outcome::Version)
-            return Farewell{kClean, fmt::format("ncsim {}\n", report::kVersion)};
+            return EarlyExit{kClean, fmt::format("ncsim {}\n", report::kVersion)};
         refuse_empty_names(*chosen);
         if (chosen == run) {
             complete(run_options);
@@ -171,7 +167,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
             complete(check_options);
             check_options.words = words;
             check_options.given = given_to(*check);
-            check_options.told = told_to(*check);
+            check_options.specified = settings_of(*check);
             check_options.tile_words = words_of_check(*check);
             return check_options;
         }
@@ -192,10 +188,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
         const std::string of = app.chosen() == &app ? "" : app.chosen()->name() + " ";
         std::string what = mistyped(app, words);
         if (what.empty()) what = e.text;
-        return Farewell{kEnvironment, fmt::format("ncsim: {}\nTry: ncsim {}--help\n",
-                                                  report::one_line(what), of)};
+        return EarlyExit{kEnvironment, fmt::format("ncsim: {}\nTry: ncsim {}--help\n",
+                                                   report::one_line(what), of)};
     } catch (const Refusal& e) {
-        return Farewell{kEnvironment, fmt::format("ncsim: {}\n", report::one_line(e.text))};
+        return EarlyExit{kEnvironment, fmt::format("ncsim: {}\n", report::one_line(e.text))};
     }
 }
 

@@ -20,14 +20,14 @@
 namespace ncsim::app {
 
 /// Text and exit code of a command line without a command to run.
-struct Farewell {
+struct EarlyExit {
     int exit_code = kClean;
     std::string text;  ///< For stdout if the exit code is kClean, otherwise for stderr.
 };
 
 /// Options of the chosen command. For each type there is a run().
 using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
-                             DiffOptions, MachineOptions, MeasureOptions, RulesOptions, Farewell>;
+                             DiffOptions, MachineOptions, MeasureOptions, RulesOptions, EarlyExit>;
 
 /// Parses the command line. Accepts any arguments.
 Command parse_options(const std::vector<std::string>& arguments);

@@ -32,18 +32,17 @@ const gcode::ControlCodes* known_control(const std::string& name) {
 }  // namespace
 
 cli::App* add_parse(cli::App& app, ParseOptions& options) {
-    cli::App* parse =
-        app.add_subcommand("parse", "Show how a program is read: its blocks, or its motions");
+    cli::App* parse = app.add_subcommand("parse", "Show how a program is read: blocks or motions");
     add_program_options(*parse, options);
-    parse->add_flag("--canonical", options.canonical,
-                    "The motions the program makes, in mm and degrees, not its blocks");
+    parse->begin_group("Outputs");
+    parse->add_flag("--canonical", options.canonical, "Motions, in mm and degrees");
     parse
         ->add_option_function<std::string>(
             "--for", [&options](const std::string& name) { options.control = known_control(name); },
-            "Codes of the program that this control does not have: grbl, haas, fanuc, …")
+            "Codes that this control does not have: grbl, haas, …")
         ->type_name("CONTROL")
         ->excludes("--canonical");
-    parse->add_flag("--json", options.json, "As JSON, a line for each of them");
+    parse->add_flag("--json", options.json, "JSON, an object per line");
     return parse;
 }
 
@@ -54,15 +53,15 @@ int run(const ParseOptions& options) {
     const setup::Job job = setup::read_job(static_cast<const setup::JobOptions&>(options), inputs);
     if (options.control) {
         const report::Lacking found =
-            report::list_lacking(job.program, *options.control, options.json, put_out);
+            report::list_lacking(job.program, *options.control, options.json, write_stdout);
         return found.lacking > 0 ? kFindings : found.unknown > 0 ? kNotProven : kClean;
     }
     gcode::ParserOptions parser;
     parser.strict = job.options.strict;
     const gcode::Diagnostics diagnostics =
         options.canonical
-            ? report::list_motions(job.program, job.interpreter, options.json, put_out)
-            : report::list_blocks(job.program, parser, options.json, put_out);
+            ? report::list_motions(job.program, job.interpreter, options.json, write_stdout)
+            : report::list_blocks(job.program, parser, options.json, write_stdout);
     print_findings(job.program, diagnostics);
     return gcode::has_errors(diagnostics) ? kFindings : kClean;
 }

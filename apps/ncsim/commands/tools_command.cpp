@@ -22,7 +22,8 @@ cli::App* add_tools(cli::App& app, ToolsOptions& options) {
         app.add_subcommand("tools", "List the tools of a program: shape, source, use, conflicts");
     add_program_options(*tools, options);
     add_setup_options(*tools, options);
-    tools->add_flag("--json", options.json, "As JSON");
+    tools->begin_group("Outputs");
+    tools->add_flag("--json", options.json, "JSON");
     return tools;
 }
 
@@ -39,7 +40,7 @@ int run(const ToolsOptions& options) {
     const report::Plunges plunges = simulation::plunges_of(plan);
     const setup::Job& job = plan.job;
     if (options.json) {
-        put_out(report::tool_sheet_json(job.program.name, survey, job.tools, plunges));
+        write_stdout(report::tool_sheet_json(job.program.name, survey, job.tools, plunges));
     } else {
         put_text(report::tool_sheet(survey, job.tools, plunges), outputs.takes_standard_output());
     }

@@ -22,7 +22,7 @@ namespace {
 
 CheckOptions check_options_from(const std::vector<std::string>& words) {
     Command command = parse_options(words);
-    if (const auto* farewell = std::get_if<Farewell>(&command)) {
+    if (const auto* farewell = std::get_if<EarlyExit>(&command)) {
         throw std::runtime_error("the tiles: " +
                                  farewell->text.substr(0, farewell->text.find('\n')));
     }
@@ -56,11 +56,11 @@ int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>&
                                        {"write-baseline", &merge.write_baseline}}) {
         if (!file->empty()) tell(std::string(option) + "=" + *file);
     }
-    for (const auto& [option, is_told] : {std::pair{"github", merge.github},
-                                          {"exit-zero", merge.exit_zero},
-                                          {"notes", merge.notes},
-                                          {"quiet", merge.quiet}}) {
-        if (is_told) tell(option);
+    for (const auto& [option, is_specified] : {std::pair{"github", merge.github},
+                                               {"exit-zero", merge.exit_zero},
+                                               {"notes", merge.notes},
+                                               {"quiet", merge.quiet}}) {
+        if (is_specified) tell(option);
     }
     CheckOptions options = check_options_from(words);
     options.tile_files = files[order[0]].head.files;

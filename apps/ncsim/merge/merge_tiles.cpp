@@ -26,7 +26,7 @@ namespace {
 
 Options options_from(const std::vector<std::string>& words) {
     Command command = parse_options(words);
-    if (const auto* farewell = std::get_if<Farewell>(&command)) {
+    if (const auto* farewell = std::get_if<EarlyExit>(&command)) {
         throw std::runtime_error("the tiles: " +
                                  farewell->text.substr(0, farewell->text.find('\n')));
     }

@@ -108,48 +108,38 @@ bool decides_verdicts(const std::string& name) {
 
 }  // namespace
 
-cli::App* add_check(cli::App& app, CheckOptions& o) {
-    cli::App* check = app.add_subcommand(
-        "check", "Verify programs: is each of them safe to run? Exit code 1 if not");
-    check
-        ->add_option("programs", o.programs,
-                     "NC programs, and folders: each file in them that reads as a program, "
-                     "whatever its name")
-        ->type_name("FILES");
-    check
-        ->add_option(
-            "--list", o.list,
-            "More of them, a path a line; others are left out and named; - is the standard input")
+namespace {
+
+void add_rule_options(cli::App& check, CheckOptions& o) {
+    check.begin_group("Rules and verdict");
+    add_list(check, "--select", "RULES", "Only these rules or categories",
+             [&o](const auto& names) { select(o.selection, names); });
+    // Applied after --select, whatever the order on the command line.
+    add_list(check, "--ignore", "RULES", "All rules except these",
+             [&o](const auto& names) { ignore(o.selection, names); });
+    add_list(check, "--severity", "RULE=S", "Severity of a rule: note, warning, error",
+             [&o](const auto& texts) { weigh(o.selection, texts); });
+    add_list(check, "--accept", "REASONS", "Doubts that do not count: stock-guess,…; all",
+             [&o](const auto& names) {
+                 for (const std::string& name : names)
+                     o.accept.push_back(known_reason("--accept", name));
+             });
+    add_list(check, "--require", "THINGS",
+             "Required: holder,fixtures,travels,offsets,links,lengths,modes",
+             [&o](const auto& names) {
+                 for (const std::string& name : names)
+                     o.require.push_back(known_requirement("--require", name));
+             });
+    check.add_option("--baseline", o.baseline, "Known findings, which do not count")
         ->type_name("FILE");
-    check->add_flag("--no-project", o.no_project,
-                    "Ignore ncsim.toml, the options for the programs below its folder");
-    add_language_options(*check, o);
-    add_setup_options(*check, o);
-    add_simulation_options(*check, o);
-    check
-        ->add_option(
-            "--machine", o.machine,
-            "Travels, limits, fixtures, how it turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
+    check.add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
+    check.add_option("--design", o.design, "Compare the part with STL (mm), GLB or STEP in G54")
         ->type_name("FILE");
-    check
-        ->add_option("--design", o.design,
-                     "What the part is to be: STL (mm), GLB or STEP, closed, in G54")
-        ->type_name("FILE");
-    check
-        ->add_option("--design-tol", o.design_tolerance,
-                     "How far the part may be off the design, mm [0.1]")
+    check.add_option("--design-tol", o.design_tolerance, "Permitted deviation, mm [0.1]")
         ->type_name("MM")
         ->number_range(1e-4, 1e4);
-    cli::Option* selected = add_list(*check, "--select", "RULES", "Only these rules or categories",
-                                     [&o](const auto& names) { select(o.selection, names); });
-    // Applied after --select, whatever the order on the command line.
-    add_list(*check, "--ignore", "RULES", "All but these",
-             [&o](const auto& names) { ignore(o.selection, names); });
-    (void)selected;
-    add_list(*check, "--severity", "RULE=S", "note, warning or error",
-             [&o](const auto& texts) { weigh(o.selection, texts); });
     check
-        ->add_option_function<std::string>(
+        .add_option_function<std::string>(
             "--rapid",
             [&o](const std::string& path) {
                 if (path != "linear" && path != "dog-leg") {
@@ -157,64 +147,58 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
                 }
                 o.dog_leg = path == "dog-leg";
             },
-            "How rapid moves go: linear or dog-leg [linear]")
+            "Path of rapid moves: linear, dog-leg [linear]")
         ->type_name("PATH");
-    check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
+    check.add_flag("--cut-free", o.detached_pieces, "Find pieces that are cut free, too; slower");
+    check.add_flag("--air-cuts", o.air_cuts, "Find feed moves that remove nothing, too; slower");
+}
+
+void add_batch_options(cli::App& check, CheckOptions& o) {
+    check.begin_group("Many programs");
+    check.add_option("--list", o.list, "File with a path per line; -: standard input")
+        ->type_name("FILE");
+    check.add_option("--jobs,-j", o.jobs, "Programs at a time; no effect on results")
         ->type_name("N")
         ->range(1, 1024);
-    check->add_flag("--isolate", o.isolate,
-                    "Each program in a process of its own: a crash of one stops no other");
-    check
-        ->add_option("--shard", o.shard,
-                     "Only part I of N of the programs, from 0 on; auto: as SLURM_ARRAY_TASK_ID, "
-                     "JOB_COMPLETION_INDEX or CI_NODE_INDEX say")
+    check.add_flag("--isolate", o.isolate, "One process per program: a crash stops no other");
+    check.add_option("--cache", o.cache, "Folder that keeps verdicts of unchanged programs")
+        ->type_name("DIR");
+    check.add_option("--shard", o.shard, "Share I of N of the programs, from 0; auto: as CI says")
         ->type_name("I/N");
-    check->add_option("--shards", o.shards, "N, where auto cannot know it")
+    check.add_option("--shards", o.shards, "N for --shard auto, if CI does not say")
         ->type_name("N")
         ->range(1U, 1'000'000U);
-    check->add_option("--out", o.out, "Folder for the result of a shard, for ncsim merge")
+    check.add_option("--out", o.out, "Folder for the result of a shard, for ncsim merge")
         ->type_name("DIR");
-    check
-        ->add_option("--tile", o.tile,
-                     "Ask only tile I of N of the part, from 0 on; auto: as for --shard")
+    check.add_option("--tile", o.tile, "Verify tile I of N of the part, from 0; auto: as CI says")
         ->type_name("I/N");
-    check->add_option("--tile-out", o.tile_out, "Folder for what a tile met, for ncsim merge")
+    check.add_option("--tile-out", o.tile_out, "Folder for the result of a tile, for ncsim merge")
         ->type_name("DIR");
-    check->add_flag("--redo", o.redo, "Verify a shard or tile again whose result is there");
+    check.add_flag("--redo", o.redo, "Verify a shard or tile again although its result exists");
+}
+
+}  // namespace
+
+cli::App* add_check(cli::App& app, CheckOptions& o) {
+    cli::App* check =
+        app.add_subcommand("check", "Verify that programs are safe; exit code 1 if not");
+    check->add_option("programs", o.programs, "NC programs, and folders with NC programs")
+        ->type_name("FILES");
+    add_language_options(*check, o);
+    add_setup_options(*check, o);
+    check->begin_group("Machine");
     check
-        ->add_option("--cache", o.cache,
-                     "Folder of verdicts: of what has not changed they are not found again")
-        ->type_name("DIR");
-    add_list(*check, "--accept", "REASONS", "Reasons for doubt that do not count: stock-guess,…",
-             [&o](const auto& names) {
-                 for (const std::string& name : names)
-                     o.accept.push_back(known_reason("--accept", name));
-             });
-    add_list(*check, "--require", "THINGS",
-             "What has to be specified: holder,fixtures,travels,offsets,links,lengths,modes",
-             [&o](const auto& names) {
-                 for (const std::string& name : names)
-                     o.require.push_back(known_requirement("--require", name));
-             });
-    check
-        ->add_option("--baseline", o.baseline,
-                     "Findings that are known and do not count, as --write-baseline wrote them")
+        ->add_option("--machine", o.machine,
+                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
         ->type_name("FILE");
-    check->add_flag(
-        "--cut-free", o.cut_free,
-        "Ask for pieces cut free, too: makes the surface of the part, at most the price of a run");
-    check->add_flag("--air-cuts", o.air_cuts,
-                    "Ask for feed moves that remove nothing, too; slower");
+    add_rule_options(*check, o);
     add_report_options(*check, o);
-    check->add_option("--csv", o.csv, "What every block removed and took, CSV; slower")
+    check->add_option("--csv", o.csv, "Volume and time of each block, CSV; slower")
         ->type_name("FILE");
-    check
-        ->add_option(
-            "--html", o.html,
-            "A page about the program, with the part to turn; of several programs a page for each "
-            "and an index; DIR/: always an index")
+    check->add_option("--html", o.html, "Page with the part; DIR/: pages with an index")
         ->type_name("FILE");
-    check->add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
+    add_batch_options(*check, o);
+    add_simulation_options(*check, o, Models::Verifying);
     return check;
 }
 
@@ -285,17 +269,17 @@ void complete(CheckOptions& o) {
     if (!o.shard.empty()) o.number = shard_number(o.shard, o.shards);
 }
 
-std::string told_to(const cli::App& command) {
-    std::string told;
+std::string settings_of(const cli::App& command) {
+    std::string specified;
     for (const cli::Option* option : command.options()) {
         const std::string name = long_name(*option);
         if (option->count() == 0 || !decides_verdicts(name)) continue;
-        told += "--" + name;
+        specified += "--" + name;
         for (const std::string& value : option->values())
-            told += '\0' + value;
-        told += '\n';
+            specified += '\0' + value;
+        specified += '\n';
     }
-    return told;
+    return specified;
 }
 
 std::vector<std::string> words_of_check(const cli::App& command) {

@@ -41,10 +41,9 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::shared_ptr<const simulation::SeenTiles> tiles;
     report::FileDigests tile_files;
     std::string cache;               ///< Folder of cached verdicts; empty: none.
-    bool no_project = false;         ///< Ignore ncsim.toml.
     std::vector<std::string> words;  ///< Words of the command line; the command is first.
     std::set<std::string> given;     ///< Options on the command line, without dashes.
-    std::string told;                ///< Options that determine verdicts, in canonical form.
+    std::string specified;           ///< Options that determine verdicts, in canonical form.
     std::string machine;             ///< A machine.toml.
     std::string design;              ///< STL, GLB or STEP.
     double design_tolerance = 0.1;   ///< mm
@@ -52,9 +51,9 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     verify::Selection selection;
     std::string csv, html;  ///< Output files; empty: none.
     bool dog_leg = false;
-    bool cut_free = false;  ///< Search for pieces that are cut free.
-    bool air_cuts = false;  ///< Search for feed moves that remove nothing.
-    unsigned jobs = 0;      ///< Number of programs at a time; 0: number of cores.
+    bool detached_pieces = false;  ///< Search for pieces that are cut free.
+    bool air_cuts = false;         ///< Search for feed moves that remove nothing.
+    unsigned jobs = 0;             ///< Number of programs at a time; 0: number of cores.
     bool warnings_as_errors = false;
 };
 
@@ -85,7 +84,7 @@ std::optional<OptionKind> kind_of_check_option(const std::string& name);
 
 /// Returns the options of `command` that determine verdicts, in canonical form: without outputs and
 /// the division of work.
-std::string told_to(const cli::App& command);
+std::string settings_of(const cli::App& command);
 /// Returns a command line with the same verdicts for every division of work.
 std::vector<std::string> words_of_check(const cli::App& command);
 std::set<std::string> given_to(const cli::App& command);

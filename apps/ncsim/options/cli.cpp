@@ -52,7 +52,7 @@ Option* Option::excludes(const std::string& other) {
 
 template <class Number>
 Option* Option::range(Number least, Number most) {
-    option_->check(CLI::Range(least, most));
+    option_->check(CLI::Range(least, most).description(""));
     return this;
 }
 template Option* Option::range(int, int);
@@ -92,8 +92,22 @@ std::vector<std::string> Option::values() const {
     return option_->results();
 }
 
+namespace {
+
+// Help with a line per option: names and type, then the description.
+class HelpLines : public CLI::Formatter {
+public:
+    std::string make_option_opts(const CLI::Option* option) const override {
+        const std::string type = option->get_type_name();
+        return type.empty() ? "" : " " + type;
+    }
+};
+
+}  // namespace
+
 App::App(const std::string& description, const std::string& name)
     : owned_(std::make_unique<CLI::App>(description, name)), app_(owned_.get()) {
+    app_->formatter(std::make_shared<HelpLines>());  // commands inherit it
     options_.emplace_back(app_->get_help_ptr());
 }
 
@@ -122,6 +136,10 @@ void App::footer(const std::string& text) {
 
 void App::after_parsing(std::function<void()> done) {
     app_->parse_complete_callback(std::move(done));
+}
+
+void App::begin_group(const std::string& name) {
+    app_->option_defaults()->group(name);
 }
 
 Option* App::add(CLI::Option* option) {
@@ -172,7 +190,11 @@ std::string App::name() const {
     return app_->get_name();
 }
 std::string App::help() const {
-    return app_->help();
+    std::string text = app_->help();
+    // CLI11 leaves two lines blank between groups.
+    for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;)
+        text.erase(at, 1);
+    return text;
 }
 
 std::vector<const Option*> App::options() const {

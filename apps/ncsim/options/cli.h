@@ -77,6 +77,9 @@ public:
     /// Calls `done` after all options of the command were read.
     void after_parsing(std::function<void()> done);
 
+    /// Lists the options that are added from here on under the heading `name` in help.
+    void begin_group(const std::string& name);
+
     /// Adds an option that stores its value in `value`. Value: std::string,
     /// std::vector<std::string>, int, unsigned, std::uint64_t, double,
     /// std::optional<std::uint32_t>.

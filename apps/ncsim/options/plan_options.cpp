@@ -22,7 +22,7 @@ simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions
 simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
     simulation::Plan plan = plan_for(options, options, inputs);
     plan.draft = options.draft;
-    plan.is_model_told = options.model_told;
+    plan.is_model_specified = options.model_specified;
     plan.needs_exact = needs_exact_part(options);
     plan.resolution = options.resolution;
     plan.rays = options.rays;

@@ -143,13 +143,15 @@ void read_model(const std::string& model) {
     }
 }
 
-std::string models_told() {
-    std::string text = "Workpiece model:";
-    for (const simulation::ModelInfo& model : simulation::models()) {
-        const bool is_first = &model == simulation::models().data();
-        text += fmt::format("{} {}, {}", is_first ? "" : ";", model.name, model.what);
-    }
-    return text;
+// Returns "cda, cda-flat [cda]".
+std::string model_choice(Models models) {
+    using Info = simulation::ModelInfo;
+    const std::string names =
+        models == Models::All ? simulation::model_names()
+        : models == Models::Exact
+            ? simulation::model_names([](const Info& model) { return model.exact; })
+            : simulation::model_names([](const Info& model) { return model.verifies; });
+    return fmt::format("{} [{}]", names, simulation::models()[0].name);
 }
 
 }  // namespace
@@ -197,96 +199,108 @@ std::vector<std::string> inputs_of(const ProgramOptions& o) {
 void add_language_options(cli::App& command, ProgramOptions& options) {
     using Text = const std::string&;
     ProgramOptions& o = options;
-    command.add_option("--job", o.job, "Set-up from a file that --save-job wrote, TOML")
+    command.begin_group("Input");
+    command.add_option("--job", o.job, "Job file (TOML): tools, stock and set-up")
         ->type_name("FILE");
-    command
-        .add_option("--tool-table", o.tool_tables,
-                    "Tools from a file: tool.tbl, .camotics, Fusion or Kiri:Moto JSON")
-        ->type_name("FILE")
-        ->one_value_at_a_time();
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--tool", [&o](const auto& texts) { o.tools = read_tools(texts); },
-            "A tool, more than once for more tools")
-        ->type_name("TOOL")
-        ->one_value_at_a_time();
-    command.add_option("--holders", o.holders, "What holds the tools, TOML")->type_name("FILE");
+    command.add_flag("--no-project", o.no_project, "Ignore ncsim.toml");
     command
         .add_option_function<std::string>(
-            "--start", [&o](Text text) { o.start = read_triple("--start", text); },
-            "Where the tool stands when the program starts, in G54 as it is at the first move, mm")
-        ->type_name("X,Y,Z");
+            "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
+            "Control: auto, rs274, fanuc, haas, grbl, mach3 [auto]")
+        ->type_name("NAME");
+    command.add_flag("--strict", o.strict, "Refuse what LinuxCNC refuses");
     command
         .add_option_function<std::string>(
             "--units", [&o](Text unit) { o.inches = read_inches(unit); },
-            "Of programs without G20 and G21: mm or inch")
+            "Unit if the program has no G20 and no G21: mm, inch")
         ->type_name("UNIT");
-    command.add_switch("--increments", o.increments,
-                       "Numbers without a point count 0.001 mm, 0.0001 inch, 0.001 degrees: on or "
-                       "off");
+    command
+        .add_option_function<std::string>(
+            "--start", [&o](Text text) { o.start = read_triple("--start", text); },
+            "Position of the tool at the start in G54, mm")
+        ->type_name("X,Y,Z");
     command
         .add_option_function<std::vector<std::string>>(
             "--variable", [&o](const auto& texts) { o.variables = read_variables(texts); },
-            "Value of a variable at the start, as #500=1 or #<_depth>=2.5")
+            "Value of a variable at the start, as #500=1")
         ->type_name("NAME=VALUE")
         ->one_value_at_a_time();
     command
         .add_option_function<std::vector<std::string>>(
             "--compensation",
             [&o](const auto& texts) { o.compensation = read_compensation(texts); },
-            "Radius in a register of cutter compensation at the start, mm; D1=0: the path is that "
-            "of the tool's centre (wear)")
+            "Radius of G41, G42 in register D1, mm; 0: wear only")
         ->type_name("D1=R")
         ->one_value_at_a_time();
     command
         .add_option("--subprograms", o.subprograms,
-                    "A folder with subprograms, besides that of the program")
+                    "Folder with subprograms, after the program's own")
         ->type_name("DIR")
         ->one_value_at_a_time();
     command.add_switch("--block-delete", o.block_delete,
-                       "Skip blocks that start with '/': on or off");
-    command
-        .add_option_function<std::string>(
-            "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
-            "Control it was written for: auto, rs274, fanuc, haas, grbl, mach3")
-        ->type_name("NAME");
-    command.add_flag("--strict", o.strict, "Refuse what RS274/NGC as LinuxCNC runs it refuses");
-    command.add_option("--allow", o.allow, "Words to pass over in silence: G187,M198")
+                       "Skip blocks that start with '/': on, off");
+    command.add_switch("--increments", o.increments,
+                       "Read numbers without a point as 0.001 mm: on, off");
+    command.add_option("--allow", o.allow, "Ignore these words without a message: G187,M198")
         ->type_name("WORDS")
         ->delimiter(',');
+    command.begin_group("Tools and stock");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--tool", [&o](const auto& texts) { o.tools = read_tools(texts); },
+            "Tool, as T1=flat:D10:L22 (below); repeatable")
+        ->type_name("TOOL")
+        ->one_value_at_a_time();
+    command
+        .add_option("--tool-table", o.tool_tables,
+                    "Tools: tool.tbl, .camotics, Fusion or Kiri:Moto JSON")
+        ->type_name("FILE")
+        ->one_value_at_a_time();
+    command.add_option("--holders", o.holders, "Tool holders (TOML)")->type_name("FILE");
 }
 
 void add_setup_options(cli::App& command, ProgramOptions& options) {
     using Text = const std::string&;
     ProgramOptions& o = options;
-    command.add_option("--save-job", o.save_job, "Write tools, stock and set-up as they were used")
-        ->type_name("FILE");
+    command.begin_group("Tools and stock");
+    command
+        .add_option_function<std::string>(
+            "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },
+            "Tool for all tools that are not described: flat:D6")
+        ->type_name("TOOL");
     command
         .add_option_function<std::string>(
             "--stock", [&o](Text text) { o.stock = read_stock(text); },
-            "What is cut, if the program does not say it: LxWxH, or DdxH for a round bar, or a "
-            "file "
-            "(.stl, .glb, .step, .ncstock)")
+            "LxWxH, DdxH (below), .stl, .glb, .step or .ncstock")
         ->type_name("STOCK");
     command
         .add_option_function<std::string>(
             "--stock-turn", [&o](Text text) { o.stock_turn = read_turn(text); },
-            "Stock from a file: by right angles about axes, as X180 or X90,Z-90")
+            "Turn stock from a file by right angles: X90,Z-90")
         ->type_name("TURNS");
     command
         .add_option_function<std::string>(
             "--stock-move", [&o](Text text) { o.stock_move = read_triple("--stock-move", text); },
-            "Stock from a file: then by so much, mm")
+            "Move stock from a file, after --stock-turn, mm")
         ->type_name("X,Y,Z");
-    command
-        .add_option_function<std::string>(
-            "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },
-            "Tool for every tool that is not described, as flat:D6")
-        ->type_name("TOOL");
+    command.add_option("--save-job", o.save_job, "Write tools, stock and set-up as a job file")
+        ->type_name("FILE");
 }
 
-void add_simulation_options(cli::App& command, SimulationOptions& options) {
+void add_simulation_options(cli::App& command, SimulationOptions& options, Models models) {
     SimulationOptions& o = options;
+    command.begin_group("Accuracy");
+    command
+        .add_option_function<double>(
+            "--tolerance", [&o](double mm) { o.tolerance = read_tolerance("--tolerance", mm); },
+            "Deviation of arcs and rotary moves, mm [0.005]")
+        ->type_name("MM");
+    command
+        .add_option_function<double>(
+            "--tool-tolerance",
+            [&o](double mm) { o.tool_tolerance = read_tolerance("--tool-tolerance", mm); },
+            "Deviation of round tools, mm [0.05]")
+        ->type_name("MM");
     command
         .add_option_function<std::string>(
             "--model",
@@ -294,30 +308,16 @@ void add_simulation_options(cli::App& command, SimulationOptions& options) {
                 read_model(model);
                 o.model = model;
             },
-            models_told())
+            "Workpiece model: " + model_choice(models))
         ->type_name("NAME");
-    command
-        .add_option_function<double>(
-            "--tolerance", [&o](double mm) { o.tolerance = read_tolerance("--tolerance", mm); },
-            "Of arcs and turning tools, mm [0.005]")
-        ->type_name("MM");
-    command
-        .add_option_function<double>(
-            "--tool-tolerance",
-            [&o](double mm) { o.tool_tolerance = read_tolerance("--tool-tolerance", mm); },
-            "Of round tools, mm [0.05]")
-        ->type_name("MM");
-    command.add_option("--threads", o.threads, "Threads; the result is the same for any number")
+    command.begin_group("Advanced");
+    command.add_option("--threads", o.threads, "Number of threads; no effect on results")
         ->type_name("N")
         ->range(1, 1024);
-    command
-        .add_option("--max-memory", o.max_memory_gb,
-                    "Give up, saying where, before more than this is used, GB")
+    command.add_option("--max-memory", o.max_memory_gb, "Stop with a message above this, GB")
         ->type_name("GB")
         ->number_range(1e-6, 1e9);
-    command
-        .add_option("--max-time", o.max_seconds,
-                    "Give up, saying where, after so many seconds with one program")
+    command.add_option("--max-time", o.max_seconds, "Stop with a message after this, s a program")
         ->type_name("S")
         ->number_range(1e-6, 1e9);
 }

@@ -31,7 +31,9 @@ struct Refusal {
 
 /// Description of the program and its set-up, and the output file for the description.
 struct ProgramOptions : setup::JobOptions {
-    std::string save_job;  ///< Job file to write; empty: none.
+    std::string save_job;     ///< Job file to write; empty: none.
+    bool no_project = false;  ///< Ignore ncsim.toml.
+    std::string project;      ///< The ncsim.toml with settings for the program; empty: none.
 };
 
 /// Further options of commands that simulate. Lengths in mm.
@@ -39,7 +41,7 @@ struct SimulationOptions {
     std::string model;             ///< A name in simulation::models(); empty: chosen automatically.
     double tolerance = 0.005;      ///< Tolerance of chords and of rotary moves.
     double tool_tolerance = 0.05;  ///< Tolerance of round tools.
-    bool tolerance_told = false, tool_tolerance_told = false;
+    bool tolerance_specified = false, tool_tolerance_specified = false;
     unsigned threads = 0;        ///< 0: number of cores.
     double max_memory_gb = 0.0;  ///< 10^9 bytes; 0: available memory.
     double max_seconds = 0.0;    ///< 0: unlimited.
@@ -58,7 +60,9 @@ std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// Checks `options` after all options were read.
 /// Throws: Refusal if no program is named.
 void complete(const ProgramOptions& options);
-void add_simulation_options(cli::App& command, SimulationOptions& options);
+/// Models that `--model` offers in the help of a command.
+enum class Models : std::uint8_t { All, Exact, Verifying };
+void add_simulation_options(cli::App& command, SimulationOptions& options, Models models);
 /// Returns the words of `command` in canonical form: its name, the options for which `matters` is
 /// true (by long name without dashes), and the positional words.
 std::vector<std::string> words_of(const cli::App& command,

@@ -6,19 +6,19 @@
 namespace ncsim::app {
 
 void add_report_options(cli::App& command, ReportOptions& o) {
-    command.add_option("--json", o.json, "All there is to say, JSON")->type_name("FILE");
-    command.add_option("--sarif", o.sarif, "Findings for code hosting, SARIF 2.1.0")
-        ->type_name("FILE");
-    command.add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
+    command.begin_group("Reports");
+    command.add_option("--json", o.json, "Verdicts, findings and doubts, JSON")->type_name("FILE");
+    command.add_option("--sarif", o.sarif, "Findings and doubts, SARIF 2.1.0")->type_name("FILE");
+    command.add_option("--junit", o.junit, "Suite per program, case per rule, JUnit XML")
         ->type_name("FILE");
     command
         .add_option("--write-baseline", o.write_baseline,
-                    "What is found now, as known findings for --baseline")
+                    "Findings of this run as known ones, for --baseline")
         ->type_name("FILE");
     command.add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
-    command.add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
-    command.add_flag("--notes", o.notes, "Show notes, too");
-    command.add_flag("--quiet,-q", o.quiet, "Only findings, no verdicts and no summary");
+    command.add_flag("--exit-zero", o.exit_zero, "Exit with 0 despite findings and doubts");
+    command.add_flag("--notes", o.notes, "Print notes, too");
+    command.add_flag("--quiet,-q", o.quiet, "Print findings and doubts only");
 }
 
 std::vector<std::string> outputs_of(const ReportOptions& o) {

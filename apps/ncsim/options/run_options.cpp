@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <filesystem>
 #include <functional>
 #include <set>
 
@@ -118,7 +120,7 @@ double read_simplify(double tolerance) {
 
 // Chooses the model: the thesis' model for its own views, otherwise the model that scales.
 void choose_model(Options& o) {
-    o.model_told = !o.model.empty();
+    o.model_specified = !o.model.empty();
     const bool needs_cells = !o.stats.empty() || !o.xml.empty();
     const auto shows = [](const simulation::ModelInfo& model) { return model.shows_cells; };
     if (o.model.empty()) {
@@ -168,147 +170,163 @@ bool needs_surface(const Options& o) {
            !o.report.empty();
 }
 
-cli::App* add_run(cli::App& app, Options& options) {
-    using Text = const std::string&;
-    Options& o = options;
-    cli::App* run =
-        app.add_subcommand("run", "Simulate a program; write pictures, meshes and reports");
-    add_program_options(*run, o);
-    add_setup_options(*run, o);
-    run->add_flag("--show-machine", o.shows_machine,
-                  "Links of the machine that have meshes, around the part: in pictures; moving, "
-                  "in --gltf and --vrml");
-    run->add_option_function<std::string>(
-           "--frame", [&o](Text name) { o.stands_still = read_frame(name); },
-           "What stands still in pictures of a machine: machine or part [machine]")
-        ->type_name("WHAT")
-        ->needs("--show-machine");
-    run->add_option("--transparent", o.transparent,
-                    "Links whose back is seen in pictures: their names, with commas")
-        ->delimiter(',')
-        ->type_name("LINK,…")
-        ->needs("--show-machine");
-    run->add_option("--machine", o.machine,
-                    "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
-        ->type_name("FILE");
-    run->add_option("--png", o.png, "Picture of the part")->type_name("FILE");
-    run->add_option("--gif", o.gif, "Moving picture of the cutting")->type_name("FILE");
-    run->add_option("--frames", o.frames, "Pictures of the cutting, numbered, in a folder")
-        ->type_name("DIR");
-    run->add_option("--every", o.every, "Moves from one frame to the next [so that there are 100]")
+namespace {
+
+void add_outputs(cli::App& run, Options& o) {
+    run.begin_group("Outputs");
+    run.add_option("--png", o.png, "Picture of the part")->type_name("FILE");
+    run.add_option("--gif", o.gif, "Animation of the cutting")->type_name("FILE");
+    run.add_option("--frames", o.frames, "Numbered pictures of the cutting")->type_name("DIR");
+    run.add_option("--every", o.every, "Moves per frame [as many as make 100 frames]")
         ->range(std::uint64_t{1}, std::uint64_t{1'000'000'000})
         ->type_name("N");
-    run->add_option("--at-line", o.at_line, "Stop after line N of the program")
-        ->range(1U, 1'000'000'000U)
-        ->type_name("N");
-    run->add_option("--gltf", o.gltf, "Mesh with the NC line of every face, glTF 2.0 binary")
+    run.add_option("--gltf", o.gltf, "Mesh with the NC line of each face, binary glTF 2.0")
         ->type_name("FILE");
-    run->add_option("--vrml", o.vrml, "Mesh with the NC line of every face, VRML97")
+    run.add_option("--vrml", o.vrml, "Mesh with the NC line of each face, VRML97")
         ->type_name("FILE");
-    run->add_option("--stl", o.stl, "Mesh, binary STL")->type_name("FILE");
-    run->add_option("--ply", o.ply, "Mesh with the NC line of every face, PLY")->type_name("FILE");
-    run->add_option("--3mf", o.threemf, "Mesh with a material for each tool, 3MF")
-        ->type_name("FILE");
-    run->add_option("--step", o.step, "Solid for CAD, STEP")->type_name("FILE");
-    run->add_option_function<std::string>(
-           "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
-           "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
-           "[analytic]")
-        ->type_name("WHAT");
-    run->add_option(
-           "--step-refine", o.step_refine,
-           "Where facets are too large for true surfaces, cut again with other tolerances, "
-           "up to N times [6]")
-        ->range(0, 6)
-        ->type_name("N");
-    run->add_flag("--step-strict", o.step_strict,
-                  "Exit with 2 if round surfaces had to be kept as facets");
-    run->add_option_function<std::string>(
-           "--step-schema", [&o](Text name) { o.step_schema = read_step_schema(name); },
-           "ap242, or ap214 for older readers [ap242]")
-        ->type_name("WHAT");
-    run->add_flag("--step-attributes", o.step_attributes,
-                  "Lines, tools and kind of each face, as attributes");
-    run->add_option("--step-max-faces", o.step_max_faces,
-                    fmt::format("Refuse a larger solid [{}]", exporter::kStepMaxFaces))
-        ->range(1, 1'000'000'000)
-        ->type_name("N");
-    run->add_option_function<std::vector<std::string>>(
+    run.add_option("--ply", o.ply, "Mesh with the NC line of each face, PLY")->type_name("FILE");
+    run.add_option("--stl", o.stl, "Mesh, binary STL")->type_name("FILE");
+    run.add_option("--3mf", o.threemf, "Mesh with a material per tool, 3MF")->type_name("FILE");
+    run.add_option_function<std::vector<std::string>>(
            "--section",
            [&o](const std::vector<std::string>& planes) {
                for (const std::string& plane : planes)
                    o.sections.push_back(read_section(plane));
            },
-           "Cut the part open where x, y or z is so many mm; several times, if need be")
+           "Plane of a section at x, y or z, mm; repeatable")
         ->type_name("z=N")
         ->no_extra_values();
-    run->add_option("--dxf", o.dxf, "The sections in lines and arcs, DXF R12")->type_name("FILE");
-    run->add_option("--svg", o.svg, "The sections in lines and arcs, SVG")->type_name("FILE");
-    run->add_option_function<double>(
-           "--simplify", [&o](double tolerance) { o.simplify = read_simplify(tolerance); },
-           "Merge faces and edges in meshes and solids within TOL mm; the deviation is "
-           "reported")
-        ->type_name("TOL");
-    cli::Option* const report =
-        run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
-    run->add_option("--save-stock", o.save_stock,
-                    "What is left, for --stock of another program: file.ncstock")
+    run.add_option("--dxf", o.dxf, "Sections as lines and arcs, DXF R12")->type_name("FILE");
+    run.add_option("--svg", o.svg, "Sections as lines and arcs, SVG")->type_name("FILE");
+    run.add_option("--save-stock", o.save_stock, "Part as stock of the next set-up, .ncstock")
         ->type_name("FILE");
-    run->add_option("--stats", o.stats, "What each hull cost, CSV")->type_name("FILE");
-    run->add_option("--xml", o.xml, "The cells of the workpiece, XML")->type_name("FILE");
-    add_simulation_options(*run, o);
-    run->add_option_function<std::string>(
+    cli::Option* const report =
+        run.add_option("--report", o.report, "Volumes, distances, times, JSON")->type_name("FILE");
+    run.add_flag("--block-volumes", o.block_volumes,
+                 "Volume that each block removes, in --report; slower")
+        ->needs(report);
+    run.add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
+}
+
+void add_step_options(cli::App& run, Options& o) {
+    using Text = const std::string&;
+    run.begin_group("STEP");
+    run.add_option("--step", o.step, "Solid with planes, cylinders, cones etc. for CAD")
+        ->type_name("FILE");
+    run.add_option_function<std::string>(
+           "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
+           "analytic or faceted [analytic]")
+        ->type_name("WHAT");
+    run.add_option("--step-refine", o.step_refine, "Cut again up to N times to avoid facets [6]")
+        ->range(0, 6)
+        ->type_name("N");
+    run.add_flag("--step-strict", o.step_strict, "Exit with 2 if round surfaces remain facets");
+    run.add_option_function<std::string>(
+           "--step-schema", [&o](Text name) { o.step_schema = read_step_schema(name); },
+           "ap242, or ap214 for older readers [ap242]")
+        ->type_name("WHAT");
+    run.add_flag("--step-attributes", o.step_attributes, "Line, tool and kind of each face");
+    run.add_option("--step-max-faces", o.step_max_faces,
+                   fmt::format("Refuse larger solids [{}]", exporter::kStepMaxFaces))
+        ->range(1, 1'000'000'000)
+        ->type_name("N");
+}
+
+void add_picture_options(cli::App& run, Options& o) {
+    using Text = const std::string&;
+    run.begin_group("Pictures");
+    run.add_option_function<std::string>(
            "--view", [&o](Text name) { o.views = {read_view(name)}; },
-           "iso, top, bottom, front, back, left, right")
+           "iso, top, bottom, front, back, left, right [iso]")
         ->type_name("VIEW");
-    run->add_option_function<std::string>(
+    run.add_option_function<std::string>(
            "--views", [&o](Text names) { o.views = read_views(names); },
-           "Several of them on one sheet with a caption: iso,top,front")
+           "Sheet of several views: iso,top,front")
         ->type_name("LIST")
         ->excludes("--view");
-    run->add_option_function<std::string>(
-           "--background", [&o](Text name) { o.background = read_background(name); },
-           "Of the picture: white, dark")
-        ->type_name("WHAT");
-    run->add_option_function<std::string>(
-           "--renderer", [&o](Text name) { o.renderer = read_renderer(name); },
-           "Of the picture: own, the same bytes on every machine, or osmesa, OSMesa [own]")
-        ->type_name("NAME");
-    run->add_option_function<std::string>(
-           "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
-           "Meaning of colours: tool, line, depth")
-        ->type_name("WHAT");
-    run->add_flag("--show-path", o.shows_path, "Draw the path of the tip, rapids dashed");
-    run->add_flag("--show-tool", o.shows_tool, "Draw the tool where it stands");
-    run->add_flag("--caption", o.has_caption, "Size, removed volume and time below pictures");
-    run->add_option_function<std::string>(
-           "--size", [&o](Text size) { read_size(size, o); }, "Of each view, pixels [1280x960]")
+    run.add_option_function<std::string>(
+           "--size", [&o](Text size) { read_size(size, o); },
+           "Size of each view, pixels [1280x960]")
         ->type_name("WxH");
-    run->add_flag("--block-volumes", o.block_volumes,
-                  "Report what each block removed, too: more work")
-        ->needs(report);
-    run->add_option("--resolution", o.resolution,
-                    "Between the rays of --model dexel, mm [the stock's longest side / 250]")
+    run.add_option_function<std::string>(
+           "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
+           "Meaning of colours: tool, line, depth [tool]")
+        ->type_name("WHAT");
+    run.add_option_function<std::string>(
+           "--background", [&o](Text name) { o.background = read_background(name); },
+           "white or dark [white]")
+        ->type_name("WHAT");
+    run.add_flag("--show-path", o.shows_path, "Draw the tool path, rapid moves dashed");
+    run.add_flag("--show-tool", o.shows_tool, "Draw the tool");
+    run.add_flag("--caption", o.has_caption, "Print size, removed volume and time");
+    run.add_flag("--show-machine", o.shows_machine,
+                 "Draw the machine; in --gltf and --vrml it moves");
+    run.add_option_function<std::string>(
+           "--frame", [&o](Text name) { o.stands_still = read_frame(name); },
+           "Fixed frame of --show-machine: machine, part [machine]")
+        ->type_name("WHAT")
+        ->needs("--show-machine");
+    run.add_option("--transparent", o.transparent, "Links of the machine to look through, by name")
+        ->delimiter(',')
+        ->type_name("LINKS")
+        ->needs("--show-machine");
+    run.add_option("--at-line", o.at_line, "Stop after line N of the program")
+        ->range(1U, 1'000'000'000U)
+        ->type_name("N");
+    run.add_flag("--draft", o.draft, "Quick first look: guess tools, mark the picture");
+    run.add_option_function<std::string>(
+           "--renderer", [&o](Text name) { o.renderer = read_renderer(name); },
+           "own (same bytes everywhere) or osmesa [own]")
+        ->type_name("NAME");
+}
+
+void add_accuracy_options(cli::App& run, Options& o) {
+    run.begin_group("Accuracy");
+    run.add_option_function<double>(
+           "--simplify", [&o](double tolerance) { o.simplify = read_simplify(tolerance); },
+           "Merge faces of meshes and solids within TOL mm")
+        ->type_name("TOL");
+    run.add_option("--resolution", o.resolution,
+                   "Distance of the rays of dexel, mm [1/250 of the stock]")
         ->type_name("MM")
         ->number_range(1e-4, 1e4);
-    run->add_option_function<std::string>(
-           "--rays", [&o](Text name) { o.rays = read_rays(name); },
-           "Of --model dexel: z (quicker; walls are off by up to half the resolution), xyz; else z "
-           "where no tool turns, undercuts or has a flat end")
+    run.add_option_function<std::string>(
+           "--rays", [&o](const std::string& name) { o.rays = read_rays(name); },
+           "Rays of dexel: z (faster), xyz [by tools and moves]")
         ->type_name("WHAT");
-    run->add_option("--tile", o.tile,
-                    "Only part I of N of the part, from 0 on, for ncsim merge; auto: as "
-                    "SLURM_ARRAY_TASK_ID or CI_NODE_INDEX say")
+}
+
+void add_advanced_options(cli::App& run, Options& o) {
+    run.begin_group("Advanced");
+    run.add_option("--tile", o.tile,
+                   "Cut tile I of N only, from 0, for ncsim merge; auto: as CI says")
         ->type_name("I/N");
-    run->add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
-    run->add_flag("--redo", o.redo, "Cut a tile again whose result is there");
-    run->add_flag("--draft", o.draft,
-                  "A first look: guess tools that are not described, say so in the picture, and be "
-                  "quick");
-    run->add_flag("--quiet,-q", o.quiet, "Only errors and warnings");
+    run.add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
+    run.add_flag("--redo", o.redo, "Cut a tile again although its result exists");
+    run.add_option("--stats", o.stats, "Cost of each hull, CSV (cda-flat)")->type_name("FILE");
+    run.add_option("--xml", o.xml, "Cells of the workpiece, XML (cda-flat)")->type_name("FILE");
+}
+
+}  // namespace
+
+cli::App* add_run(cli::App& app, Options& o) {
+    cli::App* run =
+        app.add_subcommand("run", "Simulate a program; write pictures, meshes and reports");
+    add_program_options(*run, o);
+    add_setup_options(*run, o);
+    run->begin_group("Machine");
+    run->add_option("--machine", o.machine,
+                    "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
+        ->type_name("FILE");
+    add_outputs(*run, o);
+    add_step_options(*run, o);
+    add_picture_options(*run, o);
+    add_simulation_options(*run, o, Models::All);
+    add_accuracy_options(*run, o);
+    add_advanced_options(*run, o);
     run->after_parsing([run, &o] {
-        o.tolerance_told = run->count("--tolerance") != 0;
-        o.tool_tolerance_told = run->count("--tool-tolerance") != 0;
+        o.tolerance_specified = run->count("--tolerance") != 0;
+        o.tool_tolerance_specified = run->count("--tool-tolerance") != 0;
     });
     return run;
 }
@@ -341,8 +359,45 @@ void complete_tile(Options& o) {
 
 }  // namespace
 
+namespace {
+
+// Throws Refusal if the name of an output has the ending of another format: viewers trust endings.
+void refuse_foreign_endings(const Options& o) {
+    struct Output {
+        const char* option;
+        const std::string* path;
+        std::vector<std::string> endings;  // the first is proposed
+    };
+    const Output outputs[] = {
+        {"--png", &o.png, {".png"}},        {"--gif", &o.gif, {".gif"}},
+        {"--gltf", &o.gltf, {".glb"}},      {"--vrml", &o.vrml, {".wrl", ".vrml"}},
+        {"--stl", &o.stl, {".stl"}},        {"--ply", &o.ply, {".ply"}},
+        {"--3mf", &o.threemf, {".3mf"}},    {"--step", &o.step, {".step", ".stp", ".p21"}},
+        {"--dxf", &o.dxf, {".dxf"}},        {"--svg", &o.svg, {".svg"}},
+        {"--report", &o.report, {".json"}}, {"--save-stock", &o.save_stock, {".ncstock"}}};
+    static const std::set<std::string, std::less<>> formats{
+        ".png", ".jpg",  ".jpeg", ".webp", ".bmp",  ".tif", ".tiff", ".pdf",
+        ".gif", ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply",  ".3mf",
+        ".obj", ".step", ".stp",  ".iges", ".igs",  ".dxf", ".dwg",  ".svg"};
+    for (const Output& output : outputs) {
+        const std::filesystem::path path(*output.path);
+        std::string ending = path.extension().string();
+        std::ranges::transform(ending, ending.begin(),
+                               [](unsigned char c) { return std::tolower(c); });
+        if (!formats.contains(ending) ||
+            std::ranges::find(output.endings, ending) != output.endings.end())
+            continue;
+        throw Refusal{fmt::format(
+            "{} '{}': the ending is that of another format; '{}'", output.option, *output.path,
+            std::filesystem::path(path).replace_extension(output.endings.front()).string())};
+    }
+}
+
+}  // namespace
+
 void complete(Options& options) {
     complete(static_cast<const ProgramOptions&>(options));
+    refuse_foreign_endings(options);
     choose_model(options);
     if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
         throw Refusal{"--dxf and --svg draw sections; specify the plane with --section z=-4"};

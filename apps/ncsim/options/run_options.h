@@ -60,7 +60,7 @@ struct Options : ProgramOptions, SimulationOptions {
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     double resolution = 0.0;  ///< Resolution of a model that has one, mm; 0: chosen automatically.
     simulation::RayDirections rays = simulation::RayDirections::Chosen;
-    bool model_told = false;
+    bool model_specified = false;
     std::vector<brep::SectionPlane> sections;  ///< Planes of sections.
     std::string dxf, svg;                      ///< Output files for sections.
     bool quiet = false;

@@ -66,7 +66,7 @@ std::vector<report::SectionFacts> section_facts(const Outcome& outcome) {
 
 std::vector<exporter::DrawnSection> drawn_sections(const Outcome& outcome) {
     std::vector<exporter::DrawnSection> drawn;
-    for (const simulation::CutOpen& cut : outcome.sections) {
+    for (const simulation::SectionView& cut : outcome.sections) {
         drawn.push_back(
             {&cut.section,
              cut.is_faceted ? &outcome.simulation->provenance : &outcome.true_solid->provenance,

@@ -44,7 +44,7 @@ struct Outcome {
     /// Part with true surfaces, as the tools left them; null if no output needs the solid.
     const simulation::Solid* true_solid = nullptr;
     /// Sections in the order of the options.
-    std::vector<simulation::CutOpen> sections{};
+    std::vector<simulation::SectionView> sections{};
     /// Machine file of --machine; null: none.
     const setup::MachineFile* machine = nullptr;
     /// Times of the whole program on the machine.

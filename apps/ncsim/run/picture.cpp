@@ -121,7 +121,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.background = o.background;
     options.renderer = o.renderer;
     options.colouring = o.colouring;
-    options.ghost_stock = outcome.survey.stock->told_by == toolpath::ToldBy::Assumption;
+    options.ghost_stock = outcome.survey.stock->specified_by == toolpath::ValueSource::Assumption;
     options.depth_top = stock.max.z;
     options.depth_bottom = std::max(stock.min.z, tips.min.z);
     options.camera =
@@ -147,7 +147,7 @@ exporter::Overlay overlay(const Outcome& outcome) {
     const simulation::Simulation& s = *outcome.simulation;
     exporter::Overlay result{s.paths, {}};
     const toolpath::StockEntry& stock = *outcome.survey.stock;
-    if (stock.told_by == toolpath::ToldBy::Assumption && !stock.shape && !stock.is_round)
+    if (stock.specified_by == toolpath::ValueSource::Assumption && !stock.shape && !stock.is_round)
         result.ghosts.push_back({stock.box});
     if (outcome.options.shows_machine) add_machine(outcome, result);
     if (!outcome.options.shows_tool || !s.standing) return result;
@@ -202,17 +202,17 @@ std::vector<std::string> caption(const Outcome& outcome) {
 void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
     const simulation::Survey& survey = outcome.survey;
     for (const auto& [number, used] : survey.tools) {
-        if (used.told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
+        if (used.specified_by == toolpath::ValueSource::Assumption && !survey.only_rapid)
             lines.push_back(fmt::format("guessed: T{} {}", number, describe(used.tool)));
     }
-    if (survey.stock->told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
+    if (survey.stock->specified_by == toolpath::ValueSource::Assumption && !survey.only_rapid)
         lines.push_back("guessed: stock " + report::describe(*survey.stock));
     if (survey.units_assumed) {
         lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"
                                                              : "guessed: millimetres");
     }
-    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
-        if (survey.untold[axis]) lines.push_back(fmt::format("guessed: {} 0", "XYZ"[axis]));
+    for (std::size_t axis = 0; axis < survey.unspecified.size(); ++axis) {
+        if (survey.unspecified[axis]) lines.push_back(fmt::format("guessed: {} 0", "XYZ"[axis]));
     }
 }
 

@@ -15,18 +15,19 @@
 #include "ncsim/export/stl.h"
 #include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
+#include "ncsim/report/plain_text.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/report/sheet.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
 #include "ncsim/setup/stock_file.h"
+#include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/check.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/machine_time.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
-#include "ncsim/simulation/take_machine.h"
 
 #include "options/plan_options.h"
 #include "run/animation.h"
@@ -215,7 +216,7 @@ int run(Options options) {
     std::vector<std::string> not_used;
     std::optional<setup::MachineFile> machine;
     if (!options.machine.empty()) machine = setup::read_machine(options.machine, read);
-    if (machine) not_used = simulation::take_machine(plan, *machine);
+    if (machine) not_used = simulation::apply_machine(plan, *machine);
     if (options.shows_machine && (!machine || machine->bodies.empty()))
         throw std::runtime_error("--show-machine: no link of a machine has a mesh (--machine)");
     if (machine) make_transparent(*machine, options.transparent);
@@ -228,18 +229,20 @@ int run(Options options) {
     if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
     simulation::choose_model(plan, survey);
     simulation::choose_rays(plan, survey);
-    simulation::coarsen(plan, survey, o.tolerance_told, o.tool_tolerance_told);
+    simulation::coarsen(plan, survey, o.tolerance_specified, o.tool_tolerance_specified);
     simulation::choose_resolution(plan, survey);
     // For a program that was not read, there are no assumptions.
     if (!o.quiet && !survey.interpretation.refused)
         say(report::assumption_sheet(plan.job.program.name, survey,
                                      simulation::cutting_facts(plan)));
-    if (!o.quiet && survey.is_ready() && !o.draft && !o.model_told && is_long(survey, o)) {
+    if (!o.quiet && survey.is_ready() && !o.draft && !o.model_specified && is_long(survey, o)) {
         say(
             fmt::format("hint      {} moves: --model dexel shows them in a fraction of the time, "
                         "not exactly\n",
                         survey.moves));
     }
+    if (!o.quiet && !o.project.empty())
+        say(fmt::format("settings  {}\n", report::shown_path(o.project)));
     for (const std::string& what : not_used)
         say("not used: " + what + "\n");
     print_findings(plan.job.program, survey.diagnostics);

@@ -3,7 +3,7 @@
 // Writes the job of a run.
 #include "run/save_job.h"
 
-#include "ncsim/report/told.h"
+#include "ncsim/report/value_source.h"
 #include "ncsim/setup/job_file.h"
 
 #include <filesystem>
@@ -29,7 +29,7 @@ void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Jo
                const simulation::Survey& survey) {
     for (const auto& [number, used] : survey.tools) {
         std::vector<std::string> lines{
-            report::told(used.told_by, used.span, used.text, used.file, "--tool")};
+            report::specified(used.specified_by, used.span, used.text, used.file, "--tool")};
         if (!used.filled_in.empty()) lines.push_back("assumed: " + used.filled_in);
         toolpath::ToolEntry entry;
         entry.spec = used.spec;
@@ -40,8 +40,9 @@ void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Jo
     for (const toolpath::ToolEntry& entry : job.tools) {
         if (survey.tools.contains(entry.spec.number)) continue;
         file.tools.push_back(entry);
-        remarks.tools.push_back({"not used; " + report::told(entry.told_by, entry.span, entry.text,
-                                                             entry.file, "--tool")});
+        remarks.tools.push_back(
+            {"not used; " +
+             report::specified(entry.specified_by, entry.span, entry.text, entry.file, "--tool")});
     }
     for (const auto& [number, first] : survey.unknown_tools)
         remarks.unknown_tools.emplace(number, first.line);
@@ -71,10 +72,10 @@ void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey
     if (survey.stock) {
         file.stock = *survey.stock;
         if (file.stock->from) file.stock->from->path = seen_from(path, file.stock->from->path);
-        file.stock_assumed = survey.stock->told_by == toolpath::ToldBy::Assumption;
+        file.stock_assumed = survey.stock->specified_by == toolpath::ValueSource::Assumption;
         file.stock_place_assumed = survey.stock->place_assumed;
-        remarks.stock = report::told(survey.stock->told_by, survey.stock->span, survey.stock->text,
-                                     survey.stock->file, "--stock");
+        remarks.stock = report::specified(survey.stock->specified_by, survey.stock->span,
+                                          survey.stock->text, survey.stock->file, "--stock");
     }
     add_tools(file, remarks, job, survey);
     setup::write_job_file(out, file, remarks);

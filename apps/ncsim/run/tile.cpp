@@ -8,11 +8,11 @@
 #include "ncsim/setup/digest.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
+#include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
-#include "ncsim/simulation/take_machine.h"
 
 #include "options/plan_options.h"
 #include "system/console.h"
@@ -107,9 +107,10 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
     setup::RecordedInput read(inputs);
     simulation::Plan plan = plan_for(options, read);
     if (!options.machine.empty())
-        (void)simulation::take_machine(plan, setup::read_machine(options.machine, read));
+        (void)simulation::apply_machine(plan, setup::read_machine(options.machine, read));
     const simulation::Survey survey = simulation::survey(plan);
-    simulation::coarsen(plan, survey, options.tolerance_told, options.tool_tolerance_told);
+    simulation::coarsen(plan, survey, options.tolerance_specified,
+                        options.tool_tolerance_specified);
     if (!survey.is_ready()) {
         if (!may_say) return std::nullopt;
         print_findings(plan.job.program, survey.diagnostics);

@@ -19,7 +19,7 @@ void say(std::string_view text) {
     std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
 
-void put_out(std::string_view text) {
+void write_stdout(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
         std::fflush(stdout) != 0) {
         throw std::runtime_error(fmt::format("cannot write to the standard output: {}",
@@ -31,7 +31,7 @@ void put_text(std::string_view text, bool aside) {
     if (aside) {
         say(text);
     } else {
-        put_out(report::printable(text));
+        write_stdout(report::printable(text));
     }
 }
 

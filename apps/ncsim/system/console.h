@@ -14,7 +14,7 @@ namespace ncsim::app {
 void say(std::string_view text);
 /// Writes results unchanged to stdout: JSON, commands for a CI service.
 /// Throws: std::runtime_error if stdout cannot be written.
-void put_out(std::string_view text);
+void write_stdout(std::string_view text);
 /// Writes results for people, with unprintable characters replaced: to stdout, or to stderr if
 /// `aside`, because a file uses stdout.
 void put_text(std::string_view text, bool aside = false);

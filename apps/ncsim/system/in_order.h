@@ -47,16 +47,16 @@ std::size_t in_order(std::size_t count, unsigned jobs, const Work& work, const D
                 }
             });
         }
-        std::size_t told = 0;
+        std::size_t specified = 0;
         std::unique_lock lock(mutex);
         for (std::size_t i = 0; i < count;) {
             const auto is_over = [&] { return stop.stop_requested() && i >= next; };
-            changed.wait(lock, [&] { return ready[i] || finished != told || is_over(); });
-            const bool is_ready = ready[i], is_news = finished != told;
-            told = finished;
+            changed.wait(lock, [&] { return ready[i] || finished != specified || is_over(); });
+            const bool is_ready = ready[i], is_news = finished != specified;
+            specified = finished;
             if (!is_ready && !is_news && is_over()) break;
             lock.unlock();
-            if (is_news) noted(told);
+            if (is_news) noted(specified);
             if (is_ready) done(i++);
             lock.lock();
         }

@@ -185,13 +185,13 @@ int patience(const std::vector<Process>& running) {
 std::size_t in_processes(std::size_t count, unsigned jobs, const ProcessWork& pieces) {
     std::vector<Process> running;
     std::map<std::size_t, ProcessEnd> ended;  // and not reported
-    std::size_t begun = 0, told = 0, finished = 0;
+    std::size_t begun = 0, specified = 0, finished = 0;
     bool is_stopped = false;
     const auto tell = [&] {
-        for (auto next = ended.find(told); next != ended.end(); next = ended.find(told)) {
+        for (auto next = ended.find(specified); next != ended.end(); next = ended.find(specified)) {
             ProcessEnd end = std::move(next->second);
             ended.erase(next);
-            pieces.done(told++, std::move(end));
+            pieces.done(specified++, std::move(end));
         }
     };
     const auto finish = [&](std::size_t piece, ProcessEnd end) {

@@ -254,7 +254,7 @@ void Dexel::subtract_sweep(const cda::RoundSweep& sweep) {
     impl_->cut(sweep);
 }
 
-cda::Account Dexel::account() const {
+cda::RemovalByMotion Dexel::account() const {
     throw cda::CannotAnswer(kName, "what each motion took");
 }
 

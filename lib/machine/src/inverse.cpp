@@ -41,7 +41,7 @@ double of(const Values& values, const Joint& joint) {
 
 }  // namespace
 
-std::vector<Turns> turns_for(const Chain& placed, Vec3 axis, const Values& now) {
+std::vector<Turns> orientation_solutions(const Chain& placed, Vec3 axis, const Values& now) {
     std::vector<const Joint*> rotary;
     for (const Joint& joint : placed.joints) {
         if (joint.turns) rotary.push_back(&joint);

@@ -16,31 +16,31 @@ constexpr double kEqual = 1e-9;  // degrees: rounding error of equal motions
 
 // Returns the values of a joint, `angle` plus whole turns, that the travel allows near `now`.
 std::vector<double> places_of(char letter, double angle, double now, const Travels& travels) {
-    const auto told = travels.find(letter);
+    const auto specified = travels.find(letter);
     double low = now - kTurn, high = now + kTurn;
-    if (told != travels.end()) {
-        low = std::max(low, told->second.min - kEqual);
-        high = std::min(high, told->second.max + kEqual);
+    if (specified != travels.end()) {
+        low = std::max(low, specified->second.min - kEqual);
+        high = std::min(high, specified->second.max + kEqual);
     }
     std::vector<double> places;
     for (double turns = std::ceil((low - angle) / kTurn); angle + turns * kTurn <= high; ++turns)
         places.push_back(angle + turns * kTurn);
     // The joint is far outside its travel.
-    if (places.empty() && told != travels.end()) {
-        const double turns = std::ceil((told->second.min - kEqual - angle) / kTurn);
-        if (angle + turns * kTurn <= told->second.max + kEqual)
+    if (places.empty() && specified != travels.end()) {
+        const double turns = std::ceil((specified->second.min - kEqual - angle) / kTurn);
+        if (angle + turns * kTurn <= specified->second.max + kEqual)
             places.push_back(angle + turns * kTurn);
     }
     return places;
 }
 
-bool is_wanted(Prefer prefer, double way, double place) {
+bool is_wanted(SolutionPreference prefer, double way, double place) {
     switch (prefer) {
-        case Prefer::Shortest: return true;
-        case Prefer::WayUp: return way >= -kEqual;
-        case Prefer::WayDown: return way <= kEqual;
-        case Prefer::StandUp: return place >= -kEqual;
-        case Prefer::StandDown: return place <= kEqual;
+        case SolutionPreference::Shortest: return true;
+        case SolutionPreference::WayUp: return way >= -kEqual;
+        case SolutionPreference::WayDown: return way <= kEqual;
+        case SolutionPreference::StandUp: return place >= -kEqual;
+        case SolutionPreference::StandDown: return place <= kEqual;
     }
     return true;
 }
@@ -73,7 +73,7 @@ const Joint* master_of(const Chain& chain) {
 }
 
 std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& now,
-                            const Travels& travels, Prefer prefer) {
+                            const Travels& travels, SolutionPreference prefer) {
     const Joint* first = master_of(placed);
     const Joint* second = nullptr;
     for (const Joint& joint : placed.joints) {
@@ -93,7 +93,7 @@ std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& n
         if (first) best->values[*index_of(first->letter)] = q1;
         if (second) best->values[*index_of(second->letter)] = q2;
     };
-    for (const Turns& turns : turns_for(placed, axis, now)) {
+    for (const Turns& turns : orientation_solutions(placed, axis, now)) {
         const auto of = [&](const Joint* joint) {
             if (!joint) return std::vector<double>{0.0};
             const std::size_t i = *index_of(joint->letter);

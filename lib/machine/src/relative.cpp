@@ -57,7 +57,7 @@ Pose inverse(const Pose& X_AB) {
     return X_BA;
 }
 
-Ball moved(const Chain& chain, const Going& going, Ball body) {
+Ball moved(const Chain& chain, const JointMotion& going, Ball body) {
     const auto& joints = chain.joints;
     for (std::size_t i = joints.size(); i-- > 0;) {
         const Joint& joint = joints[i];

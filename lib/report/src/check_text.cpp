@@ -103,10 +103,10 @@ constexpr std::string_view kDeselectedBy = "deselected by ";
 
 // Appends the rules that could not be checked, in a line for each reason.
 void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped) {
-    std::vector<std::string_view> told;
+    std::vector<std::string_view> specified;
     for (const verify::Skipped& s : skipped) {
-        if (std::ranges::find(told, s.reason) != told.end()) continue;
-        told.push_back(s.reason);
+        if (std::ranges::find(specified, s.reason) != specified.end()) continue;
+        specified.push_back(s.reason);
         std::string rules;
         for (const verify::Skipped& same : skipped) {
             if (same.reason == s.reason) rules += (rules.empty() ? "" : ", ") + same.rule;
@@ -188,14 +188,14 @@ void put_remedies(std::string& text, const std::string& remedies) {
 // Returns the rules that some program could not be checked, in one line.
 std::string rules_of(const Lines& skipped) {
     std::string rules;
-    std::set<std::string_view> told;
+    std::set<std::string_view> specified;
     for (const auto& [line, count] : skipped.all()) {
         std::string_view rest = line;
         rest.remove_prefix(std::min(rest.find_first_not_of(' ', kSkipped.size()), rest.size()));
         rest = rest.substr(0, rest.find(':'));
         while (!rest.empty()) {
             const std::size_t comma = std::min(rest.find(", "), rest.size());
-            if (told.insert(rest.substr(0, comma)).second)
+            if (specified.insert(rest.substr(0, comma)).second)
                 rules.append(rules.empty() ? "" : ", ").append(rest.substr(0, comma));
             rest.remove_prefix(std::min(comma + 2, rest.size()));
         }
@@ -331,10 +331,10 @@ std::string summary_of(const Entries& all, const TextOptions& options, const Sco
     Lines scopes;
     all([&](const Entry& entry) {
         ++programs;
-        std::string told;
-        put_settings(told, shown_path(entry.settings));
-        put_baseline(told, shown_path(entry.baseline));
-        settings.add(told);
+        std::string specified;
+        put_settings(specified, shown_path(entry.settings));
+        put_baseline(specified, shown_path(entry.baseline));
+        settings.add(specified);
         skipped.add(entry.skipped);
         to_tell.add(entry.to_tell);
         if (!entry.scope.empty()) scopes.add("  scope    " + entry.scope + '\n');

@@ -6,7 +6,7 @@
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
-#include "ncsim/report/told.h"
+#include "ncsim/report/value_source.h"
 #include "ncsim/report/version.h"
 #include "ncsim/verify/machine.h"
 
@@ -28,7 +28,7 @@ Json to_json(const cda::Box& box) {
     return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
 }
 
-Json source(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text) {
+Json source(toolpath::ValueSource by, gcode::SourceSpan span, const std::string& text) {
     Json json{{"by", report::name_of(by)}};
     if (span.line != 0) json["line"] = span.line;
     if (!text.empty()) json["text"] = text;
@@ -64,7 +64,7 @@ Json tools_json(const RunFacts& run) {
                   {"shape", toolpath::describe(used.tool)},
                   {"diameter_mm", toolpath::cutting_diameter_of(used.tool)},
                   {"length_mm", toolpath::cutting_height_of(used.tool)},
-                  {"source", source(used.told_by, used.span, used.text)},
+                  {"source", source(used.specified_by, used.span, used.text)},
                   {"assumed", used.filled_in}};
         if (const auto d = run.program->distances.find(number); d != run.program->distances.end()) {
             tool["rapid_mm"] = tidy(d->second.rapid_mm);
@@ -268,8 +268,8 @@ void write_report(std::ostream& out, const RunFacts& run) {
             if (run.program->stock->deflection_mm > 0.0)
                 json["stock"]["deflection_mm"] = run.program->stock->deflection_mm;
         }
-        json["stock"]["source"] =
-            source(run.program->stock->told_by, run.program->stock->span, run.program->stock->text);
+        json["stock"]["source"] = source(run.program->stock->specified_by, run.program->stock->span,
+                                         run.program->stock->text);
     }
     json["simulated"] = run.part != nullptr;
     if (run.cutting.at_line) json["at_line"] = *run.cutting.at_line;

@@ -5,7 +5,7 @@
 
 #include "ncsim/report/describe.h"
 #include "ncsim/report/plain_text.h"
-#include "ncsim/report/told.h"
+#include "ncsim/report/value_source.h"
 #include "ncsim/report/version.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/verify/machine.h"
@@ -64,13 +64,14 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
     sheet.line("dialect", "{}", dialect(program));
     sheet.line("units", "{}", units(program));
     if (program.moves_from_nowhere > 0) {
-        sheet.line("start", "unknown: the first {} move{} cut nothing (--start X,Y,Z)",
-                   program.moves_from_nowhere, program.moves_from_nowhere == 1 ? "" : "s");
+        const auto moves = program.moves_from_nowhere;
+        sheet.line("start", "unknown: the first {} nothing (--start X,Y,Z)",
+                   moves == 1 ? "move cuts" : fmt::format("{} moves cut", moves));
     } else {
         sheet.line("start", "known");
     }
-    for (std::size_t axis = 0; axis < program.untold.size(); ++axis) {
-        if (program.untold[axis])
+    for (std::size_t axis = 0; axis < program.unspecified.size(); ++axis) {
+        if (program.unspecified[axis])
             sheet.line("", "assumed: {} 0, which the program never sets", "XYZ"[axis]);
     }
     if (program.uses_machine_coordinates) {
@@ -84,14 +85,14 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
     }
     for (const auto& [number, used] : program.tools) {
         sheet.line(fmt::format("tool T{}", number).c_str(), "{}; {}", toolpath::describe(used.tool),
-                   told(used.told_by, used.span, used.text, used.file, "--tool"));
+                   specified(used.specified_by, used.span, used.text, used.file, "--tool"));
         if (!used.filled_in.empty()) sheet.line("", "assumed: {}", used.filled_in);
     }
     if (program.stock) {
         sheet.line("stock", "{}", describe(*program.stock));
         sheet.line("", "{}",
-                   told(program.stock->told_by, program.stock->span, program.stock->text,
-                        program.stock->file, "--stock"));
+                   specified(program.stock->specified_by, program.stock->span, program.stock->text,
+                             program.stock->file, "--stock"));
         if (program.stock->place_assumed) {
             sheet.line("",
                        "assumed: where it lies; a corner or the middle is at zero, as the cuts "

@@ -5,7 +5,7 @@
 
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
-#include "ncsim/report/told.h"
+#include "ncsim/report/value_source.h"
 
 #include "append.h"
 #include "json.h"
@@ -75,7 +75,8 @@ public:
         if (program_.stock) {
             const toolpath::StockEntry& stock = *program_.stock;
             add("stock", describe(stock.box));
-            add("  source", told(stock.told_by, stock.span, stock.text, stock.file, "--stock"));
+            add("  source",
+                specified(stock.specified_by, stock.span, stock.text, stock.file, "--stock"));
         } else {
             add("stock", "not specified");
         }
@@ -94,10 +95,12 @@ private:
         const auto used = program_.tools.find(number);
         if (used != program_.tools.end()) {
             const UsedTool& tool = used->second;
-            add("  source", told(tool.told_by, tool.span, tool.text, tool.file, "--tool"));
+            add("  source",
+                specified(tool.specified_by, tool.span, tool.text, tool.file, "--tool"));
             if (!tool.filled_in.empty()) add("  assumed", tool.filled_in);
         } else if (const auto* entry = toolpath::find_tool(described_, number)) {
-            add("  source", told(entry->told_by, entry->span, entry->text, entry->file, "--tool"));
+            add("  source",
+                specified(entry->specified_by, entry->span, entry->text, entry->file, "--tool"));
         }
         const verify::Distances* distances = distances_of(program_, number);
         if (!distances) {
@@ -148,8 +151,8 @@ void add_spec(Json& json, const toolpath::ToolSpec& spec) {
     add("shank_diameter_mm", spec.shank_diameter);
 }
 
-Json told_json(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& file,
-               const std::string& text) {
+Json source_json(toolpath::ValueSource by, gcode::SourceSpan span, const std::string& file,
+                 const std::string& text) {
     Json json{{"by", name_of(by)}};
     if (!file.empty()) json["file"] = file;
     if (span.line > 0) json["line"] = span.line;
@@ -178,12 +181,13 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
         if (used != program.tools.end()) {
             const UsedTool& u = used->second;
             add_spec(tool, u.spec);
-            tool["source"] = told_json(u.told_by, u.span, u.file, u.text);
+            tool["source"] = source_json(u.specified_by, u.span, u.file, u.text);
             tool["assumed"] = u.filled_in;
             tool["first_line"] = u.first.line;
         } else if (entry) {
             add_spec(tool, entry->spec);
-            tool["source"] = told_json(entry->told_by, entry->span, entry->file, entry->text);
+            tool["source"] =
+                source_json(entry->specified_by, entry->span, entry->file, entry->text);
         }
         if (distances) {
             tool["feed_mm"] = tidy(distances->feed_mm);
@@ -195,9 +199,10 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
     if (program.stock) {
         const toolpath::StockEntry& stock = *program.stock;
         const cda::Box& box = stock.box;
-        json["stock"] = {{"min", {box.min.x, box.min.y, box.min.z}},
-                         {"max", {box.max.x, box.max.y, box.max.z}},
-                         {"source", told_json(stock.told_by, stock.span, stock.file, stock.text)}};
+        json["stock"] = {
+            {"min", {box.min.x, box.min.y, box.min.z}},
+            {"max", {box.max.x, box.max.y, box.max.z}},
+            {"source", source_json(stock.specified_by, stock.span, stock.file, stock.text)}};
     }
     if (plunges.is_tilted) {
         Json tip = Json::array();

@@ -10,14 +10,14 @@
 #include "ncsim/report/describe.h"
 #include "ncsim/report/machining_time.h"
 #include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
-#include "ncsim/simulation/take_machine.h"
 #include "ncsim/verify/verifier.h"
 
 #include "alternatives.h"
-#include "cut_free.h"
+#include "detached_pieces.h"
 #include "machine_look.h"
 #include "place_kinematics.h"
 #include "refine.h"
@@ -66,18 +66,18 @@ BlindCore blind_core(toolpath::ToolKind kind) {
     }
 }
 
-verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts* told) {
+verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts* specified) {
     verify::ToolFacts facts;
-    if (told) facts = *told;
+    if (specified) facts = *specified;
     facts.tool = used.tool;
     facts.is_guess = used.is_guess;
-    facts.holder_told = toolpath::tells_holder(used.spec);
-    if (!used.length_told) {
+    facts.holder_specified = toolpath::tells_holder(used.spec);
+    if (!used.length_specified) {
         facts.certain_flutes = toolpath::least_flute_length(used.tool);
-    } else if (!facts.holder_told) {
+    } else if (!facts.holder_specified) {
         extend_shank(facts.tool, used.spec);
     }
-    if (used.told_by == toolpath::ToldBy::Assumption) {
+    if (used.specified_by == toolpath::ValueSource::Assumption) {
         facts.assumption = "not described; taken as " + used.text;
     } else {
         facts.assumption = used.filled_in;
@@ -89,7 +89,7 @@ verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts
     }
     facts.left_hand |= used.spec.left_hand;
     if (!facts.pitch) facts.pitch = used.spec.pitch;
-    const bool has_flutes = used.length_told && !used.is_guess;
+    const bool has_flutes = used.length_specified && !used.is_guess;
     if (used.tool.kind == toolpath::ToolKind::Drill && has_flutes)
         facts.flute_length = toolpath::cutting_height_of(used.tool);
     return facts;
@@ -137,9 +137,9 @@ toolpath::RapidPath rapid_path(const Questions& questions) {
     const verify::MachineDescription& machine = questions.machine.machine;
     toolpath::RapidPath path;
     path.dog_leg = questions.dog_leg;
-    const bool all_told =
+    const bool all_specified =
         std::ranges::all_of(machine.rapid, [](const auto& rate) { return rate.has_value(); });
-    for (std::size_t i = 0; i < 3 && all_told; ++i)
+    for (std::size_t i = 0; i < 3 && all_specified; ++i)
         path.rates[i] = *machine.rapid[i];
     return path;
 }
@@ -151,9 +151,9 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     for (std::size_t i = 0; i < 3; ++i) {
         setup.machine.rotary_zero[i] = survey.interpretation.workpiece.origin[gcode::kA + i];
         if (!plan.kinematics) continue;
-        const auto told = plan.kinematics->travels.find("ABC"[i]);
-        if (told != plan.kinematics->travels.end())
-            setup.machine.rotary_travel[i] = {told->second.min, told->second.max};
+        const auto specified = plan.kinematics->travels.find("ABC"[i]);
+        if (specified != plan.kinematics->travels.end())
+            setup.machine.rotary_travel[i] = {specified->second.min, specified->second.max};
     }
     setup.selection = questions.selection;
     setup.suppressions = verify::Suppressions(plan.job.program);
@@ -161,7 +161,7 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.path_tolerance_mm = plan.tolerance;
     if (survey.interpretation.blend_mm > plan.tolerance)
         setup.blend_mm = survey.interpretation.blend_mm;
-    setup.pieces_counted = questions.cut_free;
+    setup.pieces_counted = questions.detached_pieces;
     setup.air_cuts = questions.air_cuts;
     setup.design = questions.design != nullptr;
     setup.ledger = questions.ledger || questions.look;
@@ -179,9 +179,9 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.accepted = accepted_reasons(plan.job.options.accept);
     setup.required.insert(plan.job.options.require.begin(), plan.job.options.require.end());
     for (const auto& [number, used] : survey.tools) {
-        const auto told = questions.machine.tools.find(number);
-        verify::ToolFacts facts =
-            facts_of(used, told == questions.machine.tools.end() ? nullptr : &told->second);
+        const auto specified = questions.machine.tools.find(number);
+        verify::ToolFacts facts = facts_of(
+            used, specified == questions.machine.tools.end() ? nullptr : &specified->second);
         const toolpath::ToolEntry* entry = toolpath::find_tool(plan.job.tools, number);
         facts.gauge_length_specified = entry && entry->offset.z != 0.0;
         setup.tools.emplace(number, std::move(facts));
@@ -189,7 +189,7 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     if (survey.stock) setup.stock = survey.stock->box;
     if (!survey.is_ready()) {
         setup.not_simulated = reason_against(survey);
-    } else if (survey.stock->told_by == toolpath::ToldBy::Assumption) {
+    } else if (survey.stock->specified_by == toolpath::ValueSource::Assumption) {
         setup.stock_assumption = survey.stock->text;
     } else if (survey.stock->place_assumed) {
         setup.stock_assumption =
@@ -322,18 +322,18 @@ void conclude(const Questions& questions, report::Checked& checked) {
 
 std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile& machine) {
     if (machine.bodies.empty() && machine.other_links.empty()) return nullptr;
-    verify::LinkBodies told;
+    verify::LinkBodies specified;
     for (const auto* links : {&machine.bodies, &machine.other_links}) {
         for (const setup::MachineBody& link : *links)
-            told.links.push_back({link.link, link.mesh, link.moved_by, link.clearance_mm,
-                                  link.deflection_mm, link.mesh_at, link.as_hull});
+            specified.links.push_back({link.link, link.mesh, link.moved_by, link.clearance_mm,
+                                       link.deflection_mm, link.mesh_at, link.as_hull});
     }
-    told.fixtures = machine.machine.fixtures;
-    told.part_moved_by = machine.part_moved_by;
-    told.tool_moved_by = machine.tool_moved_by;
-    told.ignored = machine.ignored;
-    told.asked = machine.asked;
-    return std::make_shared<const verify::MachineBodies>(std::move(told));
+    specified.fixtures = machine.machine.fixtures;
+    specified.part_moved_by = machine.part_moved_by;
+    specified.tool_moved_by = machine.tool_moved_by;
+    specified.ignored = machine.ignored;
+    specified.asked = machine.asked;
+    return std::make_shared<const verify::MachineBodies>(std::move(specified));
 }
 
 namespace {
@@ -360,11 +360,11 @@ struct Prepared {
     }
 };
 
-Prepared prepared(Plan told, const Questions& questions) {
-    require_verifying(told);
-    Prepared all{std::move(told), {}, {}, {}};
+Prepared prepared(Plan specified, const Questions& questions) {
+    require_verifying(specified);
+    Prepared all{std::move(specified), {}, {}, {}};
     Plan& plan = all.plan;
-    all.not_used = take_machine(plan, questions.machine);
+    all.not_used = apply_machine(plan, questions.machine);
     all.survey = simulation::survey(plan);
     if (all.survey.only_rapid) cut_nothing(all.survey);
     all.setup = setup_for(plan, all.survey, questions);
@@ -395,7 +395,7 @@ std::vector<std::string> fixtures_in_stock(const Plan&, const Survey& survey,
     constexpr double kDeep = 0.01;  // mm
     std::vector<std::string> found;
     const bool is_block = survey.stock && !survey.stock->shape && !survey.stock->is_round &&
-                          survey.stock->told_by != toolpath::ToldBy::Assumption &&
+                          survey.stock->specified_by != toolpath::ValueSource::Assumption &&
                           !survey.stock->place_assumed;
     if (!is_block) return found;
     const cda::Box& block = survey.stock->box;
@@ -473,8 +473,8 @@ void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Question
         verifier.add_doubt("distance-guess",
                            "neither G90 nor G91 stands before the first move; G90 was assumed",
                            {place->file, place->span});
-    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
-        if (survey.untold[axis])
+    for (std::size_t axis = 0; axis < survey.unspecified.size(); ++axis) {
+        if (survey.unspecified[axis])
             verifier.add_doubt("start-unknown",
                                fmt::format("the program never sets {}; taken as 0", "XYZ"[axis]));
     }
@@ -549,19 +549,19 @@ std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
 namespace {
 
 // Returns the readings to compare the verdict with.
-std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& questions,
+std::vector<Alternative> check_one_reading(Plan specified_plan, const Questions& questions,
                                            report::Checked& checked) {
-    checked.path = told_plan.job.program.name;
-    Prepared all = prepared(std::move(told_plan), questions);
+    checked.path = specified_plan.job.program.name;
+    Prepared all = prepared(std::move(specified_plan), questions);
     Plan& plan = all.plan;
     const Survey& survey = all.survey;
-    const verify::Setup& told = all.setup;
+    const verify::Setup& specified = all.setup;
     checked.moves = survey.moves;
     checked.simulated = all.is_simulated();
-    if (told.not_simulated) checked.not_simulated = *told.not_simulated;
+    if (specified.not_simulated) checked.not_simulated = *specified.not_simulated;
     if (survey.is_ready()) {
-        checked.stock =
-            report::describe(*survey.stock) + (told.stock_assumption.empty() ? "" : ", assumed");
+        checked.stock = report::describe(*survey.stock) +
+                        (specified.stock_assumption.empty() ? "" : ", assumed");
     }
     verify::Share share;
     if (questions.tiles) {
@@ -570,14 +570,14 @@ std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& ques
         plan.tiles = questions.tiles->cut;
         share.evidence = questions.tiles->evidence;
     }
-    verify::Setup setup = told;
-    Refiner refiner(plan, survey, told);
-    setup.second_look = [&refiner](const verify::OpenContact& contact) {
+    verify::Setup setup = specified;
+    Refiner refiner(plan, survey, specified);
+    setup.refine_contact = [&refiner](const verify::OpenContact& contact) {
         return refiner.decide(contact);
     };
     verify::Verifier verifier(std::move(setup), all.stock(), all.lattice(), std::move(share));
     verifier.add(survey.diagnostics);
-    if (!questions.machine.bodies.empty() && !told.machine.work_zero) {
+    if (!questions.machine.bodies.empty() && !specified.machine.work_zero) {
         verifier.add_doubt(
             "setting-not-used",
             "meshes of links: the position of the work zero (G54) in the machine is not specified");
@@ -585,15 +585,15 @@ std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& ques
     add_doubts_of_inputs(plan, survey, questions, verifier);
     for (std::string& what : all.not_used)
         verifier.add_doubt("setting-not-used", std::move(what));
-    note_blend(questions, survey, told, verifier);
+    note_blend(questions, survey, specified, verifier);
     observe_frames(plan, verifier);
     if (checked.simulated) {
         Verification verification = all.verification();
         verification.verifier = &verifier;
         verification.keep_cuts |= questions.look;
         const Simulation simulation = simulate(plan, survey, verification, {});
-        if (questions.cut_free) {
-            for (verify::Finding& f : cut_free(plan, survey, verification, simulation))
+        if (questions.detached_pieces) {
+            for (verify::Finding& f : detached_pieces(plan, survey, verification, simulation))
                 verifier.add(std::move(f));
         }
         const bool compared =
@@ -637,7 +637,7 @@ std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& ques
     }
     if (questions.baseline) {
         questions.baseline->accept(checked, questions.selection);
-        doubt_accepted_blocks(checked.verdict, told.accepted);
+        doubt_accepted_blocks(checked.verdict, specified.accepted);
     }
     conclude(questions, checked);
     return alternatives_to(plan, survey, questions);
@@ -677,8 +677,8 @@ void check(Plan plan, const Questions& questions, report::Checked& checked) {
     conclude(questions, checked);
 }
 
-SeenTile check_tile(Plan told_plan, const Questions& questions) {
-    Prepared all = prepared(std::move(told_plan), questions);
+SeenTile check_tile(Plan specified_plan, const Questions& questions) {
+    Prepared all = prepared(std::move(specified_plan), questions);
     SeenTile seen;
     if (!all.is_simulated()) return seen;
     verify::Verifier verifier(all.setup, all.stock(), all.lattice(), {all.plan.tile, nullptr});

@@ -54,7 +54,7 @@ bool is_plain_flat(const toolpath::Tool& tool) {
 }  // namespace
 
 void choose_model(Plan& plan, const Survey& survey) {
-    if (!plan.draft || plan.is_model_told || survey.moves < kLongProgram) return;
+    if (!plan.draft || plan.is_model_specified || survey.moves < kLongProgram) return;
     const auto has_resolution = [](const ModelInfo& model) { return model.has_resolution; };
     const bool needs_exact = plan.keep_carved || plan.block_volumes || plan.needs_exact;
     if (needs_exact || plan.tile || plan.tiles) return;
@@ -112,10 +112,11 @@ double exact_work(const Plan& plan, const Survey& survey) {
     return work;
 }
 
-void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told) {
+void coarsen(Plan& plan, const Survey& survey, bool tolerance_specified,
+             bool tool_tolerance_specified) {
     if (!plan.draft || !survey.is_ready()) return;
     const ModelInfo* model = find_model(plan.model);
-    plan.is_draft_exact = !tolerance_told && !tool_tolerance_told && model &&
+    plan.is_draft_exact = !tolerance_specified && !tool_tolerance_specified && model &&
                           !model->has_resolution && exact_work(plan, survey) <= kQuickWork;
     if (plan.is_draft_exact) return;
     constexpr double kCoarser = 4.0;  // relative to the default, at least
@@ -128,11 +129,11 @@ void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_to
     for (const auto& [number, used] : survey.tools)
         thinnest = std::min(thinnest, toolpath::cutting_diameter_of(used.tool));
     const auto hundredths = [](double mm) { return std::floor(100.0 * mm) / 100.0; };
-    if (!tolerance_told) {
+    if (!tolerance_specified) {
         const double most = std::min(kOfBlock * size, kMost);
         plan.tolerance = std::max(kCoarser * plan.tolerance, hundredths(most));
     }
-    if (!tool_tolerance_told) {
+    if (!tool_tolerance_specified) {
         const double most = std::min({kToolOfBlock * size, kOfTool * thinnest, kMost});
         plan.tool_tolerance = std::max(kCoarser * plan.tool_tolerance, hundredths(most));
     }

@@ -120,12 +120,12 @@ private:
         keys.push_back({seconds, values});
     }
 
-    void take_leg(const gcode::Motion& leg, double told_seconds) {
+    void take_leg(const gcode::Motion& leg, double specified_seconds) {
         const toolpath::JointPath path(machine_, leg);
         const auto from = path.at(0.0), to = path.at(1.0);
         if (!from || !to) {
             ++course_.left_out;
-            course_.seconds += told_seconds;
+            course_.seconds += specified_seconds;
             return;
         }
         if (!course_.keys.empty()) {
@@ -134,7 +134,7 @@ private:
             go_over(before, *from);
         }
         add_key(course_.seconds, *from);
-        const double seconds = std::max(told_seconds, least_seconds(*from, *to));
+        const double seconds = std::max(specified_seconds, least_seconds(*from, *to));
         divide(path, {0.0, *from}, {1.0, *to}, seconds, 0);
         course_.seconds += seconds;
     }

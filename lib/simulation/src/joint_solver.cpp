@@ -17,7 +17,7 @@ using gcode::Triple;
 class ChainSolver : public gcode::JointSolver {
 public:
     ChainSolver(const toolpath::Kinematics& placed, const gcode::WorkOffset& workpiece,
-                const machine::Travels& travels, machine::Prefer prefer)
+                const machine::Travels& travels, machine::SolutionPreference prefer)
         : placed_(placed), origin_(workpiece.origin), travels_(travels), prefer_(prefer) {}
 
     bool turns() const override {
@@ -63,9 +63,10 @@ public:
     }
 
     Turned turned_to(const Triple& axis, const Axes& joints, Way way) const override {
-        const machine::Prefer prefer = way == Way::Up     ? machine::Prefer::WayUp
-                                       : way == Way::Down ? machine::Prefer::WayDown
-                                                          : prefer_;
+        const machine::SolutionPreference prefer =
+            way == Way::Up     ? machine::SolutionPreference::WayUp
+            : way == Way::Down ? machine::SolutionPreference::WayDown
+                               : prefer_;
         const cda::Vec3 to{axis[0], axis[1], axis[2]};
         const machine::Values now = in_W(joints);
         machine::Travels travels = travels_;  // machine travels, converted to W
@@ -108,7 +109,7 @@ private:
     toolpath::Kinematics placed_;
     Axes origin_;
     machine::Travels travels_;
-    machine::Prefer prefer_;
+    machine::SolutionPreference prefer_;
 };
 
 }  // namespace
@@ -116,7 +117,7 @@ private:
 std::shared_ptr<const gcode::JointSolver> make_joint_solver(const toolpath::Kinematics& placed,
                                                             const gcode::WorkOffset& workpiece,
                                                             const machine::Travels& travels,
-                                                            machine::Prefer prefer) {
+                                                            machine::SolutionPreference prefer) {
     return std::make_shared<const ChainSolver>(placed, workpiece, travels, prefer);
 }
 

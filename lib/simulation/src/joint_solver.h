@@ -16,6 +16,6 @@ namespace ncsim::simulation {
 std::shared_ptr<const gcode::JointSolver> make_joint_solver(const toolpath::Kinematics& placed,
                                                             const gcode::WorkOffset& workpiece,
                                                             const machine::Travels& travels,
-                                                            machine::Prefer prefer);
+                                                            machine::SolutionPreference prefer);
 
 }  // namespace ncsim::simulation

@@ -26,7 +26,7 @@ void place_kinematics(Plan& plan) {
     toolpath::Kinematics placed{plan.kinematics->chain,
                                 work_zero(seen.workpiece).value_or(cda::Vec3{})};
     for (machine::Joint& joint : placed.chain.joints) {
-        if (plan.kinematics->untold_pivots.find(joint.letter) != std::string::npos)
+        if (plan.kinematics->unspecified_pivots.find(joint.letter) != std::string::npos)
             joint.through = placed.zero;
     }
     plan.placed = std::make_shared<const toolpath::Kinematics>(std::move(placed));
@@ -38,16 +38,18 @@ namespace {
 
 // Returns the assumption about U, V and W. On a table they move along X, Y and Z. On a rotary head
 // only the machine file specifies their motion, and only under tip control.
-std::string guess_of_second_axes(const setup::ToldKinematics& told, const AxesInUse& axes) {
-    if (!told.chain.has_head()) return {};
-    bool as_told = false, as_axes = false;
+std::string guess_of_second_axes(const setup::SpecifiedKinematics& specified,
+                                 const AxesInUse& axes) {
+    if (!specified.chain.has_head()) return {};
+    bool as_specified = false, as_axes = false;
     for (std::size_t i = 0; i < axes.uvw.size(); ++i) {
-        const bool is_along_tool = told.chain.find("UVW"[i]) != nullptr;
+        const bool is_along_tool = specified.chain.find("UVW"[i]) != nullptr;
         as_axes |= !is_along_tool && (axes.uvw[i] || axes.uvw_of_tip[i]);
-        as_told |= is_along_tool && axes.uvw[i];
+        as_specified |= is_along_tool && axes.uvw[i];
     }
     if (as_axes) return "U, V and W go along X, Y and Z, whichever way the head is turned";
-    return as_told ? "what goes along the tool does so without tip control, too" : std::string();
+    return as_specified ? "what goes along the tool does so without tip control, too"
+                        : std::string();
 }
 
 }  // namespace
@@ -55,19 +57,19 @@ std::string guess_of_second_axes(const setup::ToldKinematics& told, const AxesIn
 std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiece,
                              const AxesInUse& axes, bool of_tip) {
     if (!plan.kinematics) return "A, B and C turn about the program origin";
-    const setup::ToldKinematics& told = *plan.kinematics;
+    const setup::SpecifiedKinematics& specified = *plan.kinematics;
     const auto& turns = axes.turns;
     std::vector<std::string> guesses;
-    if (!told.guess.empty() && std::ranges::find(turns, true) != turns.end())
-        guesses.push_back(told.guess);
+    if (!specified.guess.empty() && std::ranges::find(turns, true) != turns.end())
+        guesses.push_back(specified.guess);
     std::string at_zero;
     for (std::size_t i = 0; i < turns.size(); ++i) {
         const char letter = "ABC"[i];
         if (!turns[i]) continue;
-        if (!told.chain.find(letter)) {
+        if (!specified.chain.find(letter)) {
             guesses.push_back(std::string("the machine has no axis ") + letter +
                               "; its words turn nothing");
-        } else if (told.untold_pivots.find(letter) != std::string::npos) {
+        } else if (specified.unspecified_pivots.find(letter) != std::string::npos) {
             at_zero += at_zero.empty() ? "" : ", ";
             at_zero += letter;
         }
@@ -80,11 +82,11 @@ std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiec
         guesses.push_back("the axes " + at_zero + " pass through the program zero");
     if (!of_tip && !work_zero(workpiece) && at_zero.empty())
         guesses.emplace_back("the program zero is the machine zero, to which axes refer");
-    if (std::string second = guess_of_second_axes(told, axes); !second.empty())
+    if (std::string second = guess_of_second_axes(specified, axes); !second.empty())
         guesses.push_back(std::move(second));
     for (std::size_t i = 0; i < axes.uvw.size(); ++i) {
         const char letter = "UVW"[i];
-        if ((axes.uvw[i] || axes.uvw_of_tip[i]) && told.chain.find(letter) &&
+        if ((axes.uvw[i] || axes.uvw_of_tip[i]) && specified.chain.find(letter) &&
             workpiece.origin[gcode::kU + i] != 0.0)
             guesses.push_back(std::string("the tool has gone along itself by nothing where ") +
                               letter + " is 0 in the program");

@@ -75,10 +75,10 @@ toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Latt
 }
 
 // Cuts the part, motion by motion.
-class Mill {
+class MaterialRemover {
 public:
-    Mill(const Plan& plan, const Survey& survey, const Verification& verification,
-         Simulation& result)
+    MaterialRemover(const Plan& plan, const Survey& survey, const Verification& verification,
+                    Simulation& result)
         : result_(result),
           walk_(make_walk(plan, survey, result.lattice, verification)),
           verifier_(verification.verifier),
@@ -108,7 +108,7 @@ public:
         result.provenance.entries.push_back({});  // the stock
         if (keep_cuts_) result.cuts.push_back({});
         if (plan.block_volumes) places_.emplace();
-        if (places_ || (verifier_ && verifier_->needs_account())) result.part->keep_account();
+        if (places_ || (verifier_ && verifier_->needs_account())) result.part->track_removal();
     }
 
     /// Ignores all motions after the first `count`.
@@ -136,7 +136,7 @@ public:
                 is_near_stock_ |= step.is_near;
                 if (verifier) verifier->look(step, *result_.part);
                 const double removed = cut(step, origin);
-                if (verifier) verifier->look_back(step, *result_.part, removed);
+                if (verifier) verifier->after_cut(step, *result_.part, removed);
                 budget_.check(result_.provenance.program, line_);
             });
         if (verifier) {
@@ -356,7 +356,7 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
     result.stock_volume = result.part->volume();
     if (verification.start) result.part = verification.start->clone();
 
-    Mill mill(plan, survey, verification, result);
+    MaterialRemover mill(plan, survey, verification, result);
     const std::uint64_t most = plan.at_line ? motions_until(plan, *plan.at_line)
                                             : std::numeric_limits<std::uint64_t>::max();
     mill.stop_after(verification.only_motion.value_or(most));

@@ -30,7 +30,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-using toolpath::ToldBy;
+using toolpath::ValueSource;
 
 // mm. No machine is that large: then a unit or a number is wrong.
 constexpr double kLargestStock = 1e5;
@@ -44,8 +44,8 @@ void tell(Survey& survey, const gcode::MessageText& message, gcode::SourceSpan s
 class MotionSurvey {
 public:
     /// Uses the specified machine, or the default machine if null.
-    MotionSurvey(Survey& result, const toolpath::Kinematics* told)
-        : result_(result), told_machine_(told) {}
+    MotionSurvey(Survey& result, const toolpath::Kinematics* specified)
+        : result_(result), specified_machine_(specified) {}
 
     struct ToolTrack {
         gcode::SourceSpan first;
@@ -87,9 +87,9 @@ public:
         uvw[1] |= to->v.mm() != 0.0;
         uvw[2] |= to->w.mm() != 0.0;
         result_.turns_under_axes |= is_turned && !of_tip;
-        told_[0] |= motion.known_end.x;
-        told_[1] |= motion.known_end.y;
-        told_[2] |= motion.known_end.z;
+        specified_[0] |= motion.known_end.x;
+        specified_[1] |= motion.known_end.y;
+        specified_[2] |= motion.known_end.z;
         if (!toolpath::has_known_start(motion)) {
             if (toolpath::has_known_end(motion)) track_of(motion);
             ++result_.moves_from_nowhere;
@@ -107,8 +107,8 @@ public:
             track.cuts_after_change = true;
             if (motion.tool == 0) track.first_cut = motion.span;
         }
-        if (feed) track.clues.take(motion, toolpath::Poses(told_machine_, motion));
-        const toolpath::Samples samples = verify::coarse_samples(motion, told_machine_);
+        if (feed) track.clues.take(motion, toolpath::Poses(specified_machine_, motion));
+        const toolpath::Samples samples = verify::coarse_samples(motion, specified_machine_);
         if (feed) count_pieces(motion, *from, *to, is_turned, samples.poses.size() - 1);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
@@ -132,7 +132,7 @@ public:
 
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
     // Returns which of X, Y, Z any move specifies.
-    const std::array<bool, 3>& told() const { return told_; }
+    const std::array<bool, 3>& specified() const { return specified_; }
     gcode::SourceSpan first_cut_from_nowhere() const { return first_cut_from_nowhere_; }
 
 private:
@@ -168,9 +168,9 @@ private:
     }
 
     Survey& result_;
-    const toolpath::Kinematics* told_machine_;
+    const toolpath::Kinematics* specified_machine_;
     std::map<int, ToolTrack> tracks_;
-    std::array<bool, 3> told_{};
+    std::array<bool, 3> specified_{};
     gcode::SourceSpan first_cut_from_nowhere_;
 };
 
@@ -219,13 +219,13 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
         if (const auto* entry =
                 entry_for(plan, number, motions.tracks().size() == 1, result.calls_tools)) {
             spec = entry->spec;
-            used.told_by = entry->told_by;
+            used.specified_by = entry->specified_by;
             used.span = entry->span;
             used.text = entry->text;
             used.file = entry->file;
         } else if (plan.job.options.assumed_tool) {
             spec = *plan.job.options.assumed_tool;
-            used.told_by = ToldBy::Assumption;
+            used.specified_by = ValueSource::Assumption;
             used.text = spec.description;
         } else if (track.cutting_tips.is_empty() && !(result.only_rapid && plan.draft)) {
             continue;  // only positioned; its shape does not matter for a picture
@@ -234,7 +234,7 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
             std::string message;
             spec = toolpath::parse_tool_option("T1=" + guess, message).value();
             spec.description = guess;
-            used.told_by = ToldBy::Assumption;
+            used.specified_by = ValueSource::Assumption;
             used.text = guess + (result.only_rapid ? ", as good as any: it cuts nothing"
                                                    : ", a guess from its moves");
         } else {
@@ -253,11 +253,12 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
             continue;
         }
         spec.number = number;
-        used.is_guess = used.told_by == ToldBy::Assumption || toolpath::guesses_shape(spec);
+        used.is_guess =
+            used.specified_by == ValueSource::Assumption || toolpath::guesses_shape(spec);
         const toolpath::ToolSpec specified = toolpath::specified_part(spec);
-        used.length_told = specified.length || !specified.pieces.empty();
+        used.length_specified = specified.length || !specified.pieces.empty();
         used.spec = toolpath::filled(spec, length);
-        if (used.told_by == ToldBy::Assumption) used.spec.assumed = {"shape"};
+        if (used.specified_by == ValueSource::Assumption) used.spec.assumed = {"shape"};
         used.filled_in = toolpath::filled_in(spec, length);
         used.tool = toolpath::make_tool(spec, length);
         result.tools.emplace(number, std::move(used));
@@ -342,7 +343,7 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
     }
     const toolpath::DerivedStock derived = derive_stock(result, swept, all);
     if (derived.stock.box.is_empty()) return;
-    result.stock = toolpath::StockEntry{derived.stock, ToldBy::Assumption, {}, derived.rule};
+    result.stock = toolpath::StockEntry{derived.stock, ValueSource::Assumption, {}, derived.rule};
 }
 
 // Returns a block around all positions of the tip; the margin gives points and lines a volume.
@@ -364,7 +365,7 @@ void put_nothing(Survey& result, const cda::Box& box) {
     const cda::Cell all = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
     nothing.shape = std::make_shared<const cda::Shape>(cda::Shape{lattice, all, {all}});
     result.stock = toolpath::StockEntry{
-        nothing, ToldBy::Assumption, {}, "nothing, since the program cuts nothing"};
+        nothing, ValueSource::Assumption, {}, "nothing, since the program cuts nothing"};
 }
 
 bool hits_step_limit(const gcode::Diagnostics& diagnostics) {
@@ -376,20 +377,21 @@ bool hits_step_limit(const gcode::Diagnostics& diagnostics) {
 
 namespace {
 
-void tell_untold(Survey& result) {
+void report_unspecified(Survey& result) {
     std::string names;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (result.untold[axis]) names.append(names.empty() ? "" : ", ").append(1, "XYZ"[axis]);
+        if (result.unspecified[axis])
+            names.append(names.empty() ? "" : ", ").append(1, "XYZ"[axis]);
     }
     if (names.empty()) return;
     const bool is_path = result.is_flat() && result.ready;
-    tell(result, is_path ? Message::AxisUntoldOfPath : Message::AxisUntold, result.first_move,
-         {names});
+    tell(result, is_path ? Message::AxisUnspecifiedOfPath : Message::AxisUnspecified,
+         result.first_move, {names});
 }
 
 struct Look {
     Survey survey;
-    std::array<bool, 3> told;  // X, Y, Z, specified by a move or by the start
+    std::array<bool, 3> specified;  // X, Y, Z, specified by a move or by the start
 };
 
 // Returns how A, B and C rotate the tool, with the assumptions.
@@ -405,14 +407,14 @@ std::string rotation_of(const Plan& plan, const Survey& survey) {
     return guess.empty() ? text : text + "; assumed: " + guess;
 }
 
-Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
+Look look_at(const Plan& plan, const std::array<bool, 3>& unspecified) {
     Look look;
     Survey& result = look.survey;
-    result.untold = untold;
+    result.unspecified = unspecified;
     MotionSurvey motions(result, plan.placed.get());
     result.interpretation = gcode::interpret(plan.job.program, plan.job.interpreter,
                                              [&](const gcode::Motion& m) { motions.take(m); });
-    look.told = motions.told();
+    look.specified = motions.specified();
     result.units_assumed = !result.interpretation.units_stated && plan.job.units_assumed;
     result.rotation = rotation_of(plan, result);
     result.diagnostics = result.interpretation.diagnostics;
@@ -468,13 +470,13 @@ Survey survey(Plan& plan) {
     const Survey& first = look.survey;
     const bool drawn = first.feed_moves > 0 || (first.only_rapid && plan.draft);
     if (first.interpretation.refused || !drawn) return std::move(look.survey);
-    std::array<bool, 3> untold{};
+    std::array<bool, 3> unspecified{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        untold[axis] = !look.told[axis];
-        if (untold[axis]) plan.job.interpreter.start[axis] = gcode::Length();
+        unspecified[axis] = !look.specified[axis];
+        if (unspecified[axis]) plan.job.interpreter.start[axis] = gcode::Length();
     }
-    if (untold != std::array<bool, 3>{}) look = look_at(plan, untold);
-    tell_untold(look.survey);
+    if (unspecified != std::array<bool, 3>{}) look = look_at(plan, unspecified);
+    report_unspecified(look.survey);
     return std::move(look.survey);
 }
 

@@ -24,7 +24,7 @@ std::string row_key(std::string_view rule, std::string_view message) {
 constexpr std::string_view kAtLeast = " at least";
 
 // Hash of the observation of one motion, for Finding::row.
-std::uint64_t print_of(const Sighting& s) {
+std::uint64_t print_of(const Occurrence& s) {
     std::uint64_t print = 1;
     const auto add = [&](double value) {
         constexpr double kPerMm = 1000.0;
@@ -46,7 +46,7 @@ std::uint64_t print_of(const Sighting& s) {
     return print;
 }
 
-void merge(Finding& row, const Move& move, const Sighting& s) {
+void merge(Finding& row, const Move& move, const Occurrence& s) {
     row.last = {move.motion->file, move.motion->span};
     row.last_motion = move.number;
     ++row.count;
@@ -114,7 +114,7 @@ bool FindingLog::store(Finding finding) {
     return true;
 }
 
-void FindingLog::add(std::string_view rule, const Move& move, Sighting s) {
+void FindingLog::add(std::string_view rule, const Move& move, Occurrence s) {
     Finding f;
     f.rule = rule;
     f.severity = find_rule(rule)->severity;

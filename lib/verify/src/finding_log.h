@@ -18,7 +18,7 @@
 namespace ncsim::verify {
 
 /// Observation of a rule in one motion.
-struct Sighting {
+struct Occurrence {
     std::string message;
     std::optional<Quantity> quantity = std::nullopt;
     bool sums = false;  ///< In a row, quantities add up; otherwise the largest counts.
@@ -42,7 +42,7 @@ public:
     /// Requires: `setup` outlives the log.
     explicit FindingLog(const Setup& setup);
 
-    void add(std::string_view rule, const Move& move, Sighting sighting);
+    void add(std::string_view rule, const Move& move, Occurrence sighting);
     void end_row(std::string_view rule);
     /// Marks the open rows of `rule`: there may be more motions, which are not searched.
     void go_on(std::string_view rule);

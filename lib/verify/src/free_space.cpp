@@ -146,7 +146,7 @@ FreeSpace free_space(const machine::Chain& way, const Values& at, const RigidBod
 }
 
 std::optional<JointWays> ways_of(const Values& begin, const std::optional<Values>& from,
-                                 const std::optional<machine::Going>& leg) {
+                                 const std::optional<machine::JointMotion>& leg) {
     if (!from || !leg) return std::nullopt;
     JointWays go;
     for (std::size_t i = 0; i < go.ways.size(); ++i) {

@@ -42,7 +42,7 @@ struct JointWays {
 /// Returns the joint motions from `begin`; `from`: start of the leg. Empty if unknown.
 std::optional<JointWays> ways_of(const machine::Values& begin,
                                  const std::optional<machine::Values>& from,
-                                 const std::optional<machine::Going>& leg);
+                                 const std::optional<machine::JointMotion>& leg);
 /// True if more than `needed_mm` remains between the bodies during such motions.
 bool keeps_apart(const FreeSpace& space, const JointWays& ways, double needed_mm);
 

@@ -90,7 +90,7 @@ void doubt_blend(const Setup& setup, const Move& move, FindingLog& log) {
     }
 }
 
-void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& tools,
+void doubt_guesses_of_setup(const Setup& setup, const std::map<int, ToolMonitors>& tools,
                             bool needs_part, FindingLog& log) {
     if (!setup.units_assumption.empty())
         log.doubt("units-guess", "units: " + setup.units_assumption);
@@ -113,11 +113,11 @@ void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& to
     }
     for (const auto& [number, watched] : tools) {
         if (watched.uncertain_mm <= 0.0) continue;
-        const double told = facts_of(setup, number)->certain_flutes.value_or(0.0);
+        const double specified = facts_of(setup, number)->certain_flutes.value_or(0.0);
         log.doubt("flutes-guess",
                   fmt::format("T{} would have to cut {:.6g} mm high, and its flutes are "
                               "not known to be longer than {:.6g} mm",
-                              number, told + watched.uncertain_mm, told),
+                              number, specified + watched.uncertain_mm, specified),
                   watched.uncertain_place);
     }
 }

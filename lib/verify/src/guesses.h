@@ -7,7 +7,7 @@
 
 #include "finding_log.h"
 #include "move.h"
-#include "watched.h"
+#include "tool_monitors.h"
 
 #include <map>
 
@@ -21,7 +21,7 @@ void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched
 /// control may miss the path.
 void doubt_blend(const Setup& setup, const Move& move, FindingLog& log);
 /// Logs doubts about the set-up of a program that ran with `tools` (by number).
-void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& tools,
+void doubt_guesses_of_setup(const Setup& setup, const std::map<int, ToolMonitors>& tools,
                             bool needs_part, FindingLog& log);
 
 }  // namespace ncsim::verify

@@ -20,7 +20,7 @@ public:
         cuts_ = 0;
     }
     void count_cut() { ++cuts_; }
-    bool is_told() const { return cuts_ >= kMostCuts; }
+    bool is_specified() const { return cuts_ >= kMostCuts; }
 
 private:
     static constexpr std::uint64_t kMostCuts = 20;

@@ -58,7 +58,7 @@ void LedgerBook::note_cells(const toolpath::Step& step, double rounding) {
     }
 }
 
-void LedgerBook::close(const cda::Account& account, bool tells_air) {
+void LedgerBook::close(const cda::RemovalByMotion& account, bool tells_air) {
     double air_mm = 0.0;
     for (const Cut& cut : cuts_) {
         const auto found = account.find(cut.origin);

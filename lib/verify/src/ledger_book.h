@@ -32,7 +32,7 @@ public:
     std::size_t row() const { return ledger_.rows.empty() ? 0 : ledger_.rows.size() - 1; }
     /// Enters the volumes of `account` after the last motion. `tells_air`: also sums up the feed
     /// moves that removed nothing.
-    void close(const cda::Account& account, bool tells_air);
+    void close(const cda::RemovalByMotion& account, bool tells_air);
 
 private:
     // Motion whose removed volume the account gives.

@@ -12,19 +12,19 @@ namespace ncsim::verify {
 
 namespace {
 
-RigidBody pieces_of(const std::string& what, const std::string& told_at,
+RigidBody pieces_of(const std::string& what, const std::string& specified_at,
                     const cda::TriangleMesh& mesh, double deflection_mm) {
     try {
         return body_in_pieces(mesh, deflection_mm);
     } catch (const std::invalid_argument& why) {
-        throw std::runtime_error(told_at + ": the mesh of " + what + ": " + why.what() +
+        throw std::runtime_error(specified_at + ": the mesh of " + what + ": " + why.what() +
                                  "; mend it, or let its hull stand for it (hull = true, in TOML)");
     }
 }
 
 }  // namespace
 
-MachineBodies::MachineBodies(LinkBodies told) : told_(std::move(told)) {
+MachineBodies::MachineBodies(LinkBodies specified) : specified_(std::move(specified)) {
     const auto add = [](const std::string& what, const auto& from) {
         Body body;
         if (!from.mesh.triangles.empty()) {
@@ -35,10 +35,10 @@ MachineBodies::MachineBodies(LinkBodies told) : told_(std::move(told)) {
         }
         return body;
     };
-    for (const LinkBody& link : told_.links)
+    for (const LinkBody& link : specified_.links)
         links_.push_back(add("the link '" + link.name + "'", link));
     // Only checks the meshes: positions of fixtures differ between programs, the pieces do not.
-    for (const Fixture& fixture : told_.fixtures)
+    for (const Fixture& fixture : specified_.fixtures)
         add("the fixture '" + fixture.name + "'", fixture);
 }
 

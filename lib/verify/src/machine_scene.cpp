@@ -31,12 +31,12 @@ constexpr std::uint64_t kMostMeasured = 16;
 constexpr double kFinerTool = 16.0;
 
 // Returns the corners of the circumscribed and of the inscribed polytope of a piece.
-ConvexPiece piece_of_tool(const toolpath::ToolPiece& told, toolpath::ToolAccuracy accuracy,
+ConvexPiece piece_of_tool(const toolpath::ToolPiece& specified, toolpath::ToolAccuracy accuracy,
                           Vec3 tip) {
     constexpr cda::Lattice kFinest;
     const auto corners = [&](toolpath::Side side) {
         accuracy.side = side;
-        return toolpath::approximate(told, kFinest, accuracy).points_T;
+        return toolpath::approximate(specified, kFinest, accuracy).points_T;
     };
     ConvexPiece piece;
     for (const cda::LatticePoint& p : corners(toolpath::Side::Circumscribed))
@@ -106,7 +106,7 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
         return;
     }
     zero_ = *setup.machine.work_zero;
-    const LinkBodies& told = setup.bodies->told();
+    const LinkBodies& specified = setup.bodies->specified();
     double longest = 0.0;
     const auto add = [&](Member member) {
         if (member.body) longest = std::max(longest, member.body->longest());
@@ -118,30 +118,30 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
         block.box = stock_;
         block_ = std::make_unique<const RigidBody>(body_of(block, zero_));
         longest = std::max(longest, block_->longest());
-        add({"part", "the part", told.part_moved_by, nullptr, 0.0, false, true, false});
+        add({"part", "the part", specified.part_moved_by, nullptr, 0.0, false, true, false});
     }
     for (const Fixture& fixture : setup.machine.fixtures) {
         fixtures_.push_back(std::make_unique<const RigidBody>(body_of(fixture, zero_)));
-        add({fixture.name, fmt::format("the fixture '{}'", fixture.name), told.part_moved_by,
+        add({fixture.name, fmt::format("the fixture '{}'", fixture.name), specified.part_moved_by,
              fixtures_.back().get(), fixture.clearance_mm, false, false, false,
              why_as_hull(fixture.mesh, fixture.as_hull)});
     }
     // Then the links fixed to the part, finally the links fixed to the tool.
-    const auto rank = [&told](const LinkBody& link) {
-        return link.moved_by == told.part_moved_by   ? 0
-               : link.moved_by == told.tool_moved_by ? 2
-                                                     : 1;
+    const auto rank = [&specified](const LinkBody& link) {
+        return link.moved_by == specified.part_moved_by   ? 0
+               : link.moved_by == specified.tool_moved_by ? 2
+                                                          : 1;
     };
     for (const int wanted : {0, 1, 2}) {
-        for (std::size_t i = 0; i < told.links.size(); ++i) {
-            const LinkBody& link = told.links[i];
+        for (std::size_t i = 0; i < specified.links.size(); ++i) {
+            const LinkBody& link = specified.links[i];
             if (!setup.bodies->body(i) || rank(link) != wanted) continue;
             add({link.name, fmt::format("the link '{}'", link.name), link.moved_by,
                  setup.bodies->body(i), link.clearance_mm, false, false, true,
                  setup.bodies->why_hull(i)});
         }
     }
-    add({"tool", "the tool", told.tool_moved_by, nullptr, 0.0, true, false, false});
+    add({"tool", "the tool", specified.tool_moved_by, nullptr, 0.0, true, false, false});
     // Twice the longest piece in 25 bits, because a piece may lie on either side of a place.
     for (const auto& [number, facts] : setup.tools)
         longest = std::max(longest, toolpath::height_of(facts.tool));
@@ -150,8 +150,8 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
     add_pairs();
 }
 
-bool MachineScene::is_told(const std::vector<NamePair>& pairs, const Member& a,
-                           const Member& b) const {
+bool MachineScene::is_specified(const std::vector<NamePair>& pairs, const Member& a,
+                                const Member& b) const {
     return std::ranges::any_of(pairs, [&](const NamePair& pair) {
         return (pair.first == a.name && pair.second == b.name) ||
                (pair.first == b.name && pair.second == a.name);
@@ -159,8 +159,8 @@ bool MachineScene::is_told(const std::vector<NamePair>& pairs, const Member& a,
 }
 
 void MachineScene::add_pairs() {
-    const LinkBodies& told = setup_->bodies->told();
-    const Chain whole = machine::seen_from(told.part_moved_by, told.tool_moved_by);
+    const LinkBodies& specified = setup_->bodies->specified();
+    const Chain whole = machine::seen_from(specified.part_moved_by, specified.tool_moved_by);
     for (std::size_t i = 0; i < members_.size(); ++i) {
         for (std::size_t k = i + 1; k < members_.size(); ++k) {
             const Member& a = members_[i];
@@ -174,9 +174,9 @@ void MachineScene::add_pairs() {
                       false,
                       {},
                       nullptr};
-            if (pair.way.joints.empty() || is_told(told.ignored, a, b)) continue;
+            if (pair.way.joints.empty() || is_specified(specified.ignored, a, b)) continue;
             const bool are_neighbours = a.is_link && b.is_link && pair.way.joints.size() == 1;
-            if (are_neighbours && !is_told(told.asked, a, b)) continue;
+            if (are_neighbours && !is_specified(specified.asked, a, b)) continue;
             pair.of_part_and_tool = pair.way == whole;
             pairs_.push_back(std::move(pair));
         }
@@ -245,7 +245,7 @@ PairOnLeg MachineScene::on_leg(const Pair& pair, const Leg& leg) const {
 
 Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
     const Vec3 p_M = pose_of(members_[pair.observer].moved_by, encounter.values) * encounter.point;
-    const machine::Pose X_MP = pose_of(setup_->bodies->told().part_moved_by, encounter.values);
+    const machine::Pose X_MP = pose_of(setup_->bodies->specified().part_moved_by, encounter.values);
     return inverse(X_MP) * p_M - zero_;
 }
 
@@ -403,7 +403,7 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
     const RigidBody* tool = length.gauge_mm ? this->tool(motion.tool, *length.gauge_mm) : nullptr;
     // No length, or a length that leaves no part of the tool below the nose.
     const bool lacks_tool = motion.tool != 0 && !tool;
-    const Chain& tool_moved_by = setup_->bodies->told().tool_moved_by;
+    const Chain& tool_moved_by = setup_->bodies->specified().tool_moved_by;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
         Pair& pair = pairs_[i];
         const bool is_of_tool = members_[pair.body].is_tool;

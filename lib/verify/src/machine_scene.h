@@ -90,14 +90,14 @@ private:
         // joint positions at the ends of the leg
         std::optional<machine::Values> from = std::nullopt, to = std::nullopt;
         // bounds for the whole leg
-        std::optional<machine::Going> going = std::nullopt;
+        std::optional<machine::JointMotion> going = std::nullopt;
     };
     struct Open {
         std::size_t pair = 0, leg = 0;
         bool follows = false;  // the tool cuts the obstacle first
     };
     void add_pairs();
-    bool is_told(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;
+    bool is_specified(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;
     const RigidBody* tool(int number, double gauge_mm, double finer = 1.0);
     const RigidBody* beside_cutter(const RigidBody& body, int tool);
     bool stays_free(Pair& pair, const Leg& leg, const RigidBody& observer, const RigidBody& body);

@@ -107,7 +107,8 @@ void Measuring::note(const Observation& seen) {
         }
         case Subject::Body: {
             if (!now_) refuse_evidence();
-            const auto watched = std::ranges::find(now_->bodies, seen.index, &Watched::Part::piece);
+            const auto watched =
+                std::ranges::find(now_->bodies, seen.index, &ToolMonitors::Part::piece);
             if (watched == now_->bodies.end()) refuse_evidence();
             watched->raise_mm = std::max(watched->raise_mm, seen.value.value_or(0.0));
             auto old = std::ranges::find(move_.bodies, seen.index, &BodyContact::piece);
@@ -128,7 +129,7 @@ void Measuring::note(const Observation& seen) {
         case Subject::TooHigh:
             move_.too_deep_mm = std::max(move_.too_deep_mm, seen.value.value_or(0.0));
             return;
-        case Subject::UntoldFlutes: {
+        case Subject::UnspecifiedFlutes: {
             if (!now_) refuse_evidence();
             const double known = now_->uncertain_mm;
             now_->uncertain_mm = std::max(known, seen.value.value_or(0.0));
@@ -143,7 +144,7 @@ void Measuring::note(const Observation& seen) {
     refuse_evidence();
 }
 
-void Measuring::take_off(const Step& step, double volume, bool is_exact) {
+void Measuring::add_removed(const Step& step, double volume, bool is_exact) {
     Observation seen = seen_now(Subject::Removed);
     // Inexact cells may remove slivers that earlier steps left.
     seen.touches = !is_exact && meets_now_;
@@ -268,7 +269,7 @@ std::optional<Vec3> Measuring::find_material(const Step& step, const cda::Workpi
 void Measuring::look_closer() {
     if (move_.meets_material && move_.motion->kind == MoveKind::Rapid &&
         move_.certainty == Certainty::Within) {
-        const auto decided = second_look("rapid-in-material", std::nullopt);
+        const auto decided = refine_contact("rapid-in-material", std::nullopt);
         if (decided) {
             move_.certainty = *decided;
         } else {
@@ -277,14 +278,14 @@ void Measuring::look_closer() {
     }
     std::erase_if(move_.bodies, [this](BodyContact& contact) {
         if (contact.certainty == Certainty::Certain) return false;
-        const auto decided = second_look("non-cutting-contact", contact.piece);
+        const auto decided = refine_contact("non-cutting-contact", contact.piece);
         contact.certainty = decided.value_or(Certainty::Within);
         return !decided;
     });
 }
 
-std::optional<Certainty> Measuring::second_look(std::string_view rule,
-                                                std::optional<std::size_t> piece) {
+std::optional<Certainty> Measuring::refine_contact(std::string_view rule,
+                                                   std::optional<std::size_t> piece) {
     const auto places = open_.find(piece);
     if (places == open_.end()) return Certainty::Within;
     // The order must not depend on the tile that found the boxes.
@@ -294,7 +295,7 @@ std::optional<Certainty> Measuring::second_look(std::string_view rule,
     };
     std::ranges::sort(boxes, {}, corners);
     boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
-    return setup_.second_look({move_.number, rule, move_.motion->tool, piece, std::move(boxes)});
+    return setup_.refine_contact({move_.number, rule, move_.motion->tool, piece, std::move(boxes)});
 }
 
 // Returns a common point of the material and the inscribed tool, if one exists.
@@ -310,7 +311,7 @@ std::optional<Vec3> Measuring::certain_point(const Step& step, const cda::Workpi
 }
 
 void Measuring::meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
-    for (Watched::Part& watched : now_->bodies) {
+    for (ToolMonitors::Part& watched : now_->bodies) {
         if (is_away(watched.body, step, 0.0)) continue;
         const Meeting meeting = watched.body.meet(step, 0.0, part, stock_);
         if (!meeting.is_there) continue;
@@ -342,7 +343,7 @@ void Measuring::meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
 // permitted. A steeper descent is permitted up to s r.
 void Measuring::follow_core(const Step& step,
                             const std::function<double(double fall, double allowed)>& on_material) {
-    Watched& w = *now_;
+    ToolMonitors& w = *now_;
     const ToolFacts& facts = *facts_of(setup_, move_.motion->tool);
     const double radius = *facts.blind_diameter / 2;
     const Vec3 axis = axis_of(step.X_WA);
@@ -445,7 +446,7 @@ void Measuring::meet_uncertain(const Step& step, const cda::WorkpieceModel& part
     const double known = now_->uncertain_mm;
     const double raise_step = std::max(
         kRaiseStep, kPart * facts_of(setup_, move_.motion->tool)->certain_flutes.value_or(0.0));
-    Observation seen = seen_now(Subject::UntoldFlutes);
+    Observation seen = seen_now(Subject::UnspecifiedFlutes);
     seen.value = needed_above(now_->uncertain, step, part, known, raise_step);
     if (*seen.value > known) tell(std::move(seen));
 }

@@ -13,7 +13,7 @@
 #include "ncsim/verify/setup.h"
 
 #include "move.h"
-#include "watched.h"
+#include "tool_monitors.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +40,7 @@ public:
         place_ = place;
     }
     /// Begins a motion with the watched tool; null: the tool is not described.
-    void begin(Watched* tool) {
+    void begin(ToolMonitors* tool) {
         now_ = tool;
         open_.clear();
         step_ = 0;
@@ -71,7 +71,7 @@ public:
     /// Checks the flutes above the certain flute length.
     void meet_uncertain(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Notes that the step removed `volume` (mm³). `is_exact`: a positive volume proves contact.
-    void take_off(const toolpath::Step& step, double volume, bool is_exact);
+    void add_removed(const toolpath::Step& step, double volume, bool is_exact);
     /// Notes an observation of the part, except of the core.
     /// Throws: std::runtime_error if the observation is impossible in this motion.
     void note(const Observation& seen);
@@ -91,9 +91,10 @@ private:
     static double common_volume(const Step& step, const cda::WorkpieceModel& part);
     std::optional<cda::Vec3> find_material(const Step& step, const cda::WorkpieceModel& part,
                                            std::uint32_t& rank);
-    std::optional<Certainty> second_look(std::string_view rule, std::optional<std::size_t> piece);
+    std::optional<Certainty> refine_contact(std::string_view rule,
+                                            std::optional<std::size_t> piece);
     std::optional<cda::Vec3> certain_point(const Step& step, const cda::WorkpieceModel& part);
-    bool keeps_places() const { return kept_ || setup_.second_look; }
+    bool keeps_places() const { return kept_ || setup_.refine_contact; }
     double fall_on_material(const Step& step, const cda::WorkpieceModel& part, double fall,
                             double allowed);
     void follow_core(const Step& step,
@@ -107,7 +108,7 @@ private:
     cda::Lattice lattice_;
     Move& move_;
     bool volumes_;
-    Watched* now_ = nullptr;
+    ToolMonitors* now_ = nullptr;
     std::uint64_t step_ = 0;
     bool meets_now_ = false;
     Evidence* kept_ = nullptr;       // of a tile

@@ -76,7 +76,7 @@ struct Move {
 
     // Length of the tool in the control.
     int length_register = 0;            ///< Number, or a gcode::LengthRegister.
-    bool length_told = false;           ///< The value of the register is specified.
+    bool length_specified = false;      ///< The value of the register is specified.
     double length_offset = 0.0;         ///< Active along Z, mm.
     std::optional<double> tool_length;  ///< Length of the tool itself, mm; empty: unspecified.
     /// The motion descends, feeds or probes, so a wrong tool length does damage.

@@ -437,8 +437,8 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
             nearest[i] = std::clamp(centre[i], place_of_part.min[i], place_of_part.max[i]);
         return norm(centre - nearest) > ball.radius + pair.missed_mm + rounding_mm;
     };
-    const auto list = [&](const Span& told, Stretch& s) {
-        const Span place{in_W(told.X_0), in_W(told.X_1), told.grow_mm};
+    const auto list = [&](const Span& specified, Stretch& s) {
+        const Span place{in_W(specified.X_0), in_W(specified.X_1), specified.grow_mm};
         if (!s.is_listed) {
             for (const std::uint32_t i : pieces_near(body, place, place_of_part))
                 s.open.emplace_back(0, i);

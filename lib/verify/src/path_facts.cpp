@@ -23,8 +23,8 @@ using gcode::MoveKind;
 namespace {
 
 // Returns the smaller radius (mm) of an arc, which may be a spiral.
-double smallest_radius(const gcode::Arc& told) {
-    const gcode::Arc arc = gcode::in_own_frame(told);
+double smallest_radius(const gcode::Arc& specified) {
+    const gcode::Arc arc = gcode::in_own_frame(specified);
     const auto radius = [&arc](const gcode::Position& p) {
         double first = p.x.mm(), second = p.y.mm();
         switch (arc.plane) {
@@ -132,7 +132,7 @@ void PathFacts::measure(Move& move, const toolpath::Poses& poses, const gcode::P
 // Computes the positions of the axes if the position of the work zero is specified.
 void PathFacts::place_in_machine(Move& move, FindingLog& log) const {
     const gcode::Motion& motion = *move.motion;
-    const auto is_told = [](const auto& travel) { return travel.has_value(); };
+    const auto is_specified = [](const auto& travel) { return travel.has_value(); };
     const bool has_joints = setup_.kinematics && setup_.axes_guess.empty() &&
                             setup_.machine.work_zero && toolpath::has_known_start(motion) &&
                             (!setup_.kinematics->chain.has_head() || motion.length.mm() > 0.0);
@@ -140,7 +140,7 @@ void PathFacts::place_in_machine(Move& move, FindingLog& log) const {
         const Vec3 shift = *setup_.machine.work_zero + tool_offset_;
         const Box joints = toolpath::extent_of_joints(motion, *setup_.kinematics);
         if (!joints.is_empty()) move.machine_path = Box{joints.min + shift, joints.max + shift};
-    } else if (move.is_tilted_tip && std::ranges::any_of(setup_.machine.travel, is_told)) {
+    } else if (move.is_tilted_tip && std::ranges::any_of(setup_.machine.travel, is_specified)) {
         log.doubt("setting-not-used",
                   "travels: where the axes go under tip control is not compared with them",
                   {motion.file, motion.span});
@@ -153,7 +153,7 @@ void PathFacts::place_in_machine(Move& move, FindingLog& log) const {
 void PathFacts::look_at_length(Move& move, double from_mm, double to_mm) const {
     const gcode::Motion& motion = *move.motion;
     move.length_register = frame_.length_register;
-    move.length_told = frame_.length_told;
+    move.length_specified = frame_.length_specified;
     move.length_offset = tool_offset_.z;
     move.tool_length = frame_.tool_length;
     // Some posts position at a high feed, above all bodies.
@@ -190,11 +190,11 @@ bool PathFacts::passes_above(const gcode::Motion& motion, const gcode::Position&
 
 ToolLength PathFacts::tool_length(const gcode::Motion& motion) const {
     const bool is_active = frame_.length_register != gcode::kNoLength;
-    const bool is_told = is_active && frame_.length_told;
+    const bool is_specified = is_active && frame_.length_specified;
     ToolLength length;
-    length.nose_known = is_active ? is_told : setup_.uses_length_offsets;
+    length.nose_known = is_active ? is_specified : setup_.uses_length_offsets;
     length.gauge_mm = frame_.tool_length;
-    if (!length.gauge_mm && is_told) length.gauge_mm = motion.length.mm();
+    if (!length.gauge_mm && is_specified) length.gauge_mm = motion.length.mm();
     return length;
 }
 

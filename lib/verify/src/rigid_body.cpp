@@ -41,10 +41,10 @@ RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
     return {std::move(pieces), 3.0 * lattice.unit_mm + deflection_mm};
 }
 
-std::string why_as_hull(const cda::TriangleMesh& mesh, bool told) {
+std::string why_as_hull(const cda::TriangleMesh& mesh, bool specified) {
     // larger meshes take longer to divide than a program to verify
     constexpr std::size_t kMostTriangles = 50'000;
-    if (told) return "that was specified";
+    if (specified) return "that was specified";
     if (mesh.triangles.size() > kMostTriangles) return "it has more than 50,000 triangles";
     return {};
 }

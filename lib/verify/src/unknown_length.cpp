@@ -34,7 +34,7 @@ Lengths possible_lengths(const ToolFacts& facts) {
         if (!piece.assumed && !facts.certain_flutes)
             least = std::max(least, piece.profile.back().height);
     }
-    return {least, least + (facts.holder_told ? 0.0 : kLongestHolder)};
+    return {least, least + (facts.holder_specified ? 0.0 : kLongestHolder)};
 }
 
 double widest_radius(const toolpath::Tool& tool) {
@@ -71,7 +71,7 @@ std::optional<std::string> body_under(const Setup& setup, const Move& move, doub
 
 bool has_unknown_length(const Setup& setup, const Move& move) {
     return setup.uses_length_offsets && move.motion->tool != 0 && !move.tool_length &&
-           !move.length_told && facts_of(setup, move.motion->tool);
+           !move.length_specified && facts_of(setup, move.motion->tool);
 }
 
 void doubt_unknown_length(const Setup& setup, const Move& move, FindingLog& log) {

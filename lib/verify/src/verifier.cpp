@@ -21,8 +21,8 @@
 #include "measuring.h"
 #include "path_facts.h"
 #include "rule_table.h"
+#include "tool_monitors.h"
 #include "unknown_length.h"
-#include "watched.h"
 
 #include <fmt/format.h>
 
@@ -196,7 +196,7 @@ public:
         }
     }
 
-    void look_back(const Step& step, const cda::WorkpieceModel& part, double removed) {
+    void after_cut(const Step& step, const cda::WorkpieceModel& part, double removed) {
         const double tolerance = setup_.path_tolerance_mm;
         if (tolerance > 0.0 && step.bounds.missed_mm > 1.001 * tolerance)
             move_.path_error_mm = std::max(move_.path_error_mm, step.bounds.missed_mm);
@@ -208,7 +208,7 @@ public:
             // Exact cells meet material if they remove some. Inexact cells may remove slivers that
             // earlier steps left.
             const bool is_exact = measuring_.rounding_now(step) <= 0.0;
-            measuring_.take_off(step, removed, is_exact);
+            measuring_.add_removed(step, removed, is_exact);
         }
         if (!ascends(step)) measuring_.meet_bodies(step, part);
         meet_fixtures(step);
@@ -240,7 +240,7 @@ public:
             count_idle_cuts();
             return;
         }
-        if (setup_.second_look) measuring_.look_closer();
+        if (setup_.refine_contact) measuring_.look_closer();
         hole_.take(move_);
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
@@ -461,7 +461,7 @@ private:
         const bool well = turns_well(motion, is_left_handed(motion.tool));
         const ToolFacts* tool = facts_of(setup_, motion.tool);
         if (tool && toolpath::is_axial(tool->tool.kind)) return true;
-        return contacts_ || ((!well || motion.spindle_in_doubt) && !idle_.is_told() &&
+        return contacts_ || ((!well || motion.spindle_in_doubt) && !idle_.is_specified() &&
                              (asked("spindle-off") || asked("spindle-reversed")));
     }
 
@@ -470,7 +470,7 @@ private:
         if (move_.asked && move_.meets_material && !is_suppressed("spindle-off") &&
             !is_suppressed("spindle-reversed"))
             idle_.count_cut();
-        if (!move_.is_traced || move_.asked || !idle_.is_told()) return;
+        if (!move_.is_traced || move_.asked || !idle_.is_specified()) return;
         for (const char* rule : {"spindle-off", "spindle-reversed"})
             log_.go_on(rule);
     }
@@ -557,7 +557,7 @@ private:
     Clock clock_;
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
-    std::map<int, Watched> watched_;
+    std::map<int, ToolMonitors> watched_;
     bool volumes_;             // the volume of every motion is measured before the next motion
     bool books_;               // the volume of every motion is read from the account at the end
     bool contacts_ = false;    // contacts of every feed motion are needed
@@ -569,7 +569,7 @@ private:
     Move move_;
     HoleCourse hole_;
     Measuring measuring_;
-    Watched* now_ = nullptr;
+    ToolMonitors* now_ = nullptr;
     struct CutAt {
         int tool = 0;
         toolpath::Pose X_WT;
@@ -598,8 +598,8 @@ void Verifier::look(const Step& step, const cda::WorkpieceModel& part) {
     impl_->look(step, part);
 }
 
-void Verifier::look_back(const Step& step, const cda::WorkpieceModel& part, double removed) {
-    impl_->look_back(step, part, removed);
+void Verifier::after_cut(const Step& step, const cda::WorkpieceModel& part, double removed) {
+    impl_->after_cut(step, part, removed);
 }
 
 void Verifier::arrive(const Step& step, const cda::WorkpieceModel& part) {

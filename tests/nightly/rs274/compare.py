@@ -104,6 +104,7 @@ def read_rs274(output):
     """Motions in machine coordinates, mm, and the rotation at the first cut."""
     events, unit, g5x, g92, theta, feed, plane, per_minute = [], 25.4, [0.0] * 6, [0.0] * 6, 0.0, 0.0, "CANON_PLANE_XY", True
     at = [0.0] * 6
+    length = [0.0] * 3
     first_theta = None
     threads = False
 
@@ -119,7 +120,7 @@ def read_rs274(output):
         name, rest = found.groups()
         if name == "USE_LENGTH_UNITS":
             now = 1.0 if "MM" in rest else 25.4
-            for values in (g5x, g92, at):
+            for values in (g5x, g92, at, length):
                 for i in range(3):
                     values[i] *= unit / now
             unit = now
@@ -129,6 +130,10 @@ def read_rs274(output):
             g92 = [float(v) for v in rest.split(",")[:6]]
         elif name == "SET_XY_ROTATION":
             theta = float(rest)
+        elif name == "USE_TOOL_LENGTH_OFFSET":
+            now = [float(v) for v in rest.split(",")[0].split()]
+            at = [a + before - after for a, before, after in zip(at, length, now)] + at[3:]
+            length = now
         elif name == "SET_FEED_RATE":
             feed = float(rest) * unit
         elif name == "COMMENT" and "feed mode set to" in rest:
@@ -143,6 +148,8 @@ def read_rs274(output):
             before = list(at)
             at = [float(v) for v in rest.split(",")]
             at += before[len(at):]
+            if name == "STRAIGHT_TRAVERSE" and all(abs(a - b) < 1e-4 for a, b in zip(at, before)):
+                continue
             kind = {"STRAIGHT_TRAVERSE": "rapid", "STRAIGHT_PROBE": "probe"}.get(name, "feed")
             if kind != "rapid" and first_theta is None:
                 first_theta = theta

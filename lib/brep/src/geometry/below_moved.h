@@ -226,8 +226,8 @@ public:
         double area = 0.0, volume = 0.0;
         Vec3 moment;
     };
-    Sum below(const Aspect& place) const {
-        const Passage& passage = place.passage;
+    Sum below(const ClosestPoint& place) const {
+        const ToolFrame& passage = place.passage;
         if (const Flank* flank = sweep_.flank()) {
             const double to = place_across(sweep_, passage, place.foot);
             const OnFlank on{sweep_, passage};
@@ -243,7 +243,7 @@ public:
     }
 
     // Returns the time of a step on the surface, with opposite sign.
-    static double turn(const Aspect& place, Vec3 step) {
+    static double turn(const ClosestPoint& place, Vec3 step) {
         return place.bend != 0.0 ? cda::dot(place.drift, step) / place.bend : 0.0;
     }
 
@@ -251,7 +251,7 @@ private:
     // Point of the characteristic, its aspect, and the speed along the characteristic.
     struct Stroke {
         Vec3 p;
-        Aspect aspect;
+        ClosestPoint aspect;
         double pace;
     };
 
@@ -259,7 +259,7 @@ private:
     struct OnFillet {
         const Sweep& sweep;
         const Fillet& fillet;
-        const Passage& passage;
+        const ToolFrame& passage;
         Around at;
         double angle_of(Vec3 n) const {
             const double degrees = trig::angle_of(cda::dot(n, at.up), cda::dot(n, at.side));
@@ -286,7 +286,7 @@ private:
         // the normal turns per mm along the characteristic, seen along the path.
         Stroke turning(double degrees) const {
             const Vec3 p = point_with_normal(sweep, passage, degrees);
-            const Aspect there = aspect_at(sweep, passage, p);
+            const ClosestPoint there = aspect_at(sweep, passage, p);
             const Vec3 n = there.normal, axis = passage.axis;
             const Vec3 along = cda::normalized(cda::cross(n, there.drift));
             const Vec3 out = cda::normalized(n - cda::dot(n, axis) * axis);
@@ -306,10 +306,10 @@ private:
     // to the gradient of the rate. Its component along the profile has the speed of the place.
     struct OnFlank {
         const Sweep& sweep;
-        const Passage& passage;
+        const ToolFrame& passage;
         Stroke operator()(double across) const {
             const Vec3 p = point_across(sweep, passage, across);
-            const Aspect at = aspect_at(sweep, passage, p);
+            const ClosestPoint at = aspect_at(sweep, passage, p);
             const Vec3 along = cda::cross(at.normal, at.drift);
             const double rise = cda::dot(at.normal, passage.axis);
             const Vec3 profile = passage.axis - rise * at.normal;
@@ -321,7 +321,7 @@ private:
     // Integrand by the angle about the axis, degrees.
     struct OnRimPlaces {
         const Sweep& sweep;
-        const Passage& passage;
+        const ToolFrame& passage;
         Stroke operator()(double degrees) const {
             const Vec3 p = point_across(sweep, passage, degrees);
             return {p, aspect_at(sweep, passage, p),
@@ -357,7 +357,7 @@ private:
         for (std::size_t k = 0; k < N; ++k) {
             for (const double sign : {-1.0, 1.0}) {
                 const Stroke stroke = on(from + 0.5 * (1.0 + sign * abscissae[k]) * width);
-                const Aspect& there = stroke.aspect;
+                const ClosestPoint& there = stroke.aspect;
                 const double ahead = there.bend / cda::norm(there.drift);
                 const double area = 0.5 * width * weights[k] * stroke.pace * ahead;
                 const Vec3 w = stroke.p - apex_;

@@ -37,13 +37,13 @@ Vec3 level(Vec3 v, Vec3 axis) {
     return v - dot(v, axis) * axis;
 }
 
-Vec3 middle_of(const Sweep& sweep, const Passage& passage) {
+Vec3 middle_of(const Sweep& sweep, const ToolFrame& passage) {
     return passage.tip + lowest_centre(sweep) * passage.axis;
 }
 
 // Point in cylindrical coordinates about the tool's axis.
 struct Seen {
-    Seen(const Passage& at, Vec3 p) {
+    Seen(const ToolFrame& at, Vec3 p) {
         const Vec3 v = p - at.tip;
         height = dot(v, at.axis);
         const Vec3 away = v - height * at.axis;
@@ -64,7 +64,7 @@ double place_along(const Flank& flank, const Seen& seen) {
 // direction from the axis to the contact on either side. At the contact, the velocity of the point
 // as fixed to the tool is perpendicular to the normal.
 struct Contact {
-    Contact(const Flank& flank, const Passage& at, double along)
+    Contact(const Flank& flank, const ToolFrame& at, double along)
         : way(level(velocity_at(at, height_of_centre(flank, along)), at.axis)),
           right(cross(normalized(way), at.axis)),
           lean(-flank.sine * dot(at.speed, at.axis) / (flank.cosine * norm(way))) {}
@@ -78,7 +78,7 @@ struct Contact {
 
 // Returns the nearest aspect on a straight path. Seen along the path, the circle of the fillet's
 // centres is an ellipse; the envelope is offset from this ellipse by the radius.
-Aspect nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
+ClosestPoint nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
     const Fillet& fillet = *sweep.fillet();
     const double length = norm(way.along), lean = dot(way.along, way.axis);
     const Vec3 ahead = ((lean < 0.0 ? -1.0 : 1.0) / length) * way.along;
@@ -89,7 +89,7 @@ Aspect nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
     const Vec3 normal = foot.x * x + foot.y * y;
     const Vec3 centre =
         v - foot.distance * normal - fillet.ring * normalized(level(normal, way.axis));
-    Aspect aspect = aspect_at(sweep, dot(centre, way.along) / (length * length), p);
+    ClosestPoint aspect = aspect_at(sweep, dot(centre, way.along) / (length * length), p);
     aspect.off = foot.distance - fillet.radius;
     aspect.normal = normal;
     aspect.foot = p - aspect.off * normal;
@@ -121,7 +121,7 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
     const auto& samples = sweep.samples();
     const Fillet* fillet = sweep.fillet();
     // Fillets: the squared distance.
-    const auto off = [&](const Passage& at) {
+    const auto off = [&](const ToolFrame& at) {
         const Vec3 v = p - at.tip;
         const double height = dot(v, at.axis);
         const double radius = std::sqrt(std::max(0.0, dot(v, v) - height * height));
@@ -160,8 +160,8 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
 
 // Moves the aspect to a time so close that the tool's motion is linear in between.
 // Requires: no rim, because `rate` has a different meaning for rims.
-void advance(Aspect& aspect, double by, Vec3 p) {
-    Passage& at = aspect.passage;
+void advance(ClosestPoint& aspect, double by, Vec3 p) {
+    ToolFrame& at = aspect.passage;
     at.tip = at.tip + by * at.speed;
     at.speed = at.speed + by * at.change;
     at.axis = at.axis + by * at.turn;
@@ -176,7 +176,7 @@ void advance(Aspect& aspect, double by, Vec3 p) {
 // Newton's method, or a step downhill where Newton's method would go uphill. Known times before and
 // after the nearest time bound the steps. Near the edge of a fold of the envelope, there may be no
 // nearest time; the result is then the aspect at `when`.
-Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
+ClosestPoint nearest_from(const Sweep& sweep, double when, Vec3 p) {
     constexpr int kMostSteps = 40;
     constexpr double kNoTime = 1e-14, kAnyTime = std::numeric_limits<double>::infinity();
     // Changes with the square of a step this short are rounding errors, on paths with at most a few
@@ -184,7 +184,7 @@ Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
     constexpr double kShort = 1e-7;
     const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
     double before = -kAnyTime, after = kAnyTime;
-    Aspect aspect = aspect_at(sweep, when, p);
+    ClosestPoint aspect = aspect_at(sweep, when, p);
     bool is_found = false;
     for (int i = 0; i < kMostSteps && !is_found; ++i) {
         const double t = aspect.t;
@@ -228,15 +228,15 @@ Shape shape_at(const Flank& flank, const Seen& seen) {
 
 }  // namespace
 
-Aspect aspect_at(const Sweep& sweep, double t, Vec3 p) {
-    Aspect aspect = aspect_at(sweep, sweep.at(t), p);
+ClosestPoint aspect_at(const Sweep& sweep, double t, Vec3 p) {
+    ClosestPoint aspect = aspect_at(sweep, sweep.at(t), p);
     aspect.t = t;
     return aspect;
 }
 
-Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
+ClosestPoint aspect_at(const Sweep& sweep, const ToolFrame& at, Vec3 p) {
     if (sweep.is_rim()) return aspect_of_rim(*sweep.fillet(), at, p);
-    Aspect aspect;
+    ClosestPoint aspect;
     aspect.passage = at;
     const Seen seen(at, p);
     const Shape shape =
@@ -263,7 +263,7 @@ Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
     return aspect;
 }
 
-Aspect place_on(const Envelope& envelope, Vec3 p) {
+ClosestPoint place_on(const Envelope& envelope, Vec3 p) {
     const Sweep& sweep = *envelope.sweep;
     if (const auto* straight = std::get_if<StraightWay>(&sweep.way()))
         return nearest_on(sweep, *straight, p);
@@ -275,14 +275,14 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     const double half = 0.5 * sweep.length_mm() / static_cast<double>(sweep.samples().size() - 1);
     // The surface swept by a rim may be near on both sides.
     const bool is_of_rim = sweep.is_rim();
-    const auto far = [&](const Aspect& aspect) {
+    const auto far = [&](const ClosestPoint& aspect) {
         return is_of_rim ? std::abs(aspect.off) : aspect.off;
     };
-    std::optional<Aspect> best;
+    std::optional<ClosestPoint> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < nearest.count; ++k) {
         if (nearest.off[k] > nearest.least + half) continue;
-        const Aspect aspect = nearest_from(sweep, nearest.time[k], p);
+        const ClosestPoint aspect = nearest_from(sweep, nearest.time[k], p);
         double off = far(aspect);
         if (const double end = std::clamp(aspect.t, 0.0, 1.0);
             nearest.count > 1 && aspect.t != end) {
@@ -296,7 +296,7 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     return *best;
 }
 
-Aspect place_on(const Envelope& envelope, Vec3 p, double near_time) {
+ClosestPoint place_on(const Envelope& envelope, Vec3 p, double near_time) {
     const Sweep& sweep = *envelope.sweep;
     // A torus passes a point twice, in quick succession where the torus is nearly level.
     const bool is_of_ring = sweep.fillet() && !sweep.is_ball();
@@ -305,17 +305,17 @@ Aspect place_on(const Envelope& envelope, Vec3 p, double near_time) {
     return nearest_from(sweep, near_time, p);
 }
 
-Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside) {
+ClosestPoint place_on(const Envelope& envelope, Vec3 p, ProjectionSeed& beside) {
     constexpr double kFarthest = 0.1;  // Faster changes are not extrapolated.
     const double later = std::clamp(dot(beside.slope, p - beside.at), -kFarthest, kFarthest);
-    const Aspect aspect =
+    const ClosestPoint aspect =
         beside.time ? place_on(envelope, p, *beside.time + later) : place_on(envelope, p);
     beside = {aspect.t, p, gradient_of_time(aspect)};
     return aspect;
 }
 
-Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
-    const Passage& at = aspect.passage;
+Vec3 gradient_of_rise(const Sweep& sweep, const ClosestPoint& aspect) {
+    const ToolFrame& at = aspect.passage;
     const Vec3 n = aspect.normal;
     const Fillet* fillet = sweep.fillet();
     if (!fillet) return {};
@@ -326,7 +326,7 @@ Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
     return (1.0 / far) * along + with_time * gradient_of_time(aspect);
 }
 
-double height_of_centre(const Sweep& sweep, const Aspect& aspect) {
+double height_of_centre(const Sweep& sweep, const ClosestPoint& aspect) {
     const Flank* flank = sweep.flank();
     if (!flank) return sweep.fillet()->height;
     return height_of_centre(*flank, place_along(*flank, Seen(aspect.passage, aspect.foot)));
@@ -350,7 +350,7 @@ double degrees_around(const Around& at, Vec3 p) {
 //
 // so n is nearly perpendicular to the path if the tool turns slowly. The equation is solved by
 // secants (Illinois).
-Vec3 normal_across(const Fillet& fillet, const Passage& passage, const Around& at, Vec3 across) {
+Vec3 normal_across(const Fillet& fillet, const ToolFrame& passage, const Around& at, Vec3 across) {
     const double speed = norm(velocity_at(passage, fillet.height));
     const double most = fillet.ring * norm(passage.turn) / speed;
     if (!(most > 0.0 && most < 1.0)) return across;
@@ -379,7 +379,7 @@ Vec3 normal_across(const Fillet& fillet, const Passage& passage, const Around& a
 
 // Returns the point of a fillet at `degrees` around the path. The angle of the point grows with the
 // angle of the point's normal; both angles are on the same side of `up` and down.
-Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
+Vec3 point_around(const Sweep& sweep, const ToolFrame& passage, double degrees) {
     constexpr double kHalf = 180.0;
     if (sweep.is_ball() || degrees == kHalf) return point_with_normal(sweep, passage, degrees);
     const Around at = around(sweep, passage);
@@ -405,7 +405,7 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
 
 }  // namespace
 
-Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees) {
+Vec3 point_with_normal(const Sweep& sweep, const ToolFrame& passage, double degrees) {
     const Around at = around(sweep, passage);
     const auto angle = trig::sin_cos(degrees);
     const Fillet& fillet = *sweep.fillet();
@@ -414,7 +414,7 @@ Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degree
     return at.centre + ring + fillet.radius * n;
 }
 
-double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
+double place_across(const Sweep& sweep, const ToolFrame& passage, Vec3 p) {
     const Flank* flank = sweep.flank();
     if (sweep.is_rim()) return place_on_rim(sweep, passage, p);
     if (!flank) return degrees_around(around(sweep, passage), p);
@@ -423,7 +423,7 @@ double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
     return is_right ? -(flank->length + along) : flank->length + along;
 }
 
-Vec3 point_across(const Sweep& sweep, const Passage& passage, double place) {
+Vec3 point_across(const Sweep& sweep, const ToolFrame& passage, double place) {
     const Flank* flank = sweep.flank();
     if (sweep.is_rim()) return point_on_rim(sweep, passage, place);
     if (!flank) return point_around(sweep, passage, place);
@@ -436,11 +436,11 @@ Vec3 point_across(const Sweep& sweep, const Passage& passage, double place) {
 bool has_across(const Sweep& sweep) {
     constexpr double kSteepest = 0.999, kFlattest = 1e-3;
     if (const Flank* flank = sweep.flank()) {
-        const auto touches = [&](const Passage& at, double along) {
+        const auto touches = [&](const ToolFrame& at, double along) {
             const Contact contact(*flank, at, along);
             return norm(contact.way) > kNoLength && std::abs(contact.lean) < kSteepest;
         };
-        return std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
+        return std::ranges::all_of(sweep.samples(), [&](const ToolFrame& at) {
             return touches(at, 0.0) || touches(at, flank->length);
         });
     }
@@ -449,7 +449,7 @@ bool has_across(const Sweep& sweep) {
     constexpr double kClear = 1.1;
     const double ring = sweep.fillet()->ring;
     bool rises = false, falls = false;
-    const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
+    const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const ToolFrame& at) {
         const Vec3 way = velocity_at(at, lowest_centre(sweep));
         const double lean = dot(way, at.axis), length = norm(way);
         const double least = std::max(kFlattest * length, kClear * ring * norm(at.turn));
@@ -460,10 +460,10 @@ bool has_across(const Sweep& sweep) {
     return is_usual && (sweep.is_ball() || !rises || !falls);
 }
 
-bool is_at_pivot(const Sweep& sweep, const Aspect& aspect) {
+bool is_at_pivot(const Sweep& sweep, const ClosestPoint& aspect) {
     const Flank* flank = sweep.flank();
     if (!flank) return false;
-    const Passage& at = aspect.passage;
+    const ToolFrame& at = aspect.passage;
     const Seen seen(at, aspect.foot);
     const Contact contact(*flank, at, place_along(*flank, seen));
     constexpr double kSteepest = 0.999;
@@ -475,8 +475,8 @@ double largest_radius(const Sweep& sweep) {
     const Fillet* fillet = sweep.fillet();
     const double own = fillet ? fillet->ring + fillet->radius : sweep.flank()->radius;
     if (const auto* round = std::get_if<RoundWay>(&sweep.way())) return round->reach + own;
-    if (!fillet || std::holds_alternative<TurningWay>(sweep.way())) return sweep.length_mm() + own;
-    const Passage start = sweep.at(0.0);
+    if (!fillet || std::holds_alternative<RotaryPath>(sweep.way())) return sweep.length_mm() + own;
+    const ToolFrame start = sweep.at(0.0);
     const double lean = std::abs(dot(start.axis, normalized(start.speed)));
     return fillet->ring / lean + fillet->radius;
 }
@@ -512,7 +512,7 @@ bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
     const bool is_back =
         norm(middle_of(*a.sweep, a.sweep->at(1.0)) - start) < norm(first.centre - start);
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const Passage p = a.sweep->at(t), q = b.sweep->at(is_back ? 1.0 - t : t);
+        const ToolFrame p = a.sweep->at(t), q = b.sweep->at(is_back ? 1.0 - t : t);
         if (norm(middle_of(*a.sweep, p) - middle_of(*b.sweep, q)) > tolerance_mm ||
             norm(p.axis - q.axis) > tolerance_mm / kPart)
             return false;

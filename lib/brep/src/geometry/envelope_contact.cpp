@@ -33,11 +33,11 @@ Form across_way(const Envelope& envelope, double t) {
 bool goes_on(const Sweep& a, double t, const Sweep& b, double s) {
     const Flank* flank = a.flank();
     const bool is_upright = flank && flank->sine == 0.0;
-    const auto way_of = [&](const Passage& passage, double height) {
+    const auto way_of = [&](const ToolFrame& passage, double height) {
         const Vec3 velocity = velocity_at(passage, height);
         return normalized(is_upright ? away({}, passage.axis, velocity) : velocity);
     };
-    const Passage at = a.at(t), there = b.at(s);
+    const ToolFrame at = a.at(t), there = b.at(s);
     const auto is_same_way = [&](double height) {
         return is_parallel(way_of(at, height), way_of(there, height));
     };
@@ -50,7 +50,7 @@ bool goes_on(const Sweep& a, double t, const Sweep& b, double s) {
 bool is_one_way(const Sweep& a, const Sweep& b) {
     if (a.way().index() != b.way().index()) return false;
     const auto is_same = [&](double t, double s) {
-        const Passage at = a.at(t), there = b.at(s);
+        const ToolFrame at = a.at(t), there = b.at(s);
         return near(norm(at.tip - there.tip), 0.0) && is_parallel(at.axis, there.axis);
     };
     const auto all = [&](auto other) {
@@ -65,7 +65,7 @@ std::optional<double> rise_along(const Plane& wall, const Sweep& sweep) {
     const Vec3 start = around(sweep, sweep.at(0.0)).centre;
     const double rise = dot(wall.normal, sweep.at(0.0).axis);
     for (const double t : {0.25, 0.5, 0.75, 1.0}) {
-        const Passage at = sweep.at(t);
+        const ToolFrame at = sweep.at(t);
         if (!near(dot(around(sweep, at).centre - start, wall.normal), 0.0) ||
             std::abs(dot(wall.normal, at.axis) - rise) > kNearlyParallel)
             return std::nullopt;
@@ -82,7 +82,7 @@ struct TouchEnvelope {
         const Sweep& sweep = *b.sweep;
         const Fillet* fillet = sweep.fillet();
         if (!fillet) return {};
-        const Passage start = sweep.at(0.0);
+        const ToolFrame start = sweep.at(0.0);
         const double off = distance(a, around(sweep, start).centre);
         const Vec3 level = a.normal - dot(a.normal, start.axis) * start.axis;
         if (!near(std::abs(off), fillet->ring * norm(level) + fillet->radius)) return {};
@@ -132,7 +132,7 @@ struct TouchEnvelope {
         if (!flank) return {};
         const auto end = end_on_axis(b, a.apex, a.axis);
         if (!end) return {};
-        const Passage at = b.sweep->at(*end);
+        const ToolFrame at = b.sweep->at(*end);
         const double sign = dot(at.axis, a.axis) > 0.0 ? 1.0 : -1.0;
         const double slope = -sign * flank->sine / flank->cosine;
         const Vec3 origin = at.tip + flank->height * at.axis;
@@ -198,7 +198,7 @@ std::optional<double> end_at(const Envelope& envelope, Vec3 centre) {
 
 std::optional<double> end_on_axis(const Envelope& envelope, Vec3 origin, Vec3 axis) {
     for (const double t : {0.0, 1.0}) {
-        const Passage at = envelope.sweep->at(t);
+        const ToolFrame at = envelope.sweep->at(t);
         if (is_parallel(at.axis, axis) && near(norm(away(origin, axis, at.tip)), 0.0)) return t;
     }
     return std::nullopt;
@@ -230,7 +230,7 @@ std::optional<Vec3> hinge_of(const Form& a, const Form& b, Vec3 from, Vec3 past,
 
 bool is_of_turning_tool(const Form& form) {
     const auto* envelope = std::get_if<Envelope>(&form);
-    return envelope && std::holds_alternative<TurningWay>(envelope->sweep->way());
+    return envelope && std::holds_alternative<RotaryPath>(envelope->sweep->way());
 }
 
 std::optional<Form> touch_envelope(const Form& a, const Envelope& b) {

@@ -169,7 +169,7 @@ std::optional<Curve> circle_of_rim(const Envelope& envelope, const Form& other, 
     const Sweep& sweep = *envelope.sweep;
     if (!sweep.is_rim()) return std::nullopt;
     for (const double t : {0.0, 1.0}) {
-        const Passage at = sweep.at(t);
+        const ToolFrame at = sweep.at(t);
         const Around middle = around(sweep, at);
         const double radius = sweep.fillet()->ring;
         const auto is_on = [&](Vec3 v) {

@@ -87,11 +87,11 @@ Vec3 shortest_step(const std::array<std::array<double, 3>, 3>& m, Vec3 right) {
 }  // namespace
 
 double solve(std::span<const Form* const> forms, Vec3& p) {
-    std::vector<Beside> beside(forms.size());
+    std::vector<ProjectionSeed> beside(forms.size());
     return solve(forms, p, beside);
 }
 
-double solve(std::span<const Form* const> forms, Vec3& p, std::span<Beside> beside) {
+double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSeed> beside) {
     constexpr int kMostSteps = 60;
     constexpr double kLongest = 1.0;
     // Steps this short are rounding errors as soon as they do not become shorter.

@@ -14,6 +14,6 @@ namespace ncsim::brep {
 /// Returns: the largest distance from a form, mm.
 double solve(std::span<const Form* const> forms, Vec3& p);
 /// Does the same, starting from the state of the last point on each form.
-double solve(std::span<const Form* const> forms, Vec3& p, std::span<Beside> beside);
+double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSeed> beside);
 
 }  // namespace ncsim::brep

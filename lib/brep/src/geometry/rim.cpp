@@ -24,7 +24,7 @@ namespace {
 
 // Point of the circle that is nearest to a given point, with derivatives.
 struct OnRim {
-    OnRim(const Fillet& rim, const Passage& at, Vec3 p) : radius(rim.ring), axis(at.axis) {
+    OnRim(const Fillet& rim, const ToolFrame& at, Vec3 p) : radius(rim.ring), axis(at.axis) {
         const Vec3 v = p - at.tip;
         const double height = dot(v, axis);
         const Vec3 away = v - height * axis;
@@ -57,7 +57,7 @@ struct OnRim {
 };
 
 // Returns the direction, perpendicular to the axis, to the middle of the swept part.
-Vec3 middle_way(const Sweep& sweep, const Passage& passage, const Around& at) {
+Vec3 middle_way(const Sweep& sweep, const ToolFrame& passage, const Around& at) {
     const Vec3 ahead = cross(at.side, passage.axis);
     const double rise = dot(velocity_at(passage, sweep.fillet()->height), passage.axis);
     return (rise < 0.0) == (dot(ahead, at.ahead) < 0.0) ? ahead : -ahead;
@@ -65,10 +65,10 @@ Vec3 middle_way(const Sweep& sweep, const Passage& passage, const Around& at) {
 
 }  // namespace
 
-Aspect aspect_of_rim(const Fillet& rim, const Passage& at, Vec3 p) {
+ClosestPoint aspect_of_rim(const Fillet& rim, const ToolFrame& at, Vec3 p) {
     const OnRim on(rim, at, p);
     const Vec3 d = p - on.foot, n = on.normal();
-    Aspect aspect;
+    ClosestPoint aspect;
     aspect.passage = at;
     aspect.normal = n;
     aspect.off = dot(d, n) < 0.0 ? -norm(d) : norm(d);
@@ -88,7 +88,7 @@ Aspect aspect_of_rim(const Fillet& rim, const Passage& at, Vec3 p) {
 }
 
 std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p) {
-    const std::vector<Passage>& samples = sweep.samples();
+    const std::vector<ToolFrame>& samples = sweep.samples();
     const Fillet& rim = *sweep.fillet();
     // Squared distance from the axis; on straight paths a parabola.
     const auto away = [&](std::size_t i) {
@@ -120,8 +120,8 @@ std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p) {
     return starts;
 }
 
-Vec3 gradient_of_rise_of_rim(const Fillet& rim, const Aspect& aspect) {
-    const Passage& at = aspect.passage;
+Vec3 gradient_of_rise_of_rim(const Fillet& rim, const ClosestPoint& aspect) {
+    const ToolFrame& at = aspect.passage;
     const OnRim on(rim, at, aspect.foot + aspect.off * aspect.normal);
     if (!(on.far > 0.0)) return {};
     const double ahead = on.ahead(), rise = on.rise();
@@ -135,7 +135,7 @@ Vec3 gradient_of_rise_of_rim(const Fillet& rim, const Aspect& aspect) {
     return (-cosine / square) * (rise * ahead_slope - ahead * rise_slope);
 }
 
-double place_on_rim(const Sweep& sweep, const Passage& passage, Vec3 p) {
+double place_on_rim(const Sweep& sweep, const ToolFrame& passage, Vec3 p) {
     const Around at = around(sweep, passage);
     const Vec3 v = p - at.centre;
     const double degrees = trig::angle_of(dot(v, middle_way(sweep, passage, at)), dot(v, at.side));
@@ -143,7 +143,7 @@ double place_on_rim(const Sweep& sweep, const Passage& passage, Vec3 p) {
     return kHalf - degrees;
 }
 
-Vec3 point_on_rim(const Sweep& sweep, const Passage& passage, double place) {
+Vec3 point_on_rim(const Sweep& sweep, const ToolFrame& passage, double place) {
     const Around at = around(sweep, passage);
     constexpr double kHalf = 180.0;
     const auto angle = trig::sin_cos(kHalf - place);

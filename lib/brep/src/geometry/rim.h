@@ -12,16 +12,16 @@ namespace ncsim::brep {
 
 /// Returns aspect_at() for a rim. The sign of `off` is that of the side of the surface that the
 /// circle sweeps at this time; `rate`, `drift` and `bend` are derivatives of off² / 2.
-Aspect aspect_of_rim(const Fillet& rim, const Passage& at, Vec3 p);
+ClosestPoint aspect_of_rim(const Fillet& rim, const ToolFrame& at, Vec3 p);
 /// Returns times near which the rim may be nearest to `p`: the time when `p` leaves the circle of a
 /// descending tool or enters the circle of a rising tool, or the time of the least distance.
 std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p);
 /// Returns gradient_of_rise() for a rim, for an aspect at the nearest time.
-Vec3 gradient_of_rise_of_rim(const Fillet& rim, const Aspect& aspect);
+Vec3 gradient_of_rise_of_rim(const Fillet& rim, const ClosestPoint& aspect);
 
 /// Returns degrees about the tool's axis: 180 is ahead if the tool rises, behind if it descends; 90
 /// is on the side of around().
-double place_on_rim(const Sweep& sweep, const Passage& passage, Vec3 p);
-Vec3 point_on_rim(const Sweep& sweep, const Passage& passage, double place);
+double place_on_rim(const Sweep& sweep, const ToolFrame& passage, Vec3 p);
+Vec3 point_on_rim(const Sweep& sweep, const ToolFrame& passage, double place);
 
 }  // namespace ncsim::brep

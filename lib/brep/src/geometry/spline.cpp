@@ -111,7 +111,7 @@ public:
 
 private:
     std::array<const Form*, 2> forms_;
-    std::array<Beside, 3> beside_;  // For both forms and the plane across.
+    std::array<ProjectionSeed, 3> beside_;  // For both forms and the plane across.
     double accuracy_ = 0.5 * kAccuracy;
 };
 

@@ -118,12 +118,12 @@ struct Distance {
     }
     double operator()(const Envelope& f) const { return place_on(f, p).off; }
     double operator()(const Characteristic& f) const {
-        const Aspect aspect = aspect_at(*f.of.sweep, f.t, p);
+        const ClosestPoint aspect = aspect_at(*f.of.sweep, f.t, p);
         const double slope = norm(aspect.drift);
         return slope > 0.0 ? aspect.rate / slope : 0.0;
     }
     double operator()(const Trail& f) const {
-        const Aspect aspect = place_on(f.of, p);
+        const ClosestPoint aspect = place_on(f.of, p);
         const double slope = norm(gradient_of_rise(*f.of.sweep, aspect));
         return slope > 0.0 ? (dot(aspect.normal, aspect.passage.axis) - f.rise) / slope : 0.0;
     }
@@ -181,7 +181,7 @@ struct Both {
         return {dot(p - place.way, place.out) - f.offset, place.out};
     }
     Off operator()(const Envelope& f) const {
-        const Aspect aspect = place_on(f, p);
+        const ClosestPoint aspect = place_on(f, p);
         return {aspect.off, aspect.normal};
     }
     template <typename F>
@@ -265,14 +265,14 @@ Off off(const Form& form, Vec3 p) {
     return std::visit(Both{p}, form);
 }
 
-Off off(const Form& form, Vec3 p, Beside& beside) {
+Off off(const Form& form, Vec3 p, ProjectionSeed& beside) {
     const auto* envelope = std::get_if<Envelope>(&form);
     if (!envelope) return off(form, p);
-    const Aspect aspect = place_on(*envelope, p, beside);
+    const ClosestPoint aspect = place_on(*envelope, p, beside);
     return {aspect.off, aspect.normal};
 }
 
-double distance(const Form& form, Vec3 p, Beside& beside) {
+double distance(const Form& form, Vec3 p, ProjectionSeed& beside) {
     const auto* envelope = std::get_if<Envelope>(&form);
     return envelope ? place_on(*envelope, p, beside).off : distance(form, p);
 }

@@ -19,18 +19,18 @@ using trig::kRadiansPerDegree;
 
 namespace {
 
-Passage passage(const StraightWay& way, double t) {
+ToolFrame passage(const StraightWay& way, double t) {
     return {way.from + t * way.along, way.along, {}, way.axis, {}, {}};
 }
 
-Passage passage(const RoundWay& way, double t) {
+ToolFrame passage(const RoundWay& way, double t) {
     const double w = t * way.swept;
     const auto angle = trig::sin_cos(w / kRadiansPerDegree);
     const Vec3 side = cross(way.about, way.ahead);
     const Vec3 up = angle.cos * way.ahead + angle.sin * side;
     const Vec3 on = angle.cos * side - angle.sin * way.ahead;
     const double reach = way.reach + way.growth * w;
-    Passage p;
+    ToolFrame p;
     p.tip = way.centre + reach * up + (way.lead * w) * way.about;
     p.speed = way.swept * (way.growth * up + reach * on + way.lead * way.about);
     p.change = (way.swept * way.swept) * (2.0 * way.growth * on - reach * up);
@@ -47,7 +47,7 @@ std::size_t samples_for(const RoundWay& way) {
 }
 
 // A path with few powers is nearly straight and needs few samples.
-std::size_t samples_for(const TurningWay& way) {
+std::size_t samples_for(const RotaryPath& way) {
     constexpr std::size_t kMost = 33;
     return std::min(kMost, 2 * way.powers.size() + 1);
 }
@@ -62,7 +62,7 @@ Sweep::Sweep(const Meridian& meridian, const ToolWay& way) : meridian_(meridian)
     const auto length = [&](double height) {
         double sum = 0.0;
         for (std::size_t i = 1; i < count; ++i) {
-            const Passage &from = samples_[i - 1], &to = samples_[i];
+            const ToolFrame &from = samples_[i - 1], &to = samples_[i];
             sum += norm(to.tip + height * to.axis - from.tip - height * from.axis);
         }
         return sum;
@@ -73,11 +73,11 @@ Sweep::Sweep(const Meridian& meridian, const ToolWay& way) : meridian_(meridian)
             std::max(length(lowest_centre(*this)), length(height_of_centre(*side, side->length)));
 }
 
-Passage Sweep::at(double t) const {
+ToolFrame Sweep::at(double t) const {
     return std::visit([t](const auto& way) { return passage(way, t); }, way_);
 }
 
-Vec3 gradient_of_time(const Aspect& aspect) {
+Vec3 gradient_of_time(const ClosestPoint& aspect) {
     return aspect.bend != 0.0 ? (-1.0 / aspect.bend) * aspect.drift : Vec3{};
 }
 
@@ -90,11 +90,11 @@ double lowest_centre(const Sweep& sweep) {
     return fillet ? fillet->height : height_of_centre(*sweep.flank(), 0.0);
 }
 
-Vec3 velocity_at(const Passage& passage, double height) {
+Vec3 velocity_at(const ToolFrame& passage, double height) {
     return passage.speed + height * passage.turn;
 }
 
-Around around(const Sweep& sweep, const Passage& passage) {
+Around around(const Sweep& sweep, const ToolFrame& passage) {
     Around at;
     at.centre = passage.tip + lowest_centre(sweep) * passage.axis;
     at.ahead = normalized(velocity_at(passage, lowest_centre(sweep)));

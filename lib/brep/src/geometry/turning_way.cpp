@@ -98,18 +98,18 @@ std::vector<Coordinates> powers_of(const std::vector<Coordinates>& terms) {
 
 }  // namespace
 
-std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& pose) {
+std::optional<RotaryPath> turning_way(const std::function<TipAndAxis(double)>& pose) {
     std::array<Coordinates, kTerms> values;
     for (std::size_t k = 0; k < kTerms; ++k) {
         const auto [tip, axis] = pose(time_of(cosine_at(k, 1)));
         values[k] = {tip.x, tip.y, tip.z, axis.x, axis.y, axis.z};
     }
-    TurningWay way{powers_of(terms_through(values))};
+    RotaryPath way{powers_of(terms_through(values))};
     constexpr double kMiss = 1e-9, kReach = 100.0;  // mm
     for (std::size_t k = 0; k < 2 * kTerms; ++k) {
         const double t = time_of(2.0 * (static_cast<double>(k) + 0.3) / (2.0 * kTerms) - 1.0);
         const TipAndAxis there = pose(t);
-        const Passage here = passage(way, t);
+        const ToolFrame here = passage(way, t);
         if (cda::norm(here.tip - there.tip) > kMiss ||
             kReach * cda::norm(here.axis - there.axis) > kMiss)
             return std::nullopt;
@@ -117,7 +117,7 @@ std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& p
     return way;
 }
 
-Passage passage(const TurningWay& way, double t) {
+ToolFrame passage(const RotaryPath& way, double t) {
     // Horner's rule for the polynomials, their first derivatives and half of their second
     // derivatives; two coordinates at a time.
     using Pair = double __attribute__((vector_size(2 * sizeof(double))));

@@ -245,7 +245,7 @@ Parted part_at_horn(Part& part, std::uint32_t f) {
     if (!cut) {
         const auto other = shortest_cut(part, face, outline, hole, true);
         if (!other) return Parted::Not;
-        Halving halving(part);
+        EdgeSplitter halving(part);
         if (other->from.is_middle) halving.halve(outline[other->from.use].edge);
         if (other->to.is_middle) halving.halve(hole[other->to.use].edge);
         halving.finish();
@@ -430,7 +430,7 @@ void part_cones_at_points(Part& part) {
         const ConeCut cut = *cone_cut_of(part, part.faces[f]);
         const Loop& loop = part.faces[f].loops[cut.loop];
         const auto on_circle = static_cast<std::uint32_t>(part.vertices.size());
-        Halving halving(part);
+        EdgeSplitter halving(part);
         halving.halve(loop[cut.circle].edge, cut.at_circle);
         halving.halve(loop[cut.use].edge);
         halving.finish();
@@ -444,7 +444,7 @@ void divide_arcs_at_cusps(Part& part) {
     bool any = true;
     for (int i = 0; i < kMostTimes && any; ++i) {
         any = false;
-        Halving halving(part);
+        EdgeSplitter halving(part);
         for (const Face& face : part.faces) {
             if (!std::holds_alternative<Plane>(face.surface.form)) continue;
             for (const Cusp& cusp : cusps_of(part, face))

@@ -37,7 +37,7 @@ bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge)
 // integrate along long edges on splines roughly.
 bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
     const auto ahead = [&](Vec3 p) {
-        const Aspect aspect = place_on(envelope, p);
+        const ClosestPoint aspect = place_on(envelope, p);
         return cda::normalized(
             velocity_at(aspect.passage, height_of_centre(*envelope.sweep, aspect)));
     };
@@ -74,7 +74,7 @@ bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, 
 // True: it has halved one.
 bool halve_once(Part& part) {
     bool any = false;
-    Halving halving(part);
+    EdgeSplitter halving(part);
     for (const Face& face : part.faces) {
         const auto* extrusion = std::get_if<Extrusion>(&face.surface.form);
         const auto* sphere = std::get_if<Sphere>(&face.surface.form);

@@ -89,10 +89,10 @@ public:
         Point at;
         double off;
     };
-    Place place(Vec3 p, Beside& beside) const {
+    Place place(Vec3 p, ProjectionSeed& beside) const {
         const auto* envelope = std::get_if<Envelope>(form_);
         if (!envelope) return {(*this)(p), distance(*form_, p)};
-        const Aspect aspect = place_on(*envelope, p, beside);
+        const ClosestPoint aspect = place_on(*envelope, p, beside);
         return {point_of(*envelope->sweep, aspect), aspect.off};
     }
 
@@ -141,7 +141,7 @@ public:
     }
 
 private:
-    static Point point_of(const Sweep& sweep, const Aspect& place) {
+    static Point point_of(const Sweep& sweep, const ClosestPoint& place) {
         const double across = place_across(sweep, place.passage, place.foot);
         const Fillet* fillet = sweep.fillet();
         const double scale = fillet ? (fillet->ring + fillet->radius) * kRadiansPerDegree : 1.0;
@@ -518,7 +518,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 tell("a curve misses its end");
             Vec3 last = part.vertices[begin];
             Point last_place = map(last);
-            Beside beside;
+            ProjectionSeed beside;
             std::uint64_t last_name = begin;
             double last_at = 0.0;
             for (std::size_t k = 0; k <= steps; ++k) {

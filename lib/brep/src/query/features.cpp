@@ -356,15 +356,15 @@ private:
             nearest(wall, d.ahead, false);
         // Material between the same two planes is listed once: a plate has a single thickness, even
         // if its faces are split.
-        std::vector<Distance*> told;
+        std::vector<Distance*> specified;
         for (auto& [key, distance] : found) {
-            const auto same = std::ranges::find_if(told, [&](const Distance* other) {
+            const auto same = std::ranges::find_if(specified, [&](const Distance* other) {
                 return !is_void && std::abs(other->mm - distance.mm) < kSame &&
                        std::abs(dot(other->from + other->to - distance.from - distance.to, d.n)) <
                            kSame;
             });
-            if (same == told.end()) {
-                told.push_back(&distance);
+            if (same == specified.end()) {
+                specified.push_back(&distance);
                 continue;
             }
             auto& origins = (*same)->origins;
@@ -372,7 +372,7 @@ private:
             std::sort(origins.begin(), origins.end());
             origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
         }
-        for (Distance* distance : told)
+        for (Distance* distance : specified)
             features_.distances.push_back(std::move(*distance));
     }
 

@@ -266,7 +266,7 @@ public:
 private:
     struct Step {
         double length, time;
-        Aspect place;
+        ClosestPoint place;
     };
 
     template <std::size_t N>
@@ -277,7 +277,7 @@ private:
         std::size_t i = 0;
         integrate_piece(track_, begin, width, abscissae, weights,
                         [&](double weight, Vec3 at, Vec3 derivative) {
-                            const Aspect place = place_on(envelope_, at, beside_);
+                            const ClosestPoint place = place_on(envelope_, at, beside_);
                             all[i++] = {weight * norm(derivative),
                                         weight * OnEnvelope::turn(place, derivative), place};
                         });
@@ -322,7 +322,7 @@ private:
     static constexpr int kMostHalves = 12;
     const Track& track_;
     const Envelope& envelope_;
-    Beside beside_;
+    ProjectionSeed beside_;
 };
 
 template <typename Form, typename On, typename Take>
@@ -331,7 +331,7 @@ void for_moved(const Part& part, const Face& face, const Form& form, const On& o
     for_edges(part, face, [&](const Track& track, double sign) {
         if constexpr (std::is_same_v<Form, Envelope>) {
             OverTimes over_times(track, form);
-            over_times(exactness, [&](double length, double time, const Aspect& place) {
+            over_times(exactness, [&](double length, double time, const ClosestPoint& place) {
                 take(length, sign * time, place);
             });
         } else {
@@ -530,7 +530,7 @@ Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
     Sums sums;
     const OnEnvelope on(*envelope, apex, false);
     for_moved(part, face, *envelope, on, Exactness::Full,
-              [&](double, double turned, const Aspect& place) {
+              [&](double, double turned, const ClosestPoint& place) {
                   const OnEnvelope::Sum below = on.below(place);
                   sums.volume -= turned * below.volume / 3.0;
                   sums.area -= turned * below.area;

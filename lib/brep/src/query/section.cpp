@@ -296,7 +296,7 @@ private:
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
                 const Vec3 p = part_.vertices[part_.edges[use.edge].from];
-                const Aspect place = place_on(envelope, p);
+                const ClosestPoint place = place_on(envelope, p);
                 const double across = place_across(sweep, place.passage, place.foot);
                 begin = std::min(begin, place.t);
                 end = std::max(end, place.t);
@@ -307,7 +307,7 @@ private:
         constexpr int kPieces = 32;
         bool is_below = false, is_above = false;
         for (int i = 0; i <= kPieces; ++i) {
-            const Passage passage = sweep.at(begin + (end - begin) * i / kPieces);
+            const ToolFrame passage = sweep.at(begin + (end - begin) * i / kPieces);
             for (int k = 0; k <= kPieces; ++k) {
                 const double across = first + (last - first) * k / kPieces;
                 const double height = lifted_.height(point_across(sweep, passage, across));

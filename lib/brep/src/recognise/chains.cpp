@@ -168,7 +168,7 @@ std::uint32_t Chains::vertex_at(std::uint32_t v) {
 }
 
 std::vector<Vec3> Chains::points_of(const Chain& chain) const {
-    if (chain.is_flipped || chain.is_told)
+    if (chain.is_flipped || chain.is_specified)
         return {vertices_[chain.from].at, vertices_[chain.to].at};
     std::vector<Vec3> points;
     for (const std::uint32_t h : chain.edges)
@@ -179,7 +179,7 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
 
 // Of its points the one in the middle.
 Vec3 Chains::middle_of(const Chain& chain) const {
-    if (chain.is_flipped || chain.is_told) return vertices_[chain.to].at;
+    if (chain.is_flipped || chain.is_specified) return vertices_[chain.to].at;
     const std::size_t i = (chain.edges.size() + 1) / 2;
     return mesh_.point(i < chain.edges.size() ? mesh_.edges()[chain.edges[i]].from
                                               : mesh_.to(chain.edges.back()));

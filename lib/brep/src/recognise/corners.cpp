@@ -57,7 +57,7 @@ Vec3 beyond_ends(const std::vector<const Form*>& forms, Vec3 p) {
     for (const Form* form : forms) {
         if (!is_of_turning_tool(*form)) continue;
         const auto* envelope = std::get_if<Envelope>(form);
-        const Aspect place = place_on(*envelope, p);
+        const ClosestPoint place = place_on(*envelope, p);
         const Vec3 beyond = (place.t - std::clamp(place.t, 0.0, 1.0)) *
                             velocity_at(place.passage, height_of_centre(*envelope->sweep, place));
         if (norm(beyond) > norm(most)) most = beyond;

@@ -108,7 +108,7 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
         const auto source = sources.find(origin);
         if (source == sources.end()) continue;
         if (!source->second.candidates.empty()) facet.may_be_true = false;
-        if (source->second.leaves_unknown) facet.is_unknown = true;
+        if (source->second.may_leave_other_surfaces) facet.is_unknown = true;
         facet.error_mm = std::max(facet.error_mm, source->second.error_mm);
         const Candidate* better = best_of(shape_of(facet), source->second.candidates,
                                           source->second.error_mm, kMaxFacetTurn, best);

@@ -53,7 +53,7 @@ std::optional<double> thickness_between(const Surface& a, const Surface& b) {
 Vec3 way_at(const Form& across, Vec3 p) {
     if (const auto* plane = std::get_if<Plane>(&across)) return plane->normal;
     const auto& stood = std::get<Characteristic>(across);
-    const Aspect at = aspect_at(*stood.of.sweep, stood.t, p);
+    const ClosestPoint at = aspect_at(*stood.of.sweep, stood.t, p);
     const Vec3 velocity = velocity_at(at.passage, height_of_centre(*stood.of.sweep, at));
     const Fillet* fillet = stood.of.sweep->fillet();
     const bool is_ring = fillet && fillet->ring > 0.0;
@@ -70,7 +70,7 @@ std::optional<Torus> ring_beside(const Plane& flat, const Envelope& moved) {
         times = {(off + fillet->radius) / cda::dot(way->along, flat.normal)};
     }
     for (const double t : times) {
-        const Passage at = moved.sweep->at(t);
+        const ToolFrame at = moved.sweep->at(t);
         const Vec3 centre = around(*moved.sweep, at).centre;
         const bool is_its = cda::dot(at.axis, flat.normal) > 0.0 &&
                             is_parallel(at.axis, flat.normal) &&
@@ -449,8 +449,8 @@ std::optional<std::uint32_t> Groups::join_wall(std::uint32_t g) {
     const auto lies_on_other = [&](std::uint32_t one, std::uint32_t other) {
         const Form& form = form_of(other);
         return std::ranges::all_of(groups_[one].facets, [&](std::uint32_t i) {
-            const Form& told = mesh_.surface(mesh_[i].plain).form;
-            const Form& own = std::holds_alternative<Plane>(told) ? told : form_of(one);
+            const Form& specified = mesh_.surface(mesh_[i].plain).form;
+            const Form& own = std::holds_alternative<Plane>(specified) ? specified : form_of(one);
             return cda::norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <=
                        kMostTurnOfOne &&
                    std::ranges::all_of(mesh_.corners_of(i), [&](Vec3 p) {

@@ -200,7 +200,7 @@ void Chains::bend(std::uint32_t number) {
         points.back() = to.at;
         if (spline_of(chain, groups_.form_of(chain.left), groups_.form_of(chain.right), points))
             return;
-        chains_[number].is_told = true;
+        chains_[number].is_specified = true;
         return part_at(number, *hinge, true);
     }
     if (ends_before(chain, chain.from, chain.to, *corner) ||
@@ -424,7 +424,7 @@ bool Chains::is_reversed(Chain& chain) const {
         };
         const auto beyond =
             is_beyond_touch({chain.left, chain.right}, third(from), third(to), from.at, to.at);
-        chain.is_told = beyond.has_value() && !*beyond;
+        chain.is_specified = beyond.has_value() && !*beyond;
         if (beyond) return *beyond;
     }
     return dot(way, way_of(chain)) < 0.0;

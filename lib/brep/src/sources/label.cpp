@@ -90,7 +90,7 @@ double blunt_of(const FlatFace& face, const Cone& cone, double most) {
 double beyond_end(const Form& form, Vec3 p) {
     const auto* envelope = std::get_if<Envelope>(&form);
     if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return 0.0;
-    const Aspect aspect = place_on(*envelope, p);
+    const ClosestPoint aspect = place_on(*envelope, p);
     if (is_at_pivot(*envelope->sweep, aspect)) return std::numeric_limits<double>::infinity();
     const Vec3 velocity = velocity_at(aspect.passage, height_of_centre(*envelope->sweep, aspect));
     return std::abs(aspect.t - std::clamp(aspect.t, 0.0, 1.0)) * norm(velocity);

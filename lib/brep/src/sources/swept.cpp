@@ -109,7 +109,7 @@ RoundWay piece_of(const RoundWay& way, int i, int pieces) {
 
 // Returns the least and the greatest height above the centre, along `axis`, that an arc passes on
 // the side of the centre to which `side` points, mm; no value if the arc does not pass there.
-std::optional<std::array<double, 2>> heights_passed(const ArcWay& way, Vec3 axis, Vec3 side) {
+std::optional<std::array<double, 2>> heights_passed(const ArcPath& way, Vec3 axis, Vec3 side) {
     constexpr double kTurn = 360.0, kQuarter = 90.0;
     const Vec3 on = way.swept < 0.0 ? cross(way.ahead, way.about) : cross(way.about, way.ahead);
     const double swept = std::abs(way.swept) / trig::kRadiansPerDegree;
@@ -153,7 +153,7 @@ public:
     }
 
     /// True if some surface of the motion is missing.
-    bool leaves_unknown() const { return leaves_unknown_; }
+    bool may_leave_other_surfaces() const { return leaves_unknown_; }
     void leave_unknown() { leaves_unknown_ = true; }
 
     /// Returns the factor of chord errors by which facets may be off.
@@ -235,7 +235,7 @@ public:
     }
 
     // Adds the surfaces of a straight element on a path on which the tool turns.
-    void flank(const Element& e, const TurningWay& way) {
+    void flank(const Element& e, const RotaryPath& way) {
         const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
         if (e.rise() <= kEqual) {
             // The element that closes the profile above cuts no material.
@@ -258,7 +258,7 @@ public:
     // surface that is left last is tangent to the tool at the end, and the surface that is left
     // first crosses the tool there. Half turns keep these surfaces separate.
     void envelope(const Element& e, const ToolWay& way) {
-        const auto* turning = std::get_if<TurningWay>(&way);
+        const auto* turning = std::get_if<RotaryPath>(&way);
         if (turning && e.fillet <= 0.0) return flank(e, *turning);
         if (e.fillet <= 0.0) return leave_unknown();
         constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
@@ -279,7 +279,7 @@ public:
     }
 
     // Adds the envelope of the corner at the start of a flank, on a path on which the tool turns.
-    void rim(const Element& e, const TurningWay& way) {
+    void rim(const Element& e, const RotaryPath& way) {
         if (e.radius <= kEqual || e.rise() <= kEqual) return;
         auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, 0.0}, way);
         if (!has_across(*sweep)) return leave_unknown();
@@ -330,7 +330,7 @@ public:
     // Adds the domes of a corner on an arc about an axis perpendicular to the tool's: a dome on
     // each side of the arc's centre, limited to the heights that the arc passes there. Beyond these
     // heights, the dome would continue along walls at the start or the end of the motion.
-    void rim_across(const Element& e, const ArcWay& way, Vec3 axis) {
+    void rim_across(const Element& e, const ArcPath& way, Vec3 axis) {
         if (e.radius <= kEqual || way.fitted_radius <= kEqual ||
             std::abs(dot(way.about, axis)) > kEqual)
             return;
@@ -379,10 +379,10 @@ private:
     // returns false.
     bool walls(const Sweep& sweep) {
         const Flank& side = *sweep.flank();
-        const Passage& start = sweep.samples().front();
+        const ToolFrame& start = sweep.samples().front();
         const Vec3 low = cross(start.speed, start.axis), turned = cross(start.turn, start.axis);
         const Vec3 n = normalized(norm(turned) > kEqual ? turned : low);
-        const auto is_across = [&](const Passage& at) {
+        const auto is_across = [&](const ToolFrame& at) {
             return std::abs(dot(at.axis, n)) <= kEqual &&
                    std::abs(dot(at.tip - start.tip, n)) <= kEqual;
         };
@@ -450,7 +450,7 @@ private:
 };
 
 // Adds the surfaces of an element on an arc.
-void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcWay& way, Vec3 axis) {
+void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcPath& way, Vec3 axis) {
     const double along = std::abs(dot(way.about, axis));
     const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
     const bool is_ball = e.fillet > 0.0 && e.radius <= kEqual;
@@ -473,9 +473,9 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcWay& w
 // Adds the surfaces of an element along a spline. Each arc's surfaces are limited to a box around
 // the arc.
 void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
-                  const std::vector<SplineWay>& ways, Vec3 axis) {
+                  const std::vector<SplinePath>& ways, Vec3 axis) {
     const double wide = std::max(e.radius, e.end_radius) + e.fillet + kBesideRim;
-    for (const SplineWay& way : ways) {
+    for (const SplinePath& way : ways) {
         cda::Box box;
         for (const double height : {e.height, e.end_height}) {
             for (const Vec3 corner : {way.box.min, way.box.max}) {
@@ -508,22 +508,22 @@ Vec3 direction_of(Vec3 way, Vec3 axis) {
 }  // namespace
 
 Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
-                   const toolpath::Kinematics* told) {
+                   const toolpath::Kinematics* specified) {
     Source source;
     const Position* from = gcode::start_of(motion);
     const Position* to = gcode::end_of(motion);
     if (!from || !to) return source;
-    const toolpath::Poses poses(told, motion);
+    const toolpath::Poses poses(specified, motion);
     const Pose start = poses.at(*from), end = poses.at(*to);
     // If the program specifies the tip, a tool that turns about its own axis still moves straight.
     const bool turns = poses.of_tip() ? start.rows != end.rows : !is_still(*from, *to);
     const Vec3 axis = axis_of(start);
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
-    std::optional<ArcWay> way;
+    std::optional<ArcPath> way;
     if (arc) way = way_of(*arc, poses);
-    std::optional<TurningWay> turning;
+    std::optional<RotaryPath> turning;
     if (turns) turning = turning_way_of(motion, poses);
-    std::vector<SplineWay> spline;
+    std::vector<SplinePath> spline;
     if (const auto* curve = std::get_if<gcode::Spline>(&motion.what); curve && !turns)
         spline = ways_of(*curve, poses);
     if (!spline.empty()) source.beside_mm = kBesideSpline;
@@ -554,7 +554,7 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
             sweeps.rest(e, end.translation, axis_of(end));
         }
     }
-    source.leaves_unknown = sweeps.leaves_unknown();
+    source.may_leave_other_surfaces = sweeps.may_leave_other_surfaces();
     const bool is_straight = !turns && std::holds_alternative<gcode::Linear>(motion.what);
     source.chords = is_straight ? 0.0 : sweeps.chords();
     return source;

@@ -79,13 +79,13 @@ double norm_across(Vec3 p, Vec3 q, int left_out) {
 }
 
 // Returns the path in the coordinates of the arc.
-std::optional<ArcWay> way_of(const gcode::Arc& arc) {
+std::optional<ArcPath> way_of(const gcode::Arc& arc) {
     constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
     const auto plane = static_cast<std::size_t>(arc.plane);
     if (plane >= kAxes.size()) return std::nullopt;
     const auto [first, second, third] = kAxes[plane];
     const Vec3 from = toolpath::linear_axes(arc.from), to = toolpath::linear_axes(arc.to);
-    ArcWay way;
+    ArcPath way;
     way.centre = from;
     way.centre[first] = arc.centre_1.mm();
     way.centre[second] = arc.centre_2.mm();
@@ -156,10 +156,10 @@ bool is_still(const Position& from, const Position& to) {
     return from.a == to.a && from.b == to.b && from.c == to.c;
 }
 
-std::optional<ArcWay> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
+std::optional<ArcPath> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
     if (!is_plain(arc.from, arc.to)) return std::nullopt;
     auto X_WP = frame_of(poses, arc.from);
-    std::optional<ArcWay> way = X_WP ? way_of(gcode::in_own_frame(arc)) : std::nullopt;
+    std::optional<ArcPath> way = X_WP ? way_of(gcode::in_own_frame(arc)) : std::nullopt;
     if (!way) return std::nullopt;
     if (arc.tilted) X_WP = *X_WP * pose_of(*arc.tilted);
     if (X_WP->rows == Pose().rows && X_WP->translation == Vec3{}) return way;
@@ -176,20 +176,20 @@ std::optional<ArcWay> way_of(const gcode::Arc& arc, const toolpath::Poses& poses
     return way;
 }
 
-std::vector<SplineWay> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses) {
+std::vector<SplinePath> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses) {
     if (!is_plain(spline.from, spline.to)) return {};
     const auto X_WP = frame_of(poses, spline.from);
     if (!X_WP) return {};
     const Pose turn{X_WP->rows, {}};
-    std::vector<SplineWay> ways;
+    std::vector<SplinePath> ways;
     for (const toolpath::SplinePiece& piece : toolpath::arcs_of(spline, kBesideSpline)) {
-        SplineWay way{*X_WP * piece.from, *X_WP * piece.to, {}, {}, {}, piece.begins_in_corner};
+        SplinePath way{*X_WP * piece.from, *X_WP * piece.to, {}, {}, {}, piece.begins_in_corner};
         way.ends = {Plane{way.from, normalized(way.to - way.from)},
                     Plane{way.to, normalized(way.to - way.from)}};
         way.box.add(way.from);
         way.box.add(way.to);
         if (piece.radius > 0.0) {
-            ArcWay arc;
+            ArcPath arc;
             arc.centre = arc.fitted = *X_WP * piece.centre;
             arc.about = turn * Vec3{0.0, 0.0, 1.0};
             arc.radius = arc.fitted_radius = arc.start = piece.radius;
@@ -212,7 +212,7 @@ std::vector<SplineWay> ways_of(const gcode::Spline& spline, const toolpath::Pose
     return ways;
 }
 
-std::optional<TurningWay> turning_way_of(const gcode::Motion& motion,
+std::optional<RotaryPath> turning_way_of(const gcode::Motion& motion,
                                          const toolpath::Poses& poses) {
     const auto* line = std::get_if<gcode::Linear>(&motion.what);
     if (!line) return std::nullopt;

@@ -16,7 +16,7 @@
 namespace ncsim::brep {
 
 /// Arc, helix or spiral of the tip, with the centre at the level of the start. mm, frame W.
-struct ArcWay {
+struct ArcPath {
     Vec3 centre, about;
     double radius = 0.0;
     bool is_level = true;
@@ -34,9 +34,9 @@ struct ArcWay {
 };
 
 /// Level piece of a spline: a line or an arc. mm, frame W.
-struct SplineWay {
+struct SplinePath {
     Vec3 from, to;
-    std::optional<ArcWay> arc;
+    std::optional<ArcPath> arc;
     cda::Box box;               ///< Around the path of the tip.
     std::array<Plane, 2> ends;  ///< Across the path, with normals along the path.
     bool begins_in_corner = true;
@@ -53,11 +53,11 @@ bool is_still(const gcode::Position& from, const gcode::Position& to);
 /// - the linear axes are not perpendicular at the positions of the rotary axes,
 /// - the radius changes by more than a fifth of the radius per radian, or by more than rounding in
 ///   more than a turn.
-std::optional<ArcWay> way_of(const gcode::Arc& arc, const toolpath::Poses& poses);
+std::optional<ArcPath> way_of(const gcode::Arc& arc, const toolpath::Poses& poses);
 /// Returns the pieces of `spline`; empty in the same cases.
-std::vector<SplineWay> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses);
+std::vector<SplinePath> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses);
 /// Returns the path of a linear motion on which rotary axes turn. All axes move in proportion, as
 /// in the simulation; no value for all other motions.
-std::optional<TurningWay> turning_way_of(const gcode::Motion& motion, const toolpath::Poses& poses);
+std::optional<RotaryPath> turning_way_of(const gcode::Motion& motion, const toolpath::Poses& poses);
 
 }  // namespace ncsim::brep

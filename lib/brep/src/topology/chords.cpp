@@ -120,7 +120,7 @@ private:
 // Returns true if an edge was split.
 bool divide_once(Part& part) {
     bool any = false;
-    Halving halving(part);
+    EdgeSplitter halving(part);
     for (const Face& face : part.faces) {
         if (!std::holds_alternative<Plane>(face.surface.form)) continue;
         std::optional<CornersOfPlane> corners;

@@ -56,7 +56,7 @@ public:
 
 private:
     // Tool positions at a time, and at steps before and after.
-    using Passages = std::array<Passage, 2 * kStepsAway + 1>;
+    using Passages = std::array<ToolFrame, 2 * kStepsAway + 1>;
     Passages passages_at(double t) const {
         Passages passages;
         for (int i = -kStepsAway; i <= kStepsAway; ++i)
@@ -108,7 +108,7 @@ private:
 
     // Factor by which pieces are scaled to meet the surface in their middles, by least squares.
     struct Middle {
-        void take(const Aspect& aspect, Vec3 bow) {
+        void take(const ClosestPoint& aspect, Vec3 bow) {
             const double out = dot(aspect.normal, bow);
             off += aspect.off * out;
             square += out * out;
@@ -144,7 +144,7 @@ private:
     }
 
     // Returns the aspect of the patch's point, near the time of the adjacent knots.
-    Aspect aspect(std::size_t i, std::size_t j, double u, double v) const {
+    ClosestPoint aspect(std::size_t i, std::size_t j, double u, double v) const {
         const double time = along_[j] + v * (along_[j + 1] - along_[j]);
         return place_on(envelope_, at(i, j, u, v), time);
     }
@@ -243,9 +243,9 @@ Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& enve
     const Sweep& sweep = *envelope.sweep;
     double first = 1e9, last = -1e9, begin = 1e9, end = -1e9;
     for (const auto& points : points_along(part, face)) {
-        Beside beside;
+        ProjectionSeed beside;
         for (const Vec3& p : points) {
-            const Aspect aspect = place_on(envelope, p, beside);
+            const ClosestPoint aspect = place_on(envelope, p, beside);
             const double across = place_across(sweep, aspect.passage, p);
             first = std::min(first, across);
             last = std::max(last, across);

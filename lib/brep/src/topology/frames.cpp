@@ -168,7 +168,7 @@ Frame frame_for(const Part& part, const Face& face) {
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return {f->centre, f->axis, f->ahead};
     if (const auto* f = std::get_if<Envelope>(&face.surface.form)) {
-        const Passage start = f->sweep->at(0.0);
+        const ToolFrame start = f->sweep->at(0.0);
         return {start.tip, start.axis, across(start.axis)};
     }
     const auto loops = points_along(part, face);

@@ -83,14 +83,14 @@ std::optional<Halves> edge_in_two(const Part& part, const Edge& edge, double at)
     return Halves{track.at(at), edge.curve, edge.curve};
 }
 
-Halving::Halving(Part& part) : part_(part), second_(part.edges.size(), kNone) {}
+EdgeSplitter::EdgeSplitter(Part& part) : part_(part), second_(part.edges.size(), kNone) {}
 
-bool Halving::halve(std::uint32_t number, double at) {
+bool EdgeSplitter::halve(std::uint32_t number, double at) {
     if (number >= second_.size() || second_[number] != kNone) return false;
     return take(number, edge_in_two(part_, part_.edges[number], at));
 }
 
-bool Halving::divide(std::uint32_t number, double at) {
+bool EdgeSplitter::divide(std::uint32_t number, double at) {
     if (number >= second_.size() || second_[number] != kNone) return false;
     const Edge& edge = part_.edges[number];
     const auto* spline = std::get_if<Spline>(&edge.curve);
@@ -98,7 +98,7 @@ bool Halving::divide(std::uint32_t number, double at) {
                 spline ? spline_in_two(part_, edge, *spline, at) : edge_in_two(part_, edge, at));
 }
 
-bool Halving::take(std::uint32_t number, std::optional<Halves> halves) {
+bool EdgeSplitter::take(std::uint32_t number, std::optional<Halves> halves) {
     if (!halves) return false;
     const Edge edge = part_.edges[number];
     const auto middle = static_cast<std::uint32_t>(part_.vertices.size());
@@ -110,7 +110,7 @@ bool Halving::take(std::uint32_t number, std::optional<Halves> halves) {
     return true;
 }
 
-void Halving::finish() {
+void EdgeSplitter::finish() {
     for (Face& face : part_.faces) {
         for (Loop& loop : face.loops) {
             Loop halved;

@@ -23,9 +23,9 @@ std::optional<Halves> edge_in_two(const Part& part, const Edge& edge, double at 
 
 /// Splits edges of a part in all loops together. The loops stay unchanged until finish(). New
 /// vertices and edges are appended.
-class Halving {
+class EdgeSplitter {
 public:
-    explicit Halving(Part& part);
+    explicit EdgeSplitter(Part& part);
     /// Splits the edge at `at`. False if the edge stays as it is, has been split, or is a new half.
     bool halve(std::uint32_t edge, double at = 0.5);
     /// Does the same, but splits splines at any place with a new knot.

@@ -15,7 +15,7 @@ namespace ncsim::cda {
 enum class Filter : std::uint8_t {
     Point,  ///< classify(): an exact point and a plane.
     /// FilteredPolygon::look(): a polygon and a plane; undecided pairs are classified again.
-    Glance,
+    FilterResult,
     Corner,      ///< A corner of a FilteredPolygon, or an end of a segment, and a plane.
     Coordinate,  ///< compare_coordinate().
 };

@@ -187,8 +187,8 @@ bool FlatCda::add_contact(std::uint32_t first, std::uint32_t second) {
     return false;
 }
 
-Account FlatCda::account() const {
-    Account result;
+RemovalByMotion FlatCda::account() const {
+    RemovalByMotion result;
     for (const StepStatistics& step : steps_) {
         if (step.removed_volume > 0.0) {
             result[step.origin].volume += step.removed_volume;

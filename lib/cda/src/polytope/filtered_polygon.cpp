@@ -121,7 +121,7 @@ struct RowsOfPoints {
     const double *x, *y, *z;
 };
 struct RowsOfGlances {
-    Glance* where;
+    FilterResult* where;
     double *low, *high;
 };
 
@@ -156,9 +156,9 @@ template <class Lanes>
     constexpr std::size_t kWide = sizeof(Wide) / sizeof(double);
     constexpr std::size_t kVectors = 2;
     static_assert(kVectors * kWide <= kRowsAtOnce);
-    constexpr auto kBelow = static_cast<std::int64_t>(Glance::Below);
-    constexpr auto kAbove = static_cast<std::int64_t>(Glance::Above);
-    constexpr auto kAcross = static_cast<std::int64_t>(Glance::Across);
+    constexpr auto kBelow = static_cast<std::int64_t>(FilterResult::Below);
+    constexpr auto kAbove = static_cast<std::int64_t>(FilterResult::Above);
+    constexpr auto kAcross = static_cast<std::int64_t>(FilterResult::Across);
     for (std::size_t i = 0; i < count; i += kVectors * kWide) {
         Wide nx[kVectors], ny[kVectors], nz[kVectors], d[kVectors];
         Wide low[kVectors], high[kVectors];
@@ -197,11 +197,11 @@ template <class Lanes>
 }
 
 // Counts glances; empty except in builds that count.
-void count_glances([[maybe_unused]] std::span<const Glance> glances) {
+void count_glances([[maybe_unused]] std::span<const FilterResult> glances) {
 #ifdef NCSIM_COUNT_FILTERS
-    count_asked(Filter::Glance, glances.size());
-    count_doubtful(Filter::Glance,
-                   static_cast<std::uint64_t>(std::ranges::count(glances, Glance::Doubtful)));
+    count_asked(Filter::FilterResult, glances.size());
+    count_doubtful(Filter::FilterResult,
+                   static_cast<std::uint64_t>(std::ranges::count(glances, FilterResult::Doubtful)));
 #endif
 }
 

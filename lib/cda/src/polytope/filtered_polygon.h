@@ -50,12 +50,12 @@ private:
 };
 
 /// Position of a polygon relative to a plane, as far as doubles decide.
-enum class Glance : std::int64_t { Doubtful = 0, Below = 1, Above = 2, Across = 4 };
+enum class FilterResult : std::int64_t { Doubtful = 0, Below = 1, Above = 2, Across = 4 };
 
 /// Position for each plane of some rows, with the approximate heights of the lowest and the highest
 /// corner above the plane.
 struct Glances {
-    std::vector<Glance> where;
+    std::vector<FilterResult> where;
     std::vector<double> low, high;
 };
 

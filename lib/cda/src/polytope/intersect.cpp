@@ -274,8 +274,8 @@ std::optional<Vec3> common_point(const ConvexPolytope& a, const ConvexPolytope& 
     return middle_of_corners(*polytope);
 }
 
-std::optional<Vec3> point_inside(const std::vector<Plane>& told, const Box& box) {
-    const std::vector<Plane> planes = joint_planes(told, {});
+std::optional<Vec3> point_inside(const std::vector<Plane>& specified, const Box& box) {
+    const std::vector<Plane> planes = joint_planes(specified, {});
     if (!has_volume(box)) return std::nullopt;
     if (const auto point = proven_interior_point(planes, halfspaces_of(planes), box)) return point;
     Cell cell;

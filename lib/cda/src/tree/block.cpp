@@ -16,7 +16,7 @@ void Block::settle(const AccountInput& input, bool keeps_account) {
         std::vector<Taken> turns;
         tree->account(cells, input, turns);
         for (const Taken& turn : turns) {
-            Taking taking{turn.volume, {}};
+            RemovedVolume taking{turn.volume, {}};
             for (const std::uint32_t number : turn.cells) {
                 const auto cell = std::ranges::lower_bound(
                     going_down, number, {}, [](const auto& w) { return w->incoming.number; });

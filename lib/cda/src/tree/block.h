@@ -33,7 +33,8 @@ struct Block {
     mutable std::optional<double> volume;  // volume of `tree`, cubic units; empty until requested
     // surface in `tree`; null until requested; only for a tile
     mutable std::shared_ptr<const Outlines> outlines;
-    std::vector<std::pair<Origin, Taking>> taken;  // amounts not yet in the account; cubic units
+    std::vector<std::pair<Origin, RemovedVolume>>
+        taken;  // amounts not yet in the account; cubic units
 
     // Returns the tree for modification; copies the tree if other parts share the tree.
     BlockTree& own() {

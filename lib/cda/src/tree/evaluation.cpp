@@ -210,13 +210,13 @@ private:
         if (planes.is_empty()) return true;
         facet_.look(rows_, planes.begin, planes.end, glances_);
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == Glance::Above) return false;
+            if (glances_.where[i] == FilterResult::Above) return false;
         }
         cuts_.clear();
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == Glance::Below) continue;
+            if (glances_.where[i] == FilterResult::Below) continue;
             const Plane& plane = rows_[i].exact;
-            if (glances_.where[i] == Glance::Across || !facet_plane().is_parallel_to(plane)) {
+            if (glances_.where[i] == FilterResult::Across || !facet_plane().is_parallel_to(plane)) {
                 cuts_.emplace_back(share_below(glances_, i), i);
                 continue;
             }
@@ -249,9 +249,9 @@ private:
             std::size_t kept = 0;
             for (std::size_t i = kFirst; i < cuts.size(); ++i) {
                 const std::size_t plane = cuts[i].second;
-                const Glance where = glances_again_.where[plane];
-                if (where == Glance::Above) return false;
-                if (where != Glance::Below)
+                const FilterResult where = glances_again_.where[plane];
+                if (where == FilterResult::Above) return false;
+                if (where != FilterResult::Below)
                     cuts[kept++] = {share_below(glances_again_, plane), plane};
             }
             cuts.resize(kept);
@@ -316,14 +316,14 @@ private:
         bool coplanar_opposite = false;
         const Range& planes = other.planes;
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == Glance::Above) return Overlap::None;
+            if (glances_.where[i] == FilterResult::Above) return Overlap::None;
         }
         section.cell = &other;
         section.cuts.clear();
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == Glance::Below) continue;
+            if (glances_.where[i] == FilterResult::Below) continue;
             const Plane& plane = rows_[i].exact;
-            if (glances_.where[i] == Glance::Across) {
+            if (glances_.where[i] == FilterResult::Across) {
                 section.cuts.emplace_back(share_below(glances_, i), i);
             } else if (!plane.is_parallel_to(facet_plane())) {
                 const int where = facet_.classify(rows_[i]);

@@ -113,7 +113,9 @@ public:
     void subtract_unmeasured(std::span<const Cell>) override {}
     // No cell is needed, because the tiles contain all cuts.
     std::optional<Box> wanted() const override { return Box{}; }
-    Account account() const override { throw CannotAnswer("of tiles", "what cells took away"); }
+    RemovalByMotion account() const override {
+        throw CannotAnswer("of tiles", "what cells took away");
+    }
     void render(FacetCanvas&) const override { throw CannotAnswer("of tiles", "its cells"); }
     std::unique_ptr<WorkpieceModel> clone() const override {
         return std::make_unique<Model>(*this);

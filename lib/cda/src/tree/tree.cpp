@@ -148,7 +148,7 @@ void TreeCda::split_into_blocks() {
         places_.emplace_back();
     }
     for (std::size_t i = 0; i < blocks_.size(); ++i)
-        tell_place(i);
+        mark_known(i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const HalfBox& box : boxes) {
             if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
@@ -189,7 +189,7 @@ std::optional<Box> TreeCda::wanted() const {
     return place.is_empty() ? place : near(place);
 }
 
-void TreeCda::tell_place(std::size_t number) const {
+void TreeCda::mark_known(std::size_t number) const {
     const BlockTree& tree = *blocks_[number].tree;
     const HalfBox box = tree.box();
     for (std::size_t i = 0; i < 3; ++i) {

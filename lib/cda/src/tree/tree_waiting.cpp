@@ -241,7 +241,7 @@ void TreeCda::finish_settling() const {
         const auto changed = std::exchange(changing_, {});
         settling->finish();
         for (const Block* block : changed)
-            tell_place(static_cast<std::size_t>(block - blocks_.data()));
+            mark_known(static_cast<std::size_t>(block - blocks_.data()));
         close_books();
     }
     for (const Listed& cell : listed_)
@@ -271,7 +271,7 @@ void TreeCda::settle_near(const Box& bounds) const {
             continue;
         block.send_down(forgotten_);
         block.settle({stock_planes_, *cells_, centre_, parameters_.leaf}, account_.has_value());
-        tell_place(i);
+        mark_known(i);
     }
     close_books();
 }
@@ -280,7 +280,7 @@ void TreeCda::settle_near(const Box& bounds) const {
 void TreeCda::close_books() const {
     for (Block& block : blocks_) {
         for (const auto& [origin, taken] : block.taken) {
-            Taking& sum = (*account_)[origin];
+            RemovedVolume& sum = (*account_)[origin];
             sum.volume += taken.volume;
             sum.bounds.add(taken.bounds);
         }
@@ -302,21 +302,22 @@ double TreeCda::subtract(const Cell& cell) {
     return std::max(0.0, result.volume * lattice_.cubic_unit_mm3());
 }
 
-void TreeCda::keep_account() {
+void TreeCda::track_removal() {
     settle();
     if (!account_) account_.emplace();
 }
 
-Account TreeCda::account() const {
+RemovalByMotion TreeCda::account() const {
     const Asked asked(*this);
     settle_all();
-    Account result;
+    RemovalByMotion result;
     if (!account_) return result;
     const double unit = lattice_.cubic_unit_mm3();
     const double rounding = kAccountRounding * stock_volume_;
     for (const auto& [origin, taken] : *account_) {
         const bool is_nothing = std::abs(taken.volume) < rounding;
-        result[origin] = is_nothing ? Taking{} : Taking{taken.volume * unit, taken.bounds};
+        result[origin] =
+            is_nothing ? RemovedVolume{} : RemovedVolume{taken.volume * unit, taken.bounds};
     }
     return result;
 }

@@ -30,9 +30,9 @@ constexpr double kMostDegrees = 90.0;
 
 // Adds the components of `v` as separate numbers. Some readers (assimp 5.2) fail if the extras of a
 // node hold lists.
-void tell(Extra::Object& told, const std::string& name, Vec3 v) {
+void tell(Extra::Object& specified, const std::string& name, Vec3 v) {
     for (int i = 0; i < 3; ++i)
-        told.emplace(name + "_" + "xyz"[i], Extra(v[i] + 0.0));
+        specified.emplace(name + "_" + "xyz"[i], Extra(v[i] + 0.0));
 }
 
 std::array<double, 4> turn_of(const SceneJoint& joint, double degrees) {
@@ -122,11 +122,11 @@ private:
                 const auto turn = turn_of(*from.joint, value);
                 node.rotation.assign(turn.begin(), turn.end());
             }
-            Extra::Object told{{"axis", Extra(std::string(1, from.joint->letter))},
-                               {"turns", Extra(from.joint->turns)}};
-            tell(told, "direction", from.joint->direction);
-            if (from.joint->turns) tell(told, "through", from.origin);
-            node.extras = Extra(std::move(told));
+            Extra::Object specified{{"axis", Extra(std::string(1, from.joint->letter))},
+                                    {"turns", Extra(from.joint->turns)}};
+            tell(specified, "direction", from.joint->direction);
+            if (from.joint->turns) tell(specified, "through", from.origin);
+            node.extras = Extra(std::move(specified));
         }
         if (!from.shown.empty() && visibility_keys(from).front().value == 0.0)
             node.scale = {0.0, 0.0, 0.0};

@@ -33,7 +33,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, ArcCentr
     store.tools = options.tools;
     for (std::size_t i = 0; i < store.work_offsets.size(); ++i) {
         store.work_offsets[i].origin = to_axes(options.work_offsets[i]);
-        const bool known = options.work_offsets_told[i];
+        const bool known = options.work_offsets_specified[i];
         store.work_offsets[i].frame.fill(known ? 0 : static_cast<int>(i) + 1);
     }
     for (const auto& [number, origin] : options.extended_offsets)
@@ -55,7 +55,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, ArcCentr
     for (std::size_t i = 0; i < 3; ++i) {
         if (!options.start[i]) continue;
         state_.position[i] = options.start[i]->mm() / state_.unit_mm();
-        tell_place(i);
+        mark_known(i);
     }
     state_.is_at_start = !options.start_is_of_machine;
 }
@@ -68,7 +68,7 @@ bool Machine::is_known(std::size_t axis) const {
 }
 
 /// Marks the position of `axis` as known in the active system.
-void Machine::tell_place(std::size_t axis) {
+void Machine::mark_known(std::size_t axis) {
     state_.place_frame[axis] = state_.frame[axis];
     if (axis == kX) state_.known.x = true;
     if (axis == kY) state_.known.y = true;
@@ -102,9 +102,9 @@ bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
             end[axes.second] == state_.position[axes.second])
             return fail(Message::CompensationEntry, span_);
     }
+    state_.just_left_compensation = false;
     if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
     path_.straight(state_, with_cancelled_offset(end, mask), kind, mask);
-    state_.just_left_compensation = false;
     return true;
 }
 
@@ -210,7 +210,7 @@ bool Machine::act(const Command& command) {
         stopped_ = true;
         const bool of_tip = code == Code::G43_4 || code == Code::G43_5 || code == Code::G234;
         if (of_tip) {
-            return fail(options_.joints ? Message::TipFrameMissing : Message::TurningUntold,
+            return fail(options_.joints ? Message::TipFrameMissing : Message::RotaryUnspecified,
                         command.span, {name_of(code)});
         }
         const bool lathe = code >= Code::G70 && code < Code::G73;
@@ -231,17 +231,17 @@ bool Machine::act(const Command& command) {
     const auto switch_units = [&] {
         if (units != Code::None) set_units(units == Code::G20 || units == Code::G70);
     };
-    if (!rules_.strict) switch_units();
+    if (!rules_.is_linuxcnc()) switch_units();
     if (!set_feed(command)) return false;
     set_speeds_and_tools(command);
     if (needs_kinematics(command)) {
         stopped_ = true;
-        return fail(Message::KinematicsUntold, command.span,
+        return fail(Message::KinematicsUnspecified, command.span,
                     {std::string("M").append(std::to_string(state_.kinematics))});
     }
     if (command.group(Group::OneShot) == Code::G4 && !dwell(command)) return false;
     if (const std::optional<Plane> plane = plane_of(command)) state_.plane = *plane;
-    if (rules_.strict) switch_units();
+    if (rules_.is_linuxcnc()) switch_units();
     // G41 in the block of G150 applies to the pocket only.
     const bool for_pocket = command.group(Group::Pocket) == Code::G150;
     if ((!for_pocket && !set_cutter_side(command)) || !set_tool_length(command) ||
@@ -421,11 +421,11 @@ void Machine::set_speeds_and_tools(const Command& command) {
         }
     }
     if (const int code = command.group(MGroup::Kinematics); code != kNone) {
-        const auto told = options_.tip_control.m_codes.find(code);
-        const bool is_told = told != options_.tip_control.m_codes.end();
-        state_.kinematics = is_told ? 0 : code;
+        const auto specified = options_.tip_control.m_codes.find(code);
+        const bool is_specified = specified != options_.tip_control.m_codes.end();
+        state_.kinematics = is_specified ? 0 : code;
         state_.tip_by_length = false;
-        if (is_told) choose(told->second);
+        if (is_specified) choose(specified->second);
     }
 }
 
@@ -537,8 +537,8 @@ void Machine::set_units(bool inches) {
         store.probed[i] *= factor;
         store.via[i] *= factor;
     }
-    for (std::size_t i = 0; store.told_plane && i < 3; ++i)
-        store.told_plane->origin[i] *= factor;
+    for (std::size_t i = 0; store.specified_plane && i < 3; ++i)
+        store.specified_plane->origin[i] *= factor;
 }
 
 void Machine::set_modes(const Command& command) {

@@ -6,7 +6,7 @@
 //
 // The members are in several files: machine.cpp (order of execution, modes), saved_modes.cpp,
 // strict_words.cpp; frames/: offsets.cpp, offset_variables.cpp, home.cpp (G28, G29, G30),
-// tilted_plane.cpp (tip control, planes), face_and_cylinder.cpp, carried_zero.cpp; paths/:
+// tilted_plane.cpp (tip control, planes), polar_and_cylindrical.cpp, carried_zero.cpp; paths/:
 // moves.cpp (G53, threads, probing), arc.cpp, spline.cpp, compensation_checks.cpp; cycles/:
 // cycle.cpp, corner.cpp, hole_pattern.cpp, pocket.cpp, area_pocket.cpp.
 #pragma once
@@ -61,9 +61,9 @@ public:
     std::shared_ptr<const SavedModes> save_modes() const;
     bool restore_modes(const SavedModes& saved, SourceSpan span);
 
-    // Outline of a G150: between begin_outline() and end_outline(), moves are recorded and not
+    // Outline of a G150: between begin_contour() and end_outline(), moves are recorded and not
     // made.
-    bool begin_outline(const Command& command);
+    bool begin_contour(const Command& command);
     void end_outline();
     /// True if `command` may be part of an outline: lines and arcs.
     static bool belongs_to_outline(const Command& command);
@@ -172,7 +172,7 @@ private:
     void set_work_variable(const SystemVariable& variable, double value, bool is_relative,
                            SourceSpan span);
     bool is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const;
-    std::optional<double> told_length(int tool) const;
+    std::optional<double> specified_length(int tool) const;
     void select_system(int system);
     bool place_at_start();
     void assume_same_zero(Axes& machine);
@@ -181,7 +181,7 @@ private:
     void recompute_position(const Axes& machine);
 
     bool straight(const Command& command, MoveKind kind);
-    bool straight_as_told(const Command& command, MoveKind kind);
+    bool straight_as_specified(const Command& command, MoveKind kind);
     bool threading(const Command& command, Code motion);
     bool arc(const Command& command, bool clockwise);
     bool arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc);
@@ -255,7 +255,7 @@ private:
     void choose(Coordinates coordinates);
     void take_coordinates(Coordinates coordinates);
     Axes stand() const;
-    Axes from_stand(const Axes& stand) const;
+    Axes from_axis_positions(const Axes& stand) const;
     double length_mm() const;
     void mix_knowledge();
     /// Meaning of X, Y and Z to restore after a move in joint coordinates.
@@ -298,7 +298,7 @@ private:
                    std::initializer_list<std::string_view> arguments);
     bool check_tip_control(const Command& command);
     bool is_known(std::size_t axis) const;
-    void tell_place(std::size_t axis);
+    void mark_known(std::size_t axis);
 
     SourceSpan span_of(const Command& command, char letter) const;
     SourceSpan span_of_g(const Command& command, Code code) const;
@@ -327,7 +327,7 @@ private:
         bool is_foreign = false;  ///< A move changed axes other than X and Y.
     };
     std::optional<Outline> outline_;  ///< Set while an outline is recorded.
-    std::vector<OutlineMove> heard_;
+    std::vector<OutlineMove> contour_;
     bool heard_well_ = false;
     SourceSpan span_;
     std::uint32_t file_ = 0;

@@ -136,7 +136,7 @@ std::optional<Parameters::Shown> Parameters::of_machine(int number) const {
     if (number == 5400) return Shown{static_cast<double>(state.tool), state.tool != 0};
     if (is_in(number, 5401, 9)) {
         return Shown{state.tool_offset[axis(5401)] * state.unit_mm(),
-                     state.length_register == kNoLength || state.length_told};
+                     state.length_register == kNoLength || state.length_specified};
     }
     if (number == 5410) return Shown{2.0 * state.cutter_radius * state.unit_mm()};
     if (rules_.strict) return std::nullopt;

@@ -44,7 +44,7 @@ struct Store {
     bool has_probed = false;
     PlaneParts plane_parts;  ///< Parts of a G68.2 definition in several blocks.
     /// LinuxCNC: frame set by G68.2, activated by the next G53.1; active units.
-    std::optional<FeatureFrame> told_plane;
+    std::optional<FeatureFrame> specified_plane;
     bool operator==(const Store&) const = default;
 };
 

@@ -274,7 +274,7 @@ bool Runner::hear_outline() {
         const bool marked = open.index && target->marker < open.index->markers().size();
         place = marked ? (*open.index)[target->marker].after : BlockReader(*open.source).place();
     }
-    if (!machine_.begin_outline(command_)) return false;
+    if (!machine_.begin_contour(command_)) return false;
     log_.set_file(where == 0 ? std::string() : files_[where].source->name);
     BlockReader reader(*files_[where].source, {.strict = rules_.strict});
     reader.seek(*place);

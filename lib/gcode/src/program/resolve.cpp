@@ -150,8 +150,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         code = Code::None;
     }
     if (code == Code::G12 || code == Code::G13) {
-        const bool told = haas || (find_word(block, 'I') && find_word(block, 'D'));
-        if (!rules_.circular_pockets || !told) return put(Group::NotSimulated);
+        const bool specified = haas || (find_word(block, 'I') && find_word(block, 'D'));
+        if (!rules_.circular_pockets || !specified) return put(Group::NotSimulated);
     }
     // P is the number of the line or program with the outline of G150.
     if (code == Code::G150 && haas && find_word(block, 'P')) return put(Group::Pocket);
@@ -197,15 +197,15 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     const double whole = std::round(value);
     const bool is_whole = std::abs(value - whole) < 1e-4 && whole >= 0.0 && whole < 32000.0;
     const auto number = static_cast<std::int16_t>(is_whole ? whole : -1.0);
-    const bool is_told = tip_control_.m_codes.contains(number);
+    const bool is_specified = tip_control_.m_codes.contains(number);
     const bool is_clamp = std::ranges::any_of(clamps_, [number](const RotaryClamp& clamp) {
         return clamp.clamp == number || clamp.release == number;
     });
-    const MGroup group = is_told    ? MGroup::Kinematics
-                         : is_clamp ? MGroup::Clamp
-                         : is_whole ? m_group(number)
-                                    : MGroup::Unknown;
-    const bool foreign = rules_.strict && !is_told && !is_clamp &&
+    const MGroup group = is_specified ? MGroup::Kinematics
+                         : is_clamp   ? MGroup::Clamp
+                         : is_whole   ? m_group(number)
+                                      : MGroup::Unknown;
+    const bool foreign = rules_.strict && !is_specified && !is_clamp &&
                          (number == 13 || number == 14 || group == MGroup::Kinematics);
     if (group == MGroup::Unknown || foreign) {
         // M100 … M199 are defined by the user on LinuxCNC; without the scripts these codes are

@@ -45,7 +45,7 @@ void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origi
     const auto index = static_cast<std::size_t>(system - 1);
     if (index < named) {
         options.work_offsets[index] = at;
-        options.work_offsets_told[index] = true;
+        options.work_offsets_specified[index] = true;
     } else {
         options.extended_offsets[system - static_cast<int>(named)] = at;
     }
@@ -62,7 +62,7 @@ std::optional<cda::Vec3> origin_of(const gcode::InterpreterOptions& options, int
         return vector(found->second);
     }
     const auto index = static_cast<std::size_t>(system - 1);
-    if (!options.work_offsets_told[index]) return std::nullopt;
+    if (!options.work_offsets_specified[index]) return std::nullopt;
     return vector(options.work_offsets[index]);
 }
 

@@ -198,7 +198,7 @@ void doubt_contradiction(Job& job, const toolpath::ToolEntry& option,
         if (spec.diameter) text += fmt::format(" D{:g}", *spec.diameter);
         return text;
     };
-    const bool is_comment = entry.told_by == toolpath::ToldBy::Comment;
+    const bool is_comment = entry.specified_by == toolpath::ValueSource::Comment;
     job.doubts.push_back({"contradiction",
                           fmt::format("T{} is a {} by --tool and a {} by {}", a.number, text_of(a),
                                       text_of(b), is_comment ? "its comment" : entry.file),
@@ -209,7 +209,7 @@ void doubt_contradiction(Job& job, const toolpath::ToolEntry& option,
 // may be a part of the block.
 void doubt_contradiction(Job& job, const std::optional<toolpath::StockEntry>& noted) {
     constexpr double kSame = 0.01;  // mm
-    if (!noted || !job.stock || job.stock->told_by != toolpath::ToldBy::Option) return;
+    if (!noted || !job.stock || job.stock->specified_by != toolpath::ValueSource::Option) return;
     const cda::Box &option = job.stock->box, &block = noted->box;
     bool differs = false;
     for (int axis = 0; axis < 3; ++axis) {
@@ -242,9 +242,10 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
         return;
     }
     if (known->offset == cda::Vec3{}) known->offset = entry.offset;
-    if (known->told_by == toolpath::ToldBy::Option) doubt_contradiction(job, *known, entry);
+    if (known->specified_by == toolpath::ValueSource::Option)
+        doubt_contradiction(job, *known, entry);
     constexpr double kSame = 1e-3;  // mm; CAM systems round printed values
-    if (known->told_by != toolpath::ToldBy::Table || !known->spec.diameter ||
+    if (known->specified_by != toolpath::ValueSource::Table || !known->spec.diameter ||
         !entry.spec.diameter || std::abs(*known->spec.diameter - *entry.spec.diameter) <= kSame) {
         return;
     }
@@ -258,9 +259,9 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
 
 // Adds holders to tools without a specified holder.
 void add_holders(Job& job, const std::string& path, InputSet& inputs) {
-    for (const toolpath::ToolSpec& told : read_holder_file(path, inputs)) {
+    for (const toolpath::ToolSpec& specified : read_holder_file(path, inputs)) {
         for (toolpath::ToolEntry& entry : job.tools) {
-            if (entry.spec.number == told.number) complete_assembly(entry.spec, told);
+            if (entry.spec.number == specified.number) complete_assembly(entry.spec, specified);
         }
     }
 }
@@ -280,14 +281,14 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
             if (options.stock_move) stock.from->move = *options.stock_move;
             stock = read_stock_file(*stock.from, inputs);
         }
-        return toolpath::StockEntry{stock, toolpath::ToldBy::Option, {}, {}};
+        return toolpath::StockEntry{stock, toolpath::ValueSource::Option, {}, {}};
     }
     if (file.stock) {
-        toolpath::StockEntry entry{*file.stock, toolpath::ToldBy::Table, {}, "the stock"};
+        toolpath::StockEntry entry{*file.stock, toolpath::ValueSource::Table, {}, "the stock"};
         entry.file = report::base_name(name_of_input(options.job));
         entry.place_assumed = file.stock_place_assumed;
         if (file.stock_assumed) {
-            entry.told_by = toolpath::ToldBy::Assumption;
+            entry.specified_by = toolpath::ValueSource::Assumption;
             entry.text = fmt::format("the block is marked as assumed in {}", entry.file);
         }
         if (entry.from) static_cast<toolpath::Stock&>(entry) = read_stock_file(*entry.from, inputs);
@@ -358,7 +359,7 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
         tell_offset(job.interpreter, system, origin);
 
     for (const toolpath::ToolSpec& spec : options.tools) {
-        job.tools.push_back({spec, toolpath::ToldBy::Option, {}, spec.description});
+        job.tools.push_back({spec, toolpath::ValueSource::Option, {}, spec.description});
     }
     choose_program(job, options);
     bool inches = options.inches.value_or(false);
@@ -388,7 +389,7 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
             gcode::Length::from_mm((*job.start)[axis]);
     for (const toolpath::ToolEntry& entry : job.tools) {
         gcode::ToolTableEntry known;
-        known.length_told = entry.offset.z != 0.0;
+        known.length_specified = entry.offset.z != 0.0;
         known.number = entry.spec.number;
         for (int axis = 0; axis < 3; ++axis) {
             known.offset[static_cast<std::size_t>(axis)] =

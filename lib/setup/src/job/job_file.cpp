@@ -345,7 +345,7 @@ private:
             r_.fail(t, "a tool has a number, 0 for a program that calls none");
         }
         if (!toolpath::is_complete(spec)) r_.fail(t, "a tool needs a diameter above 0");
-        entry.told_by = toolpath::ToldBy::Table;
+        entry.specified_by = toolpath::ValueSource::Table;
         entry.span = {static_cast<std::uint32_t>(t.source().begin.line), 1, 0};
         entry.text = spec.description;
         entry.file = report::base_name(r_.name());

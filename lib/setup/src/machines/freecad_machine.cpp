@@ -253,15 +253,15 @@ MachineFile read_freecad_machine(const std::string& path, InputSet& inputs) {
     if (machine.has("name")) file.machine.name = machine["name"].text();
     const bool inches = machine.has("units") && machine["units"].text() == "imperial";
     const double unit = inches ? 25.4 : 1.0;
-    const Node told = machine["axes"];
-    if (!told.value().is_object()) told.fail("expected a table of axes");
+    const Node specified = machine["axes"];
+    if (!specified.value().is_object()) specified.fail("expected a table of axes");
     std::vector<Axis> axes;
-    ToldKinematics kinematics;
-    for (const auto& [letter, value] : told.value().items()) {
+    SpecifiedKinematics kinematics;
+    for (const auto& [letter, value] : specified.value().items()) {
         const Node node(value, fmt::format("machine: axes: {}", letter), source);
         axes.push_back(axis_of(letter, node, unit));
         const Axis& axis = axes.back();
-        if (axis.turns && !axis.is_placed) kinematics.untold_pivots += axis.letter;
+        if (axis.turns && !axis.is_placed) kinematics.unspecified_pivots += axis.letter;
         if (node.has("limits")) {
             const double low = node["limits"]["min"].number();
             const double high = node["limits"]["max"].number();
@@ -282,9 +282,9 @@ MachineFile read_freecad_machine(const std::string& path, InputSet& inputs) {
     }
     for (const char letter : std::string_view("XYZ")) {
         if (std::ranges::find(axes, letter, &Axis::letter) == axes.end())
-            told.fail(fmt::format("no axis {}", letter));
+            specified.fail(fmt::format("no axis {}", letter));
     }
-    find_depths(axes, told);
+    find_depths(axes, specified);
     kinematics.chain = chain_of(std::move(axes));
     file.kinematics = std::move(kinematics);
     if (!machine.has("toolheads")) return file;

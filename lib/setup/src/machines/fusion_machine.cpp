@@ -95,8 +95,8 @@ private:
             const std::string_view unit(end,
                                         word.size() - static_cast<std::size_t>(end - word.data()));
             const auto known = std::ranges::find(units, unit, &FusionUnit::name);
-            const bool is_told = unit.empty() ? units.empty() : known != units.end();
-            if (error != std::errc{} || !is_told || !(std::abs(number) <= kMost))
+            const bool is_specified = unit.empty() ? units.empty() : known != units.end();
+            if (error != std::errc{} || !is_specified || !(std::abs(number) <= kMost))
                 fail(e, fmt::format("'{}': expected {} number{}{}", key, numbers.size(),
                                     numbers.size() == 1 ? "" : "s",
                                     units.empty()
@@ -111,20 +111,20 @@ private:
     // Reads a number that is not negative. Empty if it is 0 or missing.
     std::optional<double> positive(const XMLElement* e, const char* key,
                                    std::span<const FusionUnit> units) const {
-        const char* told = e->Attribute(key);
-        if (!told || !*told) return std::nullopt;
+        const char* specified = e->Attribute(key);
+        if (!specified || !*specified) return std::nullopt;
         double value = 0.0;
-        take_numbers(e, key, told, units, {&value, 1});
+        take_numbers(e, key, specified, units, {&value, 1});
         if (value < 0.0) fail(e, fmt::format("'{}': less than 0", key));
         return value > 0.0 ? std::optional(value) : std::nullopt;
     }
 
     Vec3 vector(const XMLElement* e, const char* key, std::span<const FusionUnit> units,
                 Vec3 otherwise) const {
-        const char* told = e->Attribute(key);
-        if (!told || !*told) return otherwise;
+        const char* specified = e->Attribute(key);
+        if (!specified || !*specified) return otherwise;
         double numbers[3] = {};
-        take_numbers(e, key, told, units, numbers);
+        take_numbers(e, key, specified, units, numbers);
         return {numbers[0], numbers[1], numbers[2]};
     }
 
@@ -135,8 +135,8 @@ private:
     }
 
     std::string word(const XMLElement* e, const char* key) const {
-        const char* told = e->Attribute(key);
-        return told ? told : "";
+        const char* specified = e->Attribute(key);
+        return specified ? specified : "";
     }
 
     void take_axis(const XMLElement* e) {
@@ -163,7 +163,7 @@ private:
         axis.joint = machine::joint_of(
             letter, turns, direction, turns ? through : Vec3{},
             turns && axis.of_table ? machine::Positive::Part : machine::Positive::Tool);
-        if (turns && norm(through) == 0.0) told_.untold_pivots += letter;
+        if (turns && norm(through) == 0.0) specified_.unspecified_pivots += letter;
         if (const std::string range = word(e, "range"); !range.empty()) {
             double ends[2] = {};
             take_numbers(e, "range", range,
@@ -171,7 +171,7 @@ private:
                                : std::span<const FusionUnit>(kLengths),
                          ends);
             if (ends[0] > ends[1]) fail(e, "'range': the first end must be below the second");
-            if (ends[0] < ends[1] && turns) told_.travels[letter] = {ends[0], ends[1]};
+            if (ends[0] < ends[1] && turns) specified_.travels[letter] = {ends[0], ends[1]};
             if (ends[0] < ends[1] && !turns)
                 file_.machine.travel[static_cast<std::size_t>(letter - 'X')] =
                     verify::AxisRange{ends[0], ends[1]};
@@ -197,20 +197,20 @@ private:
         std::ranges::reverse(table);
         std::ranges::for_each(table, add);
         std::ranges::for_each(head, add);
-        told_.chain.joints = std::move(joints);
+        specified_.chain.joints = std::move(joints);
         const bool turns =
             std::ranges::any_of(axes_, [](const FusionAxis& axis) { return axis.joint.turns; });
         if (turns) {
-            told_.guess =
+            specified_.guess =
                 "tables turn the part, and heads the tool, by the right hand about their axes, and "
                 "carry each other in the order of the file";
         }
-        file_.kinematics = std::move(told_);
+        file_.kinematics = std::move(specified_);
     }
 
     std::string name_;
     MachineFile file_;
-    ToldKinematics told_;
+    SpecifiedKinematics specified_;
     std::vector<FusionAxis> axes_;
 };
 

@@ -149,9 +149,9 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
          {"orient", [this](const toml::node& n, const std::string& k) {
               const std::string word = r_.text(n, k);
               if (word == "positive") {
-                  prefer_ = machine::Prefer::StandUp;
+                  prefer_ = machine::SolutionPreference::StandUp;
               } else if (word == "negative") {
-                  prefer_ = machine::Prefer::StandDown;
+                  prefer_ = machine::SolutionPreference::StandDown;
               } else if (word != "shortest") {
                   r_.fail(n, fmt::format(
                                  "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));
@@ -324,8 +324,8 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     if (links_.size() >= kMostLinks) r_.fail(node, fmt::format("more than {} links", kMostLinks));
     if (letter) {
         const bool rotary = turns(*letter);
-        const auto& told = rotary ? about : along;
-        if (!told || (rotary ? along : about)) {
+        const auto& specified = rotary ? about : along;
+        if (!specified || (rotary ? along : about)) {
             r_.fail(node, fmt::format("axis {} needs {}, and nothing else", *letter,
                                       rotary ? "turns_about" : "moves_along"));
         }
@@ -337,7 +337,8 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
         }
         const auto positive =
             turns_part.value_or(false) ? machine::Positive::Part : machine::Positive::Tool;
-        link.joint = machine::joint_of(*letter, rotary, *told, through.value_or(Vec3{}), positive);
+        link.joint =
+            machine::joint_of(*letter, rotary, *specified, through.value_or(Vec3{}), positive);
         link.is_placed = through.has_value();
         if (range) travels_[*letter] = *range;
         if (told_way && !rotary)
@@ -371,7 +372,7 @@ const KinematicsReader::Link* KinematicsReader::find(const std::string& name) co
 }
 
 // Returns the links from a link to the bed.
-std::vector<const KinematicsReader::Link*> KinematicsReader::way_up(const Name& from) const {
+std::vector<const KinematicsReader::Link*> KinematicsReader::chain_to_base(const Name& from) const {
     std::vector<const Link*> way;
     const toml::node* named_at = from.node;
     for (std::string name = from.name; !name.empty() && name != kBed;) {
@@ -386,38 +387,39 @@ std::vector<const KinematicsReader::Link*> KinematicsReader::way_up(const Name& 
     return way;
 }
 
-ToldKinematics KinematicsReader::of_preset() const {
-    ToldKinematics told;
-    told.chain = *machine::preset(preset_->name);
+SpecifiedKinematics KinematicsReader::of_preset() const {
+    SpecifiedKinematics specified;
+    specified.chain = *machine::preset(preset_->name);
     for (const auto& [letter, place] : pivots_) {
-        if (!told.chain.find(letter))
+        if (!specified.chain.find(letter))
             r_.fail(*pivots_node_,
                     fmt::format("'pivot': {} has no axis {}", preset_->name, letter));
     }
-    for (machine::Joint& joint : told.chain.joints) {
+    for (machine::Joint& joint : specified.chain.joints) {
         if (!joint.turns) continue;
         const auto place = pivots_.find(joint.letter);
         if (place == pivots_.end()) {
-            told.untold_pivots += joint.letter;
+            specified.unspecified_pivots += joint.letter;
         } else {
             joint.through = place->second;
         }
     }
-    return told;
+    return specified;
 }
 
-ToldKinematics KinematicsReader::of_links() const {
+SpecifiedKinematics KinematicsReader::of_links() const {
     const toml::node& first = *links_.front().node;
     if (!part_) r_.fail(first, "which link carries the part? part = { link = \"…\" }");
     if (!tool_) r_.fail(first, "which link carries the tool? [spindle] link = \"…\"");
-    ToldKinematics told;
+    SpecifiedKinematics specified;
     const auto add = [&](const Link* link) {
         if (!link->joint) return;
-        told.chain.joints.push_back(*link->joint);
-        if (link->joint->turns && !link->is_placed) told.untold_pivots += link->joint->letter;
+        specified.chain.joints.push_back(*link->joint);
+        if (link->joint->turns && !link->is_placed)
+            specified.unspecified_pivots += link->joint->letter;
     };
-    std::vector<const Link*> up = way_up(*part_);
-    std::vector<const Link*> down = way_up(*tool_);
+    std::vector<const Link*> up = chain_to_base(*part_);
+    std::vector<const Link*> down = chain_to_base(*tool_);
     // Links that carry both the part and the tool do not move the part relative to the tool.
     while (!up.empty() && !down.empty() && up.back() == down.back()) {
         if (up.back()->joint) {
@@ -430,36 +432,38 @@ ToldKinematics KinematicsReader::of_links() const {
     std::ranges::for_each(up, add);
     std::for_each(down.rbegin(), down.rend(), add);
     for (const Link& link : links_) {
-        if (link.joint && !told.chain.find(link.joint->letter)) {
+        if (link.joint && !specified.chain.find(link.joint->letter)) {
             r_.fail(*link.node,
                     fmt::format("axis {} moves neither the part nor the tool", link.joint->letter));
         }
     }
     for (const char letter : {'X', 'Y', 'Z'}) {
-        if (!told.chain.find(letter)) r_.fail(first, fmt::format("no link moves along {}", letter));
+        if (!specified.chain.find(letter))
+            r_.fail(first, fmt::format("no link moves along {}", letter));
     }
-    return told;
+    return specified;
 }
 
 // Sets the values that presets and links share.
-void KinematicsReader::finish(ToldKinematics& told) const {
-    told.prefer = prefer_;
-    if (assumed_) told.guess = assumed_->name;
-    if (along_tool_) told.chain.joints.push_back(machine::along_tool(along_tool_->name.front()));
+void KinematicsReader::finish(SpecifiedKinematics& specified) const {
+    specified.prefer = prefer_;
+    if (assumed_) specified.guess = assumed_->name;
+    if (along_tool_)
+        specified.chain.joints.push_back(machine::along_tool(along_tool_->name.front()));
     for (const auto& [letter, range] : travels_) {
         if (!turns(letter)) continue;
-        if (!told.chain.find(letter))
+        if (!specified.chain.find(letter))
             r_.fail(*travels_node_, fmt::format("'travel': there is no axis {}", letter));
-        told.travels[letter] = range;
+        specified.travels[letter] = range;
     }
 }
 
 // Returns the joints from the bed on, each as a motion of the link.
 machine::Chain KinematicsReader::moved_by(const Name& link) const {
     std::vector<const Link*> carries_part;
-    if (part_) carries_part = way_up(*part_);
+    if (part_) carries_part = chain_to_base(*part_);
     machine::Chain chain;
-    const std::vector<const Link*> way = way_up(link);
+    const std::vector<const Link*> way = chain_to_base(link);
     for (auto next = way.rbegin(); next != way.rend(); ++next) {
         const Link* moved = *next;
         if (!moved->joint) continue;
@@ -510,7 +514,7 @@ std::vector<MachineBody> KinematicsReader::other_links() const {
     return links_that(false);
 }
 
-std::optional<ToldKinematics> KinematicsReader::kinematics() const {
+std::optional<SpecifiedKinematics> KinematicsReader::kinematics() const {
     if (preset_ && !links_.empty())
         r_.fail(*preset_->node,
                 "a machine is specified by its preset or by its links, not by both");
@@ -521,9 +525,9 @@ std::optional<ToldKinematics> KinematicsReader::kinematics() const {
         }
     }
     if (preset_ || !links_.empty()) {
-        ToldKinematics told = preset_ ? of_preset() : of_links();
-        finish(told);
-        return told;
+        SpecifiedKinematics specified = preset_ ? of_preset() : of_links();
+        finish(specified);
+        return specified;
     }
     if (assumed_) r_.fail(*assumed_->node, "'assumed' needs to know how the machine turns");
     if (along_tool_)

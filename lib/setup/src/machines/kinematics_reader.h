@@ -7,7 +7,7 @@
 #include "ncsim/gcode/interpretation.h"
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/machine_body.h"
-#include "ncsim/setup/told_kinematics.h"
+#include "ncsim/setup/specified_kinematics.h"
 
 #include "files/toml_reader.h"
 
@@ -41,7 +41,7 @@ public:
 
     // Results, after all keys were read. They throw std::runtime_error if keys contradict each
     // other.
-    std::optional<ToldKinematics> kinematics() const;
+    std::optional<SpecifiedKinematics> kinematics() const;
     std::vector<MachineBody> bodies() const;       ///< Links with a mesh.
     std::vector<MachineBody> other_links() const;  ///< Links without a mesh.
     std::string part_link() const { return part_ ? part_->name : std::string(); }
@@ -76,9 +76,9 @@ private:
     };
     gcode::Coordinates tip_or_axes(const toml::node& node, const std::string& key,
                                    const std::string& mode) const;
-    ToldKinematics of_preset() const;
-    ToldKinematics of_links() const;
-    std::vector<const Link*> way_up(const Name& from) const;
+    SpecifiedKinematics of_preset() const;
+    SpecifiedKinematics of_links() const;
+    std::vector<const Link*> chain_to_base(const Name& from) const;
     machine::Chain moved_by(const Name& link) const;
     std::vector<MachineBody> links_that(bool have_a_mesh) const;
     const Link* find(const std::string& name) const;
@@ -87,7 +87,7 @@ private:
     std::array<double, 3> angles(const toml::node& node, const std::string& key) const;
     gcode::RotaryWay way(const toml::node& node, const std::string& key) const;
     machine::Travel travel(const toml::node& node, const std::string& key) const;
-    void finish(ToldKinematics& told) const;
+    void finish(SpecifiedKinematics& specified) const;
 
     const TomlReader& r_;
     std::string folder_;
@@ -104,7 +104,7 @@ private:
     std::vector<gcode::RotaryClamp> clamps_;
     machine::Travels travels_;
     const toml::node* travels_node_ = nullptr;  // for A, B or C
-    machine::Prefer prefer_ = machine::Prefer::Shortest;
+    machine::SolutionPreference prefer_ = machine::SolutionPreference::Shortest;
 };
 
 }  // namespace ncsim::setup

@@ -113,11 +113,11 @@ public:
     // Returns the value of a pin, mm or degrees; 0 if it is not set.
     double value(const std::string& pin) const {
         const auto signal = signals_.find(pin);
-        auto told = values_.find(signal == signals_.end() ? pin : signal->second);
-        if (told == values_.end()) told = values_.find(pin);
-        if (told == values_.end()) return 0.0;
-        const auto number = number_of(told->second.first);
-        if (!number) fail(told->second.second, fmt::format("{}: expected a number", pin));
+        auto specified = values_.find(signal == signals_.end() ? pin : signal->second);
+        if (specified == values_.end()) specified = values_.find(pin);
+        if (specified == values_.end()) return 0.0;
+        const auto number = number_of(specified->second.first);
+        if (!number) fail(specified->second.second, fmt::format("{}: expected a number", pin));
         return *number;
     }
     bool is_set(const std::string& pin) const {

@@ -257,7 +257,7 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
              }},
             {"fixture",
              [&](const toml::node& n, const std::string& k) {
-                 m.fixtures_told = true;
+                 m.fixtures_specified = true;
                  r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
                      m.fixtures.push_back(read_fixture(r, folder, inputs, element, key));
                  });
@@ -281,9 +281,9 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     file.rotary_ways = kinematics.ways();
     file.clamps = kinematics.clamps();
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto told = kinematics.travels().find("XYZ"[i]);
-        if (told != kinematics.travels().end() && !m.travel[i])
-            m.travel[i] = AxisRange{told->second.min, told->second.max};
+        const auto specified = kinematics.travels().find("XYZ"[i]);
+        if (specified != kinematics.travels().end() && !m.travel[i])
+            m.travel[i] = AxisRange{specified->second.min, specified->second.max};
     }
     return file;
 }

@@ -61,10 +61,10 @@ void add_link(std::string& text, const MachineFile& file, const machine::Joint& 
     text += fmt::format("axis = \"{}\"\n{} = {}\n", joint.letter,
                         joint.turns ? "turns_about" : "moves_along", vector(joint.direction));
     if (!joint.turns) return;
-    const setup::ToldKinematics& told = *file.kinematics;
-    if (told.untold_pivots.find(joint.letter) == std::string::npos)
+    const setup::SpecifiedKinematics& specified = *file.kinematics;
+    if (specified.unspecified_pivots.find(joint.letter) == std::string::npos)
         text += fmt::format("through = {}\n", vector(joint.through));
-    if (const auto travel = told.travels.find(joint.letter); travel != told.travels.end())
+    if (const auto travel = specified.travels.find(joint.letter); travel != specified.travels.end())
         text += fmt::format("travel = [{}, {}]\n", travel->second.min, travel->second.max);
     const RotaryWay way = file.rotary_ways[static_cast<std::size_t>(joint.letter - 'A')];
     if (way != RotaryWay::Linear) text += fmt::format("way = \"{}\"\n", name_of(way));
@@ -84,21 +84,21 @@ void add_axes(std::string& text, std::string_view table, const Values& values, c
 void add_table_offsets(std::vector<std::string>& keys, std::string_view name,
                        const gcode::TableOffsets& offsets) {
     std::string all;
-    for (const auto& [number, told] : offsets.by_number) {
+    for (const auto& [number, specified] : offsets.by_number) {
         std::string at;
         for (std::size_t i = 0; i < 3; ++i) {
-            if (told.at[i] != 0.0)
-                at += fmt::format("{}{} = {}", at.empty() ? " " : ", ", "ABC"[i], told.at[i]);
+            if (specified.at[i] != 0.0)
+                at += fmt::format("{}{} = {}", at.empty() ? " " : ", ", "ABC"[i], specified.at[i]);
         }
         if (!at.empty()) at += " ";
         const auto three = [](const std::array<double, 3>& v) {
             return vector({v[0], v[1], v[2]});
         };
-        const std::string turns = told.turns == std::array<double, 3>{}
+        const std::string turns = specified.turns == std::array<double, 3>{}
                                       ? std::string()
-                                      : ", turns = " + three(told.turns);
+                                      : ", turns = " + three(specified.turns);
         all += fmt::format("{}P{} = {{ offset = {}, at = {{{}}}{} }}", all.empty() ? "" : ", ",
-                           number, three(told.offset), at, turns);
+                           number, three(specified.offset), at, turns);
     }
     if (!all.empty()) keys.push_back(fmt::format("{}s = {{ {} }}", name, all));
     if (offsets.moves) keys.push_back(fmt::format("{}_moves = {}", name, *offsets.moves));
@@ -107,13 +107,13 @@ void add_table_offsets(std::vector<std::string>& keys, std::string_view name,
 // Describes the offsets of the table that `code` selects.
 std::string sheet_of(std::string_view code, const gcode::TableOffsets& offsets) {
     std::string text;
-    for (const auto& [number, told] : offsets.by_number) {
+    for (const auto& [number, specified] : offsets.by_number) {
         std::string at;
         for (std::size_t i = 0; i < 3; ++i) {
-            if (told.at[i] != 0.0) at += fmt::format(" {}{:g}", "ABC"[i], told.at[i]);
+            if (specified.at[i] != 0.0) at += fmt::format(" {}{:g}", "ABC"[i], specified.at[i]);
         }
-        const auto& o = told.offset;
-        const auto& t = told.turns;
+        const auto& o = specified.offset;
+        const auto& t = specified.turns;
         text += fmt::format("  {} P{}: the zero is {} from that of the system at{}", code, number,
                             vector({o[0], o[1], o[2]}), at.empty() ? " 0" : at);
         if (t != std::array<double, 3>{})
@@ -137,9 +137,9 @@ std::string control_toml(const MachineFile& file) {
     if (control.at_start == Coordinates::Tip) keys.emplace_back("at_start = \"tip\"");
     if (control.by_length_word) keys.emplace_back("tip_frame = \"table\"");
     if (control.frame_at_zero) keys.emplace_back("tip_frame_at = \"zero\"");
-    if (file.kinematics->prefer == machine::Prefer::StandUp)
+    if (file.kinematics->prefer == machine::SolutionPreference::StandUp)
         keys.emplace_back("orient = \"positive\"");
-    if (file.kinematics->prefer == machine::Prefer::StandDown)
+    if (file.kinematics->prefer == machine::SolutionPreference::StandDown)
         keys.emplace_back("orient = \"negative\"");
     add_table_offsets(keys, "fixture_offset", file.fixture_offsets);
     add_table_offsets(keys, "setting_error", file.setting_errors);
@@ -198,10 +198,10 @@ std::string machine_sheet(const MachineFile& file) {
             const cda::Vec3 about = carries_part ? -joint.direction : joint.direction;
             text +=
                 fmt::format("turns the {} about {}", carries_part ? "part" : "tool", vector(about));
-            const bool is_untold =
-                file.kinematics->untold_pivots.find(joint.letter) != std::string::npos;
-            text += is_untold ? ", pivot not specified: through the program zero"
-                              : " through " + vector(joint.through);
+            const bool is_unspecified =
+                file.kinematics->unspecified_pivots.find(joint.letter) != std::string::npos;
+            text += is_unspecified ? ", pivot not specified: through the program zero"
+                                   : " through " + vector(joint.through);
             const auto travel = file.kinematics->travels.find(joint.letter);
             if (travel != file.kinematics->travels.end()) {
                 text +=
@@ -250,7 +250,7 @@ std::string machine_toml(const MachineFile& file) {
         text += fmt::format("assumed = {}\n", quoted(file.kinematics->guess));
     if (m.below_stock != 0.0) text += fmt::format("below_stock = {}\n", m.below_stock);
     if (m.path_deviation) text += fmt::format("path_deviation = {}\n", *m.path_deviation);
-    if (m.fixtures_told && m.fixtures.empty()) text += "fixture = []\n";
+    if (m.fixtures_specified && m.fixtures.empty()) text += "fixture = []\n";
     text += clamps_toml(file);
     std::string spindle, links;
     if (file.kinematics) {

@@ -210,20 +210,20 @@ private:
 
     // Returns the path of a file relative to this file. Packages are below this folder or next to
     // it.
-    std::string path_of(const XMLElement* e, std::string_view told) const {
+    std::string path_of(const XMLElement* e, std::string_view specified) const {
         constexpr std::string_view kPackage = "package://";
-        if (!told.starts_with(kPackage)) {
-            if (told.find("://") != std::string_view::npos)
+        if (!specified.starts_with(kPackage)) {
+            if (specified.find("://") != std::string_view::npos)
                 fail(e,
                      "'filename': expected a file in the folder of this file, or of its package");
-            return seen_in(folder_, std::string(told));
+            return seen_in(folder_, std::string(specified));
         }
-        told.remove_prefix(kPackage.size());
-        told.remove_prefix(std::min(told.find('/') + 1, told.size()));
-        std::string below = seen_in(folder_, std::string(told));
+        specified.remove_prefix(kPackage.size());
+        specified.remove_prefix(std::min(specified.find('/') + 1, specified.size()));
+        std::string below = seen_in(folder_, std::string(specified));
         std::error_code ignored;
         if (std::filesystem::exists(below, ignored)) return below;
-        return seen_in(folder_, "../" + std::string(told));
+        return seen_in(folder_, "../" + std::string(specified));
     }
 
     cda::TriangleMesh mesh_of(const XMLElement* e, UrdfLink& link) {
@@ -378,7 +378,7 @@ private:
 
     void build(MachineFile& file, std::size_t part, std::size_t tool) {
         const Pose X_MR = machine::inverse(links_[tool].X_placed);
-        ToldKinematics told;
+        SpecifiedKinematics specified;
         // Letters of axes whose positive values move the part along the axis, instead of the tool.
         std::string turned_round;
         machine::Chain part_moved_by = moved_by(part, X_MR), tool_moved_by = moved_by(tool, X_MR);
@@ -401,22 +401,22 @@ private:
             UrdfLink& link = carrier_of(letter);
             link.joint->direction = -link.joint->direction;
             if (link.limits) link.limits = {-link.limits->second, -link.limits->first};
-            told.guess += fmt::format(
+            specified.guess += fmt::format(
                 "{}{} counts as the tool goes against the part, and not as the "
                 "link does",
-                told.guess.empty() ? "" : "; ", letter);
+                specified.guess.empty() ? "" : "; ", letter);
         }
         part_moved_by = moved_by(part, X_MR);
         tool_moved_by = moved_by(tool, X_MR);
-        told.chain = machine::seen_from(part_moved_by, tool_moved_by);
+        specified.chain = machine::seen_from(part_moved_by, tool_moved_by);
         for (const UrdfLink& link : links_) {
             if (!link.joint) continue;
             const char letter = link.joint->letter;
-            if (!told.chain.find(letter))
+            if (!specified.chain.find(letter))
                 fail(link.carried_by,
                      fmt::format("axis {} does not move the tool against the part", letter));
             if (link.joint->turns && link.limits)
-                told.travels[letter] = {link.limits->first, link.limits->second};
+                specified.travels[letter] = {link.limits->first, link.limits->second};
             if (link.joint->turns) continue;
             const auto axis = static_cast<std::size_t>(letter - 'X');
             if (link.limits)
@@ -425,10 +425,10 @@ private:
             if (link.rate > 0.0) file.machine.rapid[axis] = link.rate;
         }
         for (const char letter : std::string_view("XYZ")) {
-            if (!told.chain.find(letter))
+            if (!specified.chain.find(letter))
                 fail(links_[tool].at, fmt::format("no joint moves along {}", letter));
         }
-        file.kinematics = std::move(told);
+        file.kinematics = std::move(specified);
         file.part_moved_by = std::move(part_moved_by);
         file.tool_moved_by = std::move(tool_moved_by);
         // Links that are only a frame are left out; their children belong to the link that carries

@@ -83,12 +83,13 @@ std::vector<cda::Vec3> read_obj(std::string_view bytes) {
         } else if (key == "f") {
             std::vector<std::uint32_t> face;
             for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
-                const auto told = number_in<std::int64_t>(word.substr(0, word.find('/')));
+                const auto specified = number_in<std::int64_t>(word.substr(0, word.find('/')));
                 const auto count = static_cast<std::int64_t>(polygons.points.size());
                 // Numbers count from 1, or backwards from the last point, which is -1.
-                if (!told || *told == 0 || *told > count || *told < -count)
+                if (!specified || *specified == 0 || *specified > count || *specified < -count)
                     refuse("a face names a point that does not stand before it");
-                face.push_back(static_cast<std::uint32_t>(*told > 0 ? *told - 1 : count + *told));
+                face.push_back(static_cast<std::uint32_t>(*specified > 0 ? *specified - 1
+                                                                         : count + *specified));
             }
             if (face.size() < 3) refuse("a face has three corners or more");
             polygons.faces.push_back(std::move(face));

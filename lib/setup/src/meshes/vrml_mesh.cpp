@@ -430,9 +430,9 @@ private:
         };
         fields([&](std::string_view name) {
             if (name == "coord") {
-                const VrmlNamed told = node(some_word());
-                if (!told.points) refuse("expected the points of the faces (Coordinate)");
-                made->faces.points = *told.points;
+                const VrmlNamed specified = node(some_word());
+                if (!specified.points) refuse("expected the points of the faces (Coordinate)");
+                made->faces.points = *specified.points;
             } else if (name == "coordIndex") {
                 if (peek() == "[") {
                     next();
@@ -450,8 +450,8 @@ private:
             }
             return true;
         });
-        for (auto& told : made->faces.faces) {
-            if (!is_ccw) std::ranges::reverse(told);
+        for (auto& specified : made->faces.faces) {
+            if (!is_ccw) std::ranges::reverse(specified);
         }
         return made;
     }

@@ -18,7 +18,7 @@ using cda::Vec3;
 using gcode::Position;
 using machine::Ball;
 using machine::Chain;
-using machine::Going;
+using machine::JointMotion;
 using machine::Values;
 
 struct JointPath::Course {
@@ -145,10 +145,10 @@ std::optional<Ball> JointPath::tip(double t0, double t1) const {
 //
 // The directions u, v, w are perpendicular, so the speed of each of x, y and z is at most the sum
 // of both terms' speeds.
-std::optional<Going> JointPath::going(double t0, const Values& from, double t1,
-                                      const Values& to) const {
+std::optional<JointMotion> JointPath::going(double t0, const Values& from, double t1,
+                                            const Values& to) const {
     const Course& c = *course_;
-    Going going;
+    JointMotion going;
     going.from = from;
     going.to = to;
     const double part = t1 - t0;

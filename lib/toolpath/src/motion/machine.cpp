@@ -23,10 +23,10 @@ Pose pose_at(const Position& p) {
     return machine::default_chain().pose(values_of(p));
 }
 
-Poses::Poses(const Kinematics* told, const gcode::Motion& motion)
+Poses::Poses(const Kinematics* specified, const gcode::Motion& motion)
     : of_tip_(motion.coordinates == gcode::Coordinates::Tip) {
-    if (told) {
-        chain_ = told->chain.placed(told->zero, motion.length.mm());
+    if (specified) {
+        chain_ = specified->chain.placed(specified->zero, motion.length.mm());
     } else if (of_tip_) {
         chain_ = machine::default_chain();
     }

@@ -49,8 +49,8 @@ Position between(const Position& a, const Position& b, double t) {
             angle(a.c, b.c),  length(a.u, b.u), length(a.v, b.v), length(a.w, b.w)};
 }
 
-Polar polar(const gcode::Arc& told) {
-    const gcode::Arc arc = gcode::in_own_frame(told);
+Polar polar(const gcode::Arc& specified) {
+    const gcode::Arc arc = gcode::in_own_frame(specified);
     const ArcAxes axes = axes_of(arc.plane);
     Polar p;
     p.centre_1 = arc.centre_1.mm();

@@ -582,8 +582,8 @@ std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses,
 }
 
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
-               const std::optional<cda::Box>& place, const Kinematics* told) {
-    const Poses poses(told, motion);
+               const std::optional<cda::Box>& place, const Kinematics* specified) {
+    const Poses poses(specified, motion);
     if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
         return sample_linear(motion, *linear, poses, tool, options, place);
     }

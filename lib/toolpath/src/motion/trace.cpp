@@ -53,7 +53,7 @@ std::int32_t depth(const Vec3& axis, const LatticePoint& tip, double low) {
 
 }  // namespace
 
-Liberties liberties_of(const Turning& turning, double slack_mm) {
+SweepSimplification liberties_of(const Turning& turning, double slack_mm) {
     return {turning.top_mm, slack_mm, turning.slab_mm};
 }
 
@@ -127,7 +127,7 @@ Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
 }
 
 void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-                   std::vector<cda::Cell>& cells, const Liberties& liberties) {
+                   std::vector<cda::Cell>& cells, const SweepSimplification& liberties) {
     const LatticePoint from = lattice_.round(X_WA.translation);
     const LatticePoint to = lattice_.round(X_WB.translation);
     const auto rank_of = [&](std::size_t piece) {
@@ -221,7 +221,8 @@ cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) 
     return box;
 }
 
-cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties) const {
+cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB,
+                        const SweepSimplification& liberties) const {
     if (X_WA.rows == X_WB.rows) return bounds(X_WA, X_WB, reach(X_WA));
     double kept = low_;
     for (const PieceExtent& piece : extent_.pieces) {

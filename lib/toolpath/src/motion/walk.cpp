@@ -149,14 +149,14 @@ std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
 
 Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
            const SamplingOptions& sampling, RapidPath rapid, const Watch& watch,
-           std::shared_ptr<const Kinematics> told)
+           std::shared_ptr<const Kinematics> specified)
     : lattice_(lattice),
       stock_(stock),
       accuracy_(accuracy),
       sampling_(sampling),
       rapid_(rapid),
       watch_(watch),
-      told_(std::move(told)),
+      specified_(std::move(specified)),
       place_(stock) {
     // Facets may be left out for the part of the allowed gain that steps do not use. Because the
     // number of steps is an integer, more than the least share remains, as a rule.
@@ -201,7 +201,7 @@ cda::Box Walk::Known::bounds(const Pose& X_WA, const Pose& X_WB) {
 
 // Fills cells_ or sweeps_ with the parts of the step that may meet the stock.
 void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-                 const Liberties& liberties) {
+                 const SweepSimplification& liberties) {
     Cutter& cutter = tool.cutter;
     cells_.clear();
     sweeps_.clear();
@@ -232,7 +232,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     const auto found = tools_.find(motion.tool);
     const gcode::Position* end = end_of(motion);
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
-    const Pose X_WT = Poses(told_.get(), motion).at(*end);
+    const Pose X_WT = Poses(specified_.get(), motion).at(*end);
     trace(found->second, X_WT, X_WT, origin, {});
     step({X_WT, X_WT, cells_, {}, {}, sweeps_, is_near_, {}, {}});
 }
@@ -345,7 +345,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     Known& tool = found->second;
     covering_.clear();
     straight_.clear();
-    if (const Linear* linear = told_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
+    if (const Linear* linear = specified_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
         const Pose X_WA{upright_, linear_axes(linear->from)};
         const Pose X_WB{upright_, linear_axes(linear->to)};
         if (X_WA == X_WB) return {};
@@ -362,7 +362,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     end_run();
     const bool goes_round = go_round(cutter, motion);
     if (passes_by_ && !has_legs && !goes_round && start_of(motion)) {
-        const Poses poses(told_.get(), motion);
+        const Poses poses(specified_.get(), motion);
         const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
         if (passes_by(tool, motion, poses, X_WA, X_WB)) {
             step({X_WA, X_WB, {}, covering_, straight_, {}, false, {}, {}});
@@ -377,8 +377,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
 
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
-        Samples samples = sample(part, followed, sampling_, place, told_.get());
-        Liberties liberties = liberties_of(samples.turning);
+        Samples samples = sample(part, followed, sampling_, place, specified_.get());
+        SweepSimplification liberties = liberties_of(samples.turning);
         // A rapid move is followed without slack, so it does not meet material where a cut has
         // been.
         if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {

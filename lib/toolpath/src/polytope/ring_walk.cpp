@@ -106,7 +106,8 @@ struct Step {
 // number of facets and the angle reached.
 class Walks {
 public:
-    Walks(const std::vector<RingPolygon>& family, Side side, const Play& play, int most_corners)
+    Walks(const std::vector<RingPolygon>& family, Side side, const ToleranceBand& play,
+          int most_corners)
         : family_(family),
           side_(side),
           most_corners_(most_corners),
@@ -537,7 +538,8 @@ private:
 }  // namespace
 
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
-                                    Side side, double unit_mm, const Play& play, int most_corners) {
+                                    Side side, double unit_mm, const ToleranceBand& play,
+                                    int most_corners) {
     return Walks(family, side, play, most_corners)(piece.profile, unit_mm);
 }
 

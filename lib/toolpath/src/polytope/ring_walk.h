@@ -31,7 +31,7 @@ struct RingStack {
 
 /// Largest depth of facets within the tool, and largest distance of corners outside, around rounded
 /// corners, in lattice units. Circumscribed: {0, tolerance}; inscribed: {tolerance, 0}.
-struct Play {
+struct ToleranceBand {
     double within = 0.0, beyond = 0.0;
 };
 
@@ -41,7 +41,8 @@ struct Play {
 ///
 /// Cost: O(rings · (polygons · choices)²), where choices are few.
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
-                                    Side side, double unit_mm, const Play& play, int most_corners);
+                                    Side side, double unit_mm, const ToleranceBand& play,
+                                    int most_corners);
 
 /// Returns how much farther the polytope reaches than the round tool, in lattice units, on average
 /// over the lower sides of rounded corners, weighted by the fourth power of the cosine between

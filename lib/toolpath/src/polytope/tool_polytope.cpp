@@ -274,7 +274,7 @@ private:
     // Returns the play for `tolerance`. Fair: if the corners of square facets on a sphere lie
     // outside by a third of the facets' depth from corner to middle, the polytope reaches as far as
     // the ball on average.
-    Play play(double tolerance) const {
+    ToleranceBand play(double tolerance) const {
         switch (side_) {
             case Side::Circumscribed: return {0.0, tolerance};
             case Side::Inscribed: return {tolerance, 0.0};
@@ -315,7 +315,7 @@ private:
         double low = 0.1, high = 0.9;
         for (int i = 0; i < kHalvings; ++i) {
             const double share = (low + high) / 2;
-            const Play play{(1 - share) * depth, share * depth};
+            const ToleranceBand play{(1 - share) * depth, share * depth};
             auto stack = ring_stack(piece_, best_.family, side_, unit_mm_, play, kMaxCorners);
             if (!stack) {
                 low = share;

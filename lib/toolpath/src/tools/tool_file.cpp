@@ -40,7 +40,7 @@ public:
         if (!is_complete(spec)) return tell(Message::NoDiameter, span, {number});
         ToolEntry entry;
         entry.spec = std::move(spec);
-        entry.told_by = ToldBy::Table;
+        entry.specified_by = ValueSource::Table;
         entry.span = span;
         entry.text = std::move(text);
         entry.file = file_;
@@ -265,7 +265,7 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
         box.add(*min), box.add(*max);
         const cda::Vec3 size = box.size();
         if (size.x > 0 && size.y > 0 && size.z > 0) {
-            result.stock = StockEntry{{box}, ToldBy::Table, {}, "the workpiece"};
+            result.stock = StockEntry{{box}, ValueSource::Table, {}, "the workpiece"};
         }
     }
     return true;

@@ -108,7 +108,7 @@ public:
             cda::Vec3 min{(-1 - zero_xy_.x) / 2 * size.x, (-1 - zero_xy_.y) / 2 * size.y,
                           zero_at_bed_ ? 0.0 : -size.z};
             set_stock({min, min + size}, block_span_, block_text_);
-            if (notes_.stock) notes_.stock->place_assumed = !zero_told_;
+            if (notes_.stock) notes_.stock->place_assumed = !zero_specified_;
         }
         if (start_) notes_.start = factor(start_->unit, inches_first_) * start_->value;
         return std::move(notes_);
@@ -220,14 +220,14 @@ private:
         if (whole && !block_) block_ = remark;
         switch (remark.what) {
             case What::Heading: size_expected_ = true; return;
-            case What::ZeroAtTop: zero_at_bed_ = false, zero_told_ = true; return;
-            case What::ZeroAtBed: zero_at_bed_ = true, zero_told_ = true; return;
+            case What::ZeroAtTop: zero_at_bed_ = false, zero_specified_ = true; return;
+            case What::ZeroAtBed: zero_at_bed_ = true, zero_specified_ = true; return;
             case What::Zero:
                 zero_xy_ = remark.first.value;
                 zero_at_bed_ = remark.first.value.z < 0.0;
-                zero_told_ = true;
+                zero_specified_ = true;
                 return;
-            case What::ZeroXY: zero_xy_ = remark.first.value, zero_told_ = true; return;
+            case What::ZeroXY: zero_xy_ = remark.first.value, zero_specified_ = true; return;
             case What::Elsewhere: size_is_elsewhere_ = true; return;
             case What::Size:
                 if (!size_) size_ = remark.first;
@@ -281,14 +281,15 @@ private:
             std::find_if(notes_.tools.begin(), notes_.tools.end(),
                          [&](const ToolEntry& e) { return e.spec.number == spec.number; });
         if (known == notes_.tools.end()) {
-            notes_.tools.push_back({std::move(spec), ToldBy::Comment, placed.span, placed.text});
+            notes_.tools.push_back(
+                {std::move(spec), ValueSource::Comment, placed.span, placed.text});
             certain_.push_back(placed.remark.certain);
             return;
         }
         const auto index = static_cast<std::size_t>(known - notes_.tools.begin());
         // A stated diameter takes precedence over a diameter in a name.
         if (placed.remark.certain && !certain_[index]) {
-            *known = {std::move(spec), ToldBy::Comment, placed.span, placed.text};
+            *known = {std::move(spec), ValueSource::Comment, placed.span, placed.text};
             certain_[index] = true;
         } else if (placed.remark.certain && known->spec.diameter && spec.diameter &&
                    std::abs(*known->spec.diameter - *spec.diameter) > 1e-3) {
@@ -306,7 +307,7 @@ private:
             notes_.diagnostics.push_back(gcode::diagnostic_of(Message::StockSize, span));
             return;
         }
-        notes_.stock = StockEntry{{box}, ToldBy::Comment, span, text};
+        notes_.stock = StockEntry{{box}, ValueSource::Comment, span, text};
     }
 
     ProgramNotes notes_;
@@ -319,7 +320,7 @@ private:
     std::optional<Triple> size_;  // without a position: Vectric, Kiri:Moto
     cda::Vec3 zero_xy_{-1, -1, 0};
     bool zero_at_bed_ = false;
-    bool zero_told_ = false;
+    bool zero_specified_ = false;
     bool size_is_elsewhere_ = false;
     bool size_expected_ = false;  // after "Material Size"
     bool in_list_ = false;        // after "Required tools:"

@@ -22,10 +22,10 @@ void judge_below_stock(const Setup& setup, const Move& move, FindingLog& log) {
     const double floor = setup.stock->min.z - setup.machine.below_stock;
     const double below = floor - move.path.min.z;
     if (below <= 1e-9) return;  // 1 pm: rounding of sums of decimal fractions
-    Sighting s{setup.machine.below_stock > 0.0
-                   ? fmt::format("goes deeper than the {:.6g} mm that are free below the stock",
-                                 setup.machine.below_stock)
-                   : "goes below the stock, where the table may be"};
+    Occurrence s{setup.machine.below_stock > 0.0
+                     ? fmt::format("goes deeper than the {:.6g} mm that are free below the stock",
+                                   setup.machine.below_stock)
+                     : "goes below the stock, where the table may be"};
     s.quantity = Quantity{"by", below, "mm"};
     s.box = move.path;
     s.assumptions = assumptions_of(setup, move);

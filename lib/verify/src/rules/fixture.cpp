@@ -20,7 +20,7 @@ std::string what_of(const Setup& setup, const Move& move, const FixtureContact& 
 
 std::optional<std::string> needs_fixtures(const Setup& setup) {
     if (auto reason = needs_simulation(setup)) return reason;
-    if (setup.machine.fixtures.empty() && !setup.machine.fixtures_told)
+    if (setup.machine.fixtures.empty() && !setup.machine.fixtures_specified)
         return "no fixtures are specified";
     return std::nullopt;
 }
@@ -28,8 +28,8 @@ std::optional<std::string> needs_fixtures(const Setup& setup) {
 void judge_fixture_contact(const Setup& setup, const Move& move, FindingLog& log) {
     for (const FixtureContact& contact : move.fixtures) {
         if (!contact.touches) continue;
-        Sighting s{fmt::format("{} meets the fixture '{}'", what_of(setup, move, contact),
-                               setup.machine.fixtures[contact.fixture].name)};
+        Occurrence s{fmt::format("{} meets the fixture '{}'", what_of(setup, move, contact),
+                                 setup.machine.fixtures[contact.fixture].name)};
         s.certainty = contact.certainty;
         s.rests_on = guesses_of(setup, move, contact.certainty);
         std::erase(s.rests_on, "stock-guess");  // fixtures do not depend on the stock
@@ -43,8 +43,9 @@ void judge_fixture_clearance(const Setup& setup, const Move& move, FindingLog& l
     for (const FixtureContact& contact : move.fixtures) {
         if (contact.touches) continue;
         const Fixture& fixture = setup.machine.fixtures[contact.fixture];
-        Sighting s{fmt::format("{} comes closer than {:.6g} mm to the fixture '{}'",
-                               what_of(setup, move, contact), fixture.clearance_mm, fixture.name)};
+        Occurrence s{fmt::format("{} comes closer than {:.6g} mm to the fixture '{}'",
+                                 what_of(setup, move, contact), fixture.clearance_mm,
+                                 fixture.name)};
         s.certainty = contact.certainty;
         s.rests_on = guesses_of(setup, move, contact.certainty);
         std::erase(s.rests_on, "stock-guess");  // fixtures do not depend on the stock

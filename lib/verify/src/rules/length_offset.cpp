@@ -20,7 +20,7 @@ constexpr double kSame = 1e-6;  // mm: rounding of decimal fractions and inches
 
 void tell(const Setup& setup, const Move& move, FindingLog& log, std::string_view rule,
           std::string message, std::optional<double> off) {
-    Sighting s{std::move(message)};
+    Occurrence s{std::move(message)};
     if (off) s.quantity = Quantity{"tip off by", *off, "mm"};
     s.lasts = true;
     s.box = move.path;
@@ -52,7 +52,7 @@ void judge_register(const Setup& setup, const Move& move, FindingLog& log) {
     const int tool = move.motion->tool;
     const int h = move.length_register;
     const Place place{move.motion->file, move.motion->span};
-    if (move.tool_length && move.length_told) {
+    if (move.tool_length && move.length_specified) {
         const double off = move.length_offset - *move.tool_length;
         if (std::abs(off) <= kSame) return;
         tell(setup, move, log, "wrong-length-offset",

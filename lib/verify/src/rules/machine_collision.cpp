@@ -48,9 +48,9 @@ std::vector<std::string_view> guesses_of_links(const Setup& setup, const Move& m
     return guesses;
 }
 
-Sighting sighting_of(const Setup& setup, const Move& move, const MachineContact& contact,
-                     std::string message) {
-    Sighting s{std::move(message)};
+Occurrence sighting_of(const Setup& setup, const Move& move, const MachineContact& contact,
+                       std::string message) {
+    Occurrence s{std::move(message)};
     s.lasts = true;
     s.certainty = contact.certainty;
     s.point = contact.point;
@@ -75,10 +75,10 @@ std::optional<std::string> needs_links(const Setup& setup) {
         return "the position of the work zero (G54) in the machine is not specified";
     std::string without;
     std::size_t count = 0;
-    const LinkBodies& told = setup.bodies->told();
-    for (std::size_t i = 0; i < told.links.size(); ++i) {
+    const LinkBodies& specified = setup.bodies->specified();
+    for (std::size_t i = 0; i < specified.links.size(); ++i) {
         if (setup.bodies->body(i)) continue;
-        without += fmt::format("{}'{}'", without.empty() ? "" : ", ", told.links[i].name);
+        without += fmt::format("{}'{}'", without.empty() ? "" : ", ", specified.links[i].name);
         ++count;
     }
     if (count == 0) return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<std::string> needs_links(const Setup& setup) {
 
 std::optional<std::string> needs_clearance(const Setup& setup) {
     if (auto reason = needs_links(setup)) return reason;
-    const auto& links = setup.bodies->told().links;
+    const auto& links = setup.bodies->specified().links;
     if (std::ranges::any_of(links, [](const LinkBody& l) { return l.clearance_mm > 0.0; }))
         return std::nullopt;
     return "no clearance of a link is specified (machine.toml, [[link]] clearance)";
@@ -97,8 +97,8 @@ std::optional<std::string> needs_clearance(const Setup& setup) {
 void judge_machine_collision(const Setup& setup, const Move& move, FindingLog& log) {
     for (const MachineContact& contact : move.machine) {
         if (!contact.touches) continue;
-        Sighting s = sighting_of(setup, move, contact,
-                                 fmt::format("{} meets {}", contact.second, contact.first));
+        Occurrence s = sighting_of(setup, move, contact,
+                                   fmt::format("{} meets {}", contact.second, contact.first));
         s.rests_on = guesses_of_links(setup, move, contact);
         if (contact.amount_mm > 0.0) s.quantity = Quantity{"deep", contact.amount_mm, "mm"};
         s.hint = fmt::format(
@@ -112,9 +112,10 @@ void judge_machine_collision(const Setup& setup, const Move& move, FindingLog& l
 void judge_machine_near_miss(const Setup& setup, const Move& move, FindingLog& log) {
     for (const MachineContact& contact : move.machine) {
         if (contact.touches) continue;
-        Sighting s = sighting_of(setup, move, contact,
-                                 fmt::format("{} comes closer than {:.6g} mm to {}", contact.second,
-                                             contact.clearance_mm, contact.first));
+        Occurrence s =
+            sighting_of(setup, move, contact,
+                        fmt::format("{} comes closer than {:.6g} mm to {}", contact.second,
+                                    contact.clearance_mm, contact.first));
         s.rests_on = guesses_of_links(setup, move, contact);
         if (contact.amount_mm > 0.0) s.quantity = Quantity{"apart", contact.amount_mm, "mm"};
         log.add("machine-near-miss", move, std::move(s));

@@ -27,7 +27,7 @@ std::optional<std::string> needs_bodies(const Setup& setup) {
     if (auto reason = needs_simulation(setup)) return reason;
     std::string neither, no_holder;
     for (const auto& [number, facts] : setup.tools) {
-        if (facts.holder_told) continue;
+        if (facts.holder_specified) continue;
         std::string& list = has_body(facts) ? no_holder : neither;
         list += fmt::format("{}T{}", list.empty() ? "" : ", ", number);
     }
@@ -50,7 +50,7 @@ void judge_non_cutting(const Setup& setup, const Move& move, FindingLog& log) {
         double diameter = 0.0;
         for (const toolpath::ProfilePoint& p : piece.profile)
             diameter = std::max(diameter, 2 * p.radius);
-        Sighting s{fmt::format(
+        Occurrence s{fmt::format(
             "the D{:.6g} segment of T{} from {:.6g} to {:.6g} mm above its tip, which does not "
             "cut, meets material",
             diameter, move.motion->tool, piece.profile.front().height,

@@ -47,8 +47,8 @@ void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
         const double way = move.way.size()[axis];
         const double beyond = way - (travel->max - travel->min);
         if (beyond <= kTravelRounding || way <= move.way_before.size()[axis]) continue;
-        Sighting s{fmt::format("the way in {} is longer than the travel of {:.6g} mm", "XYZ"[axis],
-                               travel -> max - travel -> min)};
+        Occurrence s{fmt::format("the way in {} is longer than the travel of {:.6g} mm",
+                                 "XYZ"[axis], travel -> max - travel -> min)};
         s.lasts = true;
         s.quantity = Quantity{"by", beyond, "mm"};
         s.box = move.path;
@@ -72,9 +72,9 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
         const double below = travel->min - move.machine_path->min[axis];
         const double above = move.machine_path->max[axis] - travel->max;
         if (below <= kTravelRounding && above <= kTravelRounding) continue;
-        Sighting s{fmt::format("{} runs beyond its {} end at {:.6g}", "XYZ"[axis],
-                               above > kTravelRounding ? "upper" : "lower",
-                               above > kTravelRounding ? travel->max : travel->min)};
+        Occurrence s{fmt::format("{} runs beyond its {} end at {:.6g}", "XYZ"[axis],
+                                 above > kTravelRounding ? "upper" : "lower",
+                                 above > kTravelRounding ? travel->max : travel->min)};
         s.quantity = Quantity{"by", std::max(below, above), "mm"};
         s.box = move.path;
         s.rests_on = guesses_of_place(setup, move);
@@ -121,9 +121,9 @@ void judge_rotary_over_travel(const Setup& setup, const Move& move, FindingLog& 
         const double below = travel->min - at, above = at - travel->max;
         const double beyond = std::max(below, above);
         if (beyond <= kRoundingDegrees || at == before) continue;
-        Sighting s{fmt::format("{} runs beyond its {} end at {:.6g} degrees", "ABC"[i],
-                               above > below ? "upper" : "lower",
-                               above > below ? travel->max : travel->min)};
+        Occurrence s{fmt::format("{} runs beyond its {} end at {:.6g} degrees", "ABC"[i],
+                                 above > below ? "upper" : "lower",
+                                 above > below ? travel->max : travel->min)};
         s.quantity = Quantity{"by", beyond, "degrees"};
         s.box = move.path;
         log.add("rotary-over-travel", move, std::move(s));

@@ -10,7 +10,7 @@ namespace ncsim::verify {
 
 void judge_path_accuracy(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.path_error_mm <= 0.0) return;
-    Sighting s{
+    Occurrence s{
         fmt::format("this move takes more steps than are made of one: its path is not followed "
                     "to {:.6g} mm",
                     setup.path_tolerance_mm)};

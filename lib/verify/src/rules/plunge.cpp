@@ -11,8 +11,8 @@ namespace ncsim::verify {
 void judge_plunge(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.plunged_mm <= 0.0) return;
     const ToolFacts* tool = facts_of(setup, move.motion->tool);
-    Sighting s{fmt::format("T{} goes down into material and does not cut at its centre (D{:.6g})",
-                           move.motion->tool, tool->blind_diameter.value_or(0.0))};
+    Occurrence s{fmt::format("T{} goes down into material and does not cut at its centre (D{:.6g})",
+                             move.motion->tool, tool->blind_diameter.value_or(0.0))};
     s.quantity = Quantity{"down", move.plunged_mm, "mm"};
     s.rests_on = guesses_of(setup, move);
     s.box = move.contact;

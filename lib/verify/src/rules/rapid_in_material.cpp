@@ -50,7 +50,7 @@ std::string kinematics_guess(const Setup& setup, const Move& move) {
     const auto add = [&guess](std::string_view what) {
         guess.append(guess.empty() ? "" : "; ").append(what);
     };
-    const bool has_length = move.length_register != gcode::kNoLength && move.length_told;
+    const bool has_length = move.length_register != gcode::kNoLength && move.length_specified;
     if (!of_tip && setup.kinematics && setup.kinematics->chain.has_head() && !has_length) {
         add(fmt::format(
             "the head turns a tool of {:g} mm, a length that is not specified (G43, tool "
@@ -103,8 +103,8 @@ std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
 
 void judge_rapid_in_material(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.motion->kind != gcode::MoveKind::Rapid || !move.meets_material) return;
-    Sighting s{move.arrives ? "rapid move ends in material, wherever it comes from"
-                            : "rapid move through material"};
+    Occurrence s{move.arrives ? "rapid move ends in material, wherever it comes from"
+                              : "rapid move through material"};
     if (move.volume_known) s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};
     s.sums = true;
     s.certainty = move.certainty;

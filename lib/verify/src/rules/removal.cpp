@@ -22,8 +22,8 @@ std::optional<std::string> needs_limit(const Setup& setup, std::optional<double>
     return fmt::format("no tool has a limit of its {}", what);
 }
 
-Sighting over(const Setup& setup, const Move& move, std::string message, Quantity quantity) {
-    Sighting s{std::move(message)};
+Occurrence over(const Setup& setup, const Move& move, std::string message, Quantity quantity) {
+    Occurrence s{std::move(message)};
     s.quantity = std::move(quantity);
     s.box = move.contact;
     s.assumptions = assumptions_of(setup, move);

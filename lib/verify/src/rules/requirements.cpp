@@ -14,7 +14,7 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
     if (requirement == "holder") {
         std::string without;
         for (const auto& [number, facts] : setup.tools) {
-            if (!facts.holder_told)
+            if (!facts.holder_specified)
                 without += fmt::format("{}T{}", without.empty() ? "" : ", ", number);
         }
         if (without.empty()) return std::nullopt;
@@ -36,8 +36,8 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
                            fmt::join(setup.inherited_modes, ", "));
     }
     if (requirement == "fixtures") {
-        const bool told = setup.machine.fixtures_told || !setup.machine.fixtures.empty();
-        if (told) return std::nullopt;
+        const bool specified = setup.machine.fixtures_specified || !setup.machine.fixtures.empty();
+        if (specified) return std::nullopt;
         return "fixtures: not specified; fixture = [] says that there are none";
     }
     if (requirement == "travels") {

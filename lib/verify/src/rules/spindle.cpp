@@ -15,8 +15,8 @@ using gcode::SpindleTurning;
 
 namespace {
 
-Sighting in_material(const Setup& setup, const Move& move, std::string message) {
-    Sighting s{std::move(message)};
+Occurrence in_material(const Setup& setup, const Move& move, std::string message) {
+    Occurrence s{std::move(message)};
     if (move.volume_known) s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};
     s.sums = true;
     s.lasts = true;
@@ -60,9 +60,9 @@ void judge_spindle_off(const Setup& setup, const Move& move, FindingLog& log) {
                 in_material(setup, move,
                             "feed move into material with the spindle on but no speed (S)"));
     } else {
-        Sighting s = in_material(setup, move,
-                                 "feed move into material after M0 or M1, which may "
-                                 "have stopped the spindle");
+        Occurrence s = in_material(setup, move,
+                                   "feed move into material after M0 or M1, which may "
+                                   "have stopped the spindle");
         s.rests_on.emplace_back("spindle-after-stop");
         log.add("spindle-off", move, std::move(s));
     }
@@ -78,10 +78,10 @@ void judge_spindle_reversed(const Setup& setup, const Move& move, FindingLog& lo
         return;
     }
     if (!move.asked || !move.meets_material) return;
-    Sighting s = in_material(setup, move,
-                             left ? "left-handed tool cuts with the spindle clockwise (M3)"
-                                  : "right-handed tool cuts with the spindle counter-clockwise "
-                                    "(M4)");
+    Occurrence s = in_material(setup, move,
+                               left ? "left-handed tool cuts with the spindle clockwise (M3)"
+                                    : "right-handed tool cuts with the spindle counter-clockwise "
+                                      "(M4)");
     if (!left) s.assumptions.emplace_back("tool: right-handed, unless a job specifies otherwise");
     log.add("spindle-reversed", move, std::move(s));
 }
@@ -101,7 +101,7 @@ void judge_spindle_limit(const Setup& setup, const Move& move, FindingLog& log) 
     }
     const double rpm = move.motion->spindle_rpm;
     const ToolFacts* tool = facts_of(setup, move.motion->tool);
-    Sighting s;
+    Occurrence s;
     s.lasts = true;
     s.quantity = Quantity{"speed", rpm, "rpm"};
     const auto most = tighter(setup.machine.max_rpm, tool ? tool->max_rpm : std::nullopt);
@@ -133,7 +133,8 @@ void judge_feed_limit(const Setup& setup, const Move& move, FindingLog& log) {
         log.end_row("feed-limit");
         return;
     }
-    Sighting s{fmt::format("feed above the {}'s limit of {:.6g} mm/min", most->whose, most->value)};
+    Occurrence s{
+        fmt::format("feed above the {}'s limit of {:.6g} mm/min", most->whose, most->value)};
     s.lasts = true;
     s.quantity = Quantity{"feed", *feed, "mm/min"};
     if (!setup.units_assumption.empty()) s.rests_on.emplace_back("units-guess");

@@ -9,7 +9,8 @@ namespace ncsim::verify {
 void judge_start_unknown(const Setup&, const Move& move, FindingLog& log) {
     if (!move.is_move || move.passes_above || toolpath::has_known_start(*move.motion)) return;
     const bool rapid = move.motion->kind == gcode::MoveKind::Rapid;
-    Sighting s{rapid ? "this rapid move starts at an unknown position; it was not verified"
+    Occurrence s{rapid
+                     ? "this rapid move starts at an unknown position; it was not verified"
                      : "this feed move starts at an unknown position; it cuts nothing and was not "
                        "verified"};
     // Every program begins with an unknown start: only a cut from there deserves a warning.

@@ -17,8 +17,8 @@ using gcode::MoveKind;
 namespace {
 
 // Returns an observation with the assumptions of the contact.
-Sighting seen(const Setup& setup, const Move& move, std::string message) {
-    Sighting s{std::move(message)};
+Occurrence seen(const Setup& setup, const Move& move, std::string message) {
+    Occurrence s{std::move(message)};
     s.lasts = true;
     s.rests_on = guesses_of(setup, move);
     s.box = move.contact;
@@ -59,10 +59,10 @@ void judge_tap_feed(const Setup& setup, const Move& move, FindingLog& log) {
     constexpr double kTolerance = 0.01;
     const double pitch = *feed / move.motion->spindle_rpm;
     if (std::abs(pitch - *tool->pitch) <= kTolerance * *tool->pitch) return;
-    Sighting s = seen(setup, move,
-                      fmt::format("T{} is a tap with a pitch of {:.4g} mm and is fed {:.4g} mm a "
-                                  "revolution",
-                                  move.motion->tool, *tool->pitch, pitch));
+    Occurrence s = seen(setup, move,
+                        fmt::format("T{} is a tap with a pitch of {:.4g} mm and is fed {:.4g} mm a "
+                                    "revolution",
+                                    move.motion->tool, *tool->pitch, pitch));
     s.quantity = Quantity{"feed", pitch, "mm/rev"};
     if (!setup.units_assumption.empty()) s.rests_on.emplace_back("units-guess");
     log.add("tap-feed", move, std::move(s));
@@ -87,10 +87,10 @@ void judge_drill_depth(const Setup& setup, const Move& move, FindingLog& log) {
     constexpr double kRounding = 1e-6;  // mm
     if (!tool || !tool->flute_length || move.hole_depth_mm <= *tool->flute_length + kRounding)
         return;
-    Sighting s = seen(setup, move,
-                      fmt::format("T{} drills deeper than its flutes of {:.6g} mm: chips stay in "
-                                  "the hole",
-                                  move.motion->tool, *tool->flute_length));
+    Occurrence s = seen(setup, move,
+                        fmt::format("T{} drills deeper than its flutes of {:.6g} mm: chips stay in "
+                                    "the hole",
+                                    move.motion->tool, *tool->flute_length));
     s.quantity = Quantity{"depth", move.hole_depth_mm, "mm"};
     log.add("drill-depth", move, std::move(s));
 }

@@ -17,7 +17,7 @@ namespace ncsim::verify {
 
 void judge_clamps(const Setup& /*setup*/, const Move& move, FindingLog& log) {
     if (!move.is_move || !move.motion->turns_clamped) return;
-    Sighting s{"an axis turns that is clamped"};
+    Occurrence s{"an axis turns that is clamped"};
     s.box = move.path;
     log.add("turns-while-clamped", move, std::move(s));
 }
@@ -42,7 +42,7 @@ void judge_singular_pose(const Setup& setup, const Move& move, FindingLog& log) 
     if (before == after) return;
     const double leans = norm(after - before) * 180.0 / std::numbers::pi;
     if (leans >= kHardly) return;
-    Sighting s{"a joint turns far where the tool hardly leans"};
+    Occurrence s{"a joint turns far where the tool hardly leans"};
     s.quantity = Quantity{"by", turn, "degrees"};
     s.box = move.path;
     log.add("singular-pose", move, std::move(s));
@@ -78,8 +78,8 @@ void judge_path_deviation(const Setup& setup, const Move& move, FindingLog& log)
         farthest = std::max(farthest, cda::distance_to_segment(tip, from, to));
     }
     if (farthest <= *setup.machine.path_deviation) return;
-    Sighting s{fmt::format("the tip leaves the straight line of its move by more than {:.6g} mm",
-                           *setup.machine.path_deviation)};
+    Occurrence s{fmt::format("the tip leaves the straight line of its move by more than {:.6g} mm",
+                             *setup.machine.path_deviation)};
     s.quantity = Quantity{"by", farthest, "mm"};
     s.box = move.path;
     s.rests_on = guesses_of(setup, move);

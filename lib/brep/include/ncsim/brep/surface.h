@@ -124,8 +124,8 @@ Off off(const Form& form, Vec3 p);
 
 /// Returns the same as the overloads with two parameters, for consecutive points: on envelopes the
 /// search for the nearest time starts from the last point's time, which the third parameter holds.
-Off off(const Form& form, Vec3 p, Beside& beside);
-double distance(const Form& form, Vec3 p, Beside& beside);
+Off off(const Form& form, Vec3 p, ProjectionSeed& beside);
+double distance(const Form& form, Vec3 p, ProjectionSeed& beside);
 
 /// Returns the unit normal that points out of the material.
 Vec3 outward(const Surface& surface, Vec3 p);

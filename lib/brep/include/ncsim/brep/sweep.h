@@ -17,7 +17,7 @@ using cda::Vec3;
 
 /// Tool at a time t, 0 at the start and 1 at the end: position of the tip and direction of the axis
 /// (unit), with the first and second derivatives by t.
-struct Passage {
+struct ToolFrame {
     Vec3 tip, speed, change;
     Vec3 axis, turn, bend;
 };
@@ -42,9 +42,9 @@ struct RoundWay {
 /// Path on which the axis may turn, as polynomials in s. powers[k] has the coefficients of s^k for
 /// X, Y, Z of the tip and X, Y, Z of the axis; s = -1 to 1 corresponds to t = -kBeyondEnds to 1 +
 /// kBeyondEnds.
-struct TurningWay {
+struct RotaryPath {
     std::vector<std::array<double, 6>> powers;
-    bool operator==(const TurningWay&) const = default;
+    bool operator==(const RotaryPath&) const = default;
 };
 inline constexpr double kBeyondEnds = 0.25;
 
@@ -57,11 +57,11 @@ struct TipAndAxis {
 /// Returns: the path, or no value if the polynomial misses `pose` between the interpolation points
 /// by more than 1e-9 mm (axes: at 100 mm), as for rotations of about a full turn.
 /// Cost: 66 calls of `pose`.
-std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& pose);
+std::optional<RotaryPath> turning_way(const std::function<TipAndAxis(double)>& pose);
 /// Returns the tool at time `t`.
-Passage passage(const TurningWay& way, double t);
+ToolFrame passage(const RotaryPath& way, double t);
 
-using ToolWay = std::variant<StraightWay, RoundWay, TurningWay>;
+using ToolWay = std::variant<StraightWay, RoundWay, RotaryPath>;
 
 /// Circular arc of a profile; about the tool's axis it generates a piece of a torus or of a sphere.
 /// `ring` is the distance of the arc's centre from the axis, `height` the centre's height above the
@@ -98,10 +98,10 @@ public:
     bool is_rim() const { return fillet() && fillet()->radius <= 0.0; }
     const ToolWay& way() const { return way_; }
     /// Returns the tool at time `t`.
-    Passage at(double t) const;
+    ToolFrame at(double t) const;
     /// Returns tool positions at equal steps from t = 0 to 1, dense enough to bracket the nearest
     /// time.
-    const std::vector<Passage>& samples() const { return samples_; }
+    const std::vector<ToolFrame>& samples() const { return samples_; }
     /// Length of the tip's path, nearly; for a flank, the longer of the paths on which its ends
     /// have their centres on the axis.
     double length_mm() const { return length_; }
@@ -111,14 +111,14 @@ public:
 private:
     Meridian meridian_;
     ToolWay way_;
-    std::vector<Passage> samples_;
+    std::vector<ToolFrame> samples_;
     double length_ = 0.0;
 };
 
 /// Element at one time, seen from a point: the closest point, with derivatives. For rims, `rate`,
 /// `drift` and `bend` are derivatives of off² / 2.
-struct Aspect {
-    Passage passage;
+struct ClosestPoint {
+    ToolFrame passage;
     double t = 0.0;
     Vec3 foot;          ///< Closest point of the element.
     double off = 0.0;   ///< Signed distance from the element, negative inside, mm.
@@ -128,7 +128,7 @@ struct Aspect {
     double bend = 0.0;  ///< Derivative of `rate` by t.
 };
 /// Returns the gradient of the nearest time with respect to the point.
-Vec3 gradient_of_time(const Aspect& aspect);
+Vec3 gradient_of_time(const ClosestPoint& aspect);
 
 /// Returns the height above the tip of the axis point at which the normal of `flank` ends that
 /// starts at the distance `along` from the lower end.
@@ -143,8 +143,8 @@ struct Around {
     Vec3 centre, ahead, up, side;  ///< The directions are unit and right-handed in this order.
 };
 /// Returns the frame of the sweep for the tool position `passage`.
-Around around(const Sweep& sweep, const Passage& passage);
+Around around(const Sweep& sweep, const ToolFrame& passage);
 /// Returns the velocity of the axis point at `height` above the tip, mm per unit of t.
-Vec3 velocity_at(const Passage& passage, double height);
+Vec3 velocity_at(const ToolFrame& passage, double height);
 
 }  // namespace ncsim::brep

@@ -42,7 +42,7 @@ struct Source {
     double beside_mm = 0.0;
     /// True if the motion may leave surfaces that are not listed. A facet that matches no candidate
     /// stays a facet, whatever its size.
-    bool leaves_unknown = false;
+    bool may_leave_other_surfaces = false;
 };
 
 /// Returns the surfaces that `motion` can leave.
@@ -73,10 +73,10 @@ struct Source {
 /// radii and rims unless the flat end is level somewhere; also the surfaces at rest.
 ///
 /// A null machine stands for the default machine; the machine may hold the tool or the part at any
-/// angle. Source::leaves_unknown is true if any surface is missing. The caller sets
+/// angle. Source::may_leave_other_surfaces is true if any surface is missing. The caller sets
 /// Source::error_mm.
 Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
-                   const toolpath::Kinematics* told);
+                   const toolpath::Kinematics* specified);
 
 /// Returns the surfaces of the stock: six planes, or a cylinder and two planes. Empty for stock
 /// from a file, whose facets stay facets.

@@ -96,7 +96,7 @@ public:
                                            const Lattice& lattice) const override;
     /// Cost: O(negative cells) box tests and one intersection per overlapping cell.
     double subtract(const Cell& cell) override;
-    Account account() const override;
+    RemovalByMotion account() const override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
     double volume() const override;

@@ -92,8 +92,8 @@ public:
     void settle() const;
     /// Computes the account in one pass over many cells at a time; the cost is about that of the
     /// insertion.
-    void keep_account() override;
-    Account account() const override;
+    void track_removal() override;
+    RemovalByMotion account() const override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
     /// Evaluates the blocks that changed since the last request.
@@ -153,7 +153,7 @@ private:
     void begin_settling(const std::function<bool(const Block&)>& goes) const;
     void finish_settling() const;
     void settle_all() const;
-    void tell_place(std::size_t number) const;
+    void mark_known(std::size_t number) const;
     Box near(const Box& bounds) const;
     void settle_near(const Box& bounds) const;
     void close_books() const;
@@ -194,7 +194,7 @@ private:
     CellsByWay recent_ways_, older_ways_;
     std::vector<bool> forgotten_;        // by cell number: true if the cell need not be inserted
     std::size_t forgotten_waiting_ = 0;  // upper bound of the forgotten cells that wait
-    mutable std::optional<Account> account_;  // cubic units; empty if no account is kept
+    mutable std::optional<RemovalByMotion> account_;  // cubic units; empty if no account is kept
     mutable TreeCounts counts_;
     mutable std::vector<std::vector<double>>
         volumes_asked_;  // by request and own block, cubic units; only for a tile

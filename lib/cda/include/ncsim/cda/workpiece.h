@@ -41,13 +41,13 @@ public:
 };
 
 /// Volume that the cells of one origin removed from a part.
-struct Taking {
+struct RemovedVolume {
     double volume = 0.0;  ///< mm³
     Box bounds;           ///< Box around the cells that removed volume, mm; empty if no cell did.
-    bool operator==(const Taking&) const = default;
+    bool operator==(const RemovedVolume&) const = default;
 };
 /// Removed volumes by origin.
-using Account = std::map<Origin, Taking>;
+using RemovalByMotion = std::map<Origin, RemovedVolume>;
 
 /// Places where a part is thinner than a model of limited resolution can represent.
 struct ThinPlaces {
@@ -109,9 +109,9 @@ public:
         throw CannotAnswer(name(), "what a round tool takes away");
     }
     /// Starts the account of the volume that the cells of each origin remove.
-    virtual void keep_account() {}
+    virtual void track_removal() {}
     /// Returns the account. Volumes below 1e-15 of the stock are returned as 0.
-    virtual Account account() const = 0;
+    virtual RemovalByMotion account() const = 0;
     /// Draws every facet once with masks, in an order that depends only on the input.
     virtual void render(FacetCanvas& canvas) const = 0;
     virtual std::unique_ptr<WorkpieceModel> clone() const = 0;

@@ -70,7 +70,7 @@ public:
     bool takes_sweeps() const override { return true; }
     void subtract_sweep(const cda::RoundSweep& sweep) override;
     /// Throws: cda::CannotAnswer.
-    cda::Account account() const override;
+    cda::RemovalByMotion account() const override;
     void render(cda::FacetCanvas& canvas) const override;
     std::unique_ptr<cda::WorkpieceModel> clone() const override;
     /// Returns the mean of the volumes of the directions.

@@ -31,7 +31,7 @@ enum class DefaultUnits : std::uint8_t { Millimetres, Inches };
 struct ToolTableEntry {
     int number = 0;
     std::array<Length, 3> offset{};  ///< X, Y, Z.
-    bool length_told = false;        ///< `offset` is specified; otherwise `offset` is 0 by default.
+    bool length_specified = false;   ///< `offset` is specified; otherwise `offset` is 0 by default.
     std::optional<Length> diameter;  ///< Diameter for G41 and G42.
     bool operator==(const ToolTableEntry&) const = default;
 };
@@ -112,7 +112,7 @@ struct InterpreterOptions {
     /// unspecified origin and another origin is unknown.
     std::array<Position, 9> work_offsets{};
     /// True for each system whose origin is specified.
-    std::array<bool, 9> work_offsets_told{};
+    std::array<bool, 9> work_offsets_specified{};
     std::map<int, Position> extended_offsets;  ///< Specified origins of G54.1 Pn, by n.
     /// Position of the tool at the start of the program, in the coordinates of G54; an empty
     /// coordinate is unknown.

@@ -42,7 +42,7 @@ public:
 
     /// Choice among several solutions: the preference of the machine, or the first joint in the
     /// kinematic chain moves up or down.
-    enum class Way : unsigned char { Told, Up, Down };
+    enum class Way : unsigned char { Specified, Up, Down };
     /// Joint values that orient the tool; without `joints` there is no solution, and `why_not`
     /// states the reason.
     struct Turned {

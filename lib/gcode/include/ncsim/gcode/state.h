@@ -117,7 +117,7 @@ struct MachineState {
     CutterSide cutter_side = CutterSide::Off;
     double cutter_radius = 0.0;       ///< Active units; with `cutter_side`.
     int length_register = kNoLength;  ///< H of G43, or a LengthRegister.
-    bool length_told = false;         ///< The length of `length_register` is specified.
+    bool length_specified = false;    ///< The length of `length_register` is specified.
     /// Length of the tool in the spindle, mm; empty: unspecified.
     std::optional<double> tool_length;
     /// M code (M428 …) that last chose the kinematics, if unspecified; 0: none.
@@ -202,7 +202,7 @@ struct ProgramFrame {
     double rotation = 0.0;
     Plane plane = Plane::XY;
     int length_register = kNoLength;
-    bool length_told = false;  ///< The length of `length_register` is specified.
+    bool length_specified = false;  ///< The length of `length_register` is specified.
     /// Length of the tool in the spindle, mm; empty: unspecified.
     std::optional<double> tool_length;
     bool operator==(const ProgramFrame&) const = default;

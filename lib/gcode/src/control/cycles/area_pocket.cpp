@@ -73,7 +73,7 @@ std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double 
 }  // namespace
 
 /// Starts recording moves instead of making moves, at X and Y of the G150 block.
-bool Machine::begin_outline(const Command& command) {
+bool Machine::begin_contour(const Command& command) {
     if (control_.corner) settle_corner();
     Axes start{};
     AxisMask mask = 0;
@@ -93,7 +93,7 @@ bool Machine::begin_outline(const Command& command) {
 void Machine::end_outline() {
     if (control_.corner) settle_corner();
     restore(outline_->before);
-    heard_ = std::move(outline_->moves);
+    contour_ = std::move(outline_->moves);
     heard_well_ = !outline_->is_foreign;
     outline_.reset();
 }
@@ -169,10 +169,10 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
         return needs("an increment of depth (Q) above 0, and not that small");
 
     // The outline without the line from the starting hole; must be closed.
-    if (!heard_well_ || heard_.size() < 2) return needs("an outline of G1, G2 and G3 in X and Y");
-    if (heard_.front().turns != 0)
+    if (!heard_well_ || contour_.size() < 2) return needs("an outline of G1, G2 and G3 in X and Y");
+    if (contour_.front().turns != 0)
         return needs("a line (G1) from the starting hole to the outline");
-    const std::vector<OutlineMove> loop(heard_.begin() + 1, heard_.end());
+    const std::vector<OutlineMove> loop(contour_.begin() + 1, contour_.end());
     const double unit = state_.unit_mm();
     if (trig::length_of(loop.back().to.x - loop.front().from.x,
                         loop.back().to.y - loop.front().from.y) > kMeets / unit) {

@@ -32,7 +32,7 @@ bool Machine::carry_zero(const Command& command) {
     if (code == Code::G255) return true;
     const SourceSpan span = span_of_g(command, code);
     if (!options_.joints || !options_.joints->turns())
-        return stop_with(Message::TurningUntold, span, {name_of(code)});
+        return stop_with(Message::RotaryUnspecified, span, {name_of(code)});
     if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
         return stop_with(Message::PlaneForbids, span, {name_of(code)});
     if (!is_turned()) return true;
@@ -59,11 +59,11 @@ const TableOffsets& Machine::table_offsets() const {
 /// Returns the displacement of the zero with the rotary axes of `stand`, in machine coordinates,
 /// active units.
 std::array<double, 3> Machine::carried_at(const Axes& stand) const {
-    const TableOffsets::One& told = table_offsets().by_number.at(state_.table_offset);
+    const TableOffsets::One& specified = table_offsets().by_number.at(state_.table_offset);
     Axes from{};
     for (std::size_t i = 0; i < 3; ++i)
-        from[kA + i] = told.at[i];
-    std::array<double, 3> shift = options_.joints->with_table(told.offset, from, stand);
+        from[kA + i] = specified.at[i];
+    std::array<double, 3> shift = options_.joints->with_table(specified.offset, from, stand);
     for (double& component : shift)
         component /= state_.unit_mm();
     return shift;
@@ -74,19 +74,19 @@ std::array<double, 3> Machine::carried_at(const Axes& stand) const {
 bool Machine::offset_table(const Command& command, Code code) {
     const SourceSpan span = span_of_g(command, code);
     const bool is_setting_error = code == Code::G54_4;
-    const TableOffsets& told =
+    const TableOffsets& specified =
         is_setting_error ? options_.setting_errors : options_.fixture_offsets;
     if (!options_.joints || !options_.joints->turns())
-        return stop_with(Message::TurningUntold, span, {name_of(code)});
+        return stop_with(Message::RotaryUnspecified, span, {name_of(code)});
     const double p = command.get('P', -1.0);
     if (!(p >= 0.0 && p == std::floor(p) && p < 1e9))
         return stop_with(Message::PlaneForm, span, {name_of(code), "the number of an offset (P)"});
     const int number = static_cast<int>(p);
     const std::string name = std::to_string(number);
-    if (!told.moves || (number != 0 && !told.by_number.contains(number))) {
+    if (!specified.moves || (number != 0 && !specified.by_number.contains(number))) {
         return stop_with(
-            is_setting_error ? Message::SettingErrorUntold : Message::FixtureOffsetUntold, span,
-            {name});
+            is_setting_error ? Message::SettingErrorUnspecified : Message::FixtureOffsetUnspecified,
+            span, {name});
     }
     if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
         return stop_with(Message::CarriedUnderTip, span, {name_of(code)});
@@ -94,7 +94,8 @@ bool Machine::offset_table(const Command& command, Code code) {
         return stop_with(Message::ForbiddenWithCompensation, span, {name_of(code)});
     if (state_.carried && (state_.table_offset == 0 || state_.is_setting_error != is_setting_error))
         return stop_with(Message::TwoCarried, span, {name_of(code)});
-    if (number != 0 && !take_setting(told.by_number.at(number), told, name, span)) return false;
+    if (number != 0 && !take_setting(specified.by_number.at(number), specified, name, span))
+        return false;
     const Axes machine = machine_position();
     state_.table_offset = number;
     state_.is_setting_error = is_setting_error;
@@ -104,7 +105,7 @@ bool Machine::offset_table(const Command& command, Code code) {
         state_.carried = carried_at(stand());
         state_.carried_home = carried_at({});
     }
-    if (!*told.moves) {
+    if (!*specified.moves) {
         recompute_position(machine);
     } else if (!command.axis_words || command.axes_are_taken()) {
         // Moves by the displacement of the zero; no axis counts as named.

@@ -107,7 +107,7 @@ bool Machine::choose_kinematics(const Command& command, bool by_number, SourceSp
         return true;
     }
     if (p != std::floor(p) || p < 0.0 || p >= static_cast<double>(known.size()))
-        return stop_with(Message::KinematicsUntold, span, {"G12.1"});
+        return stop_with(Message::KinematicsUnspecified, span, {"G12.1"});
     choose(known[static_cast<std::size_t>(p)]);
     return true;
 }

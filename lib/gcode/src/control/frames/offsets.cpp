@@ -249,7 +249,7 @@ bool Machine::offset_92(const Command& command, Code code) {
                 state_.zero_92[i] = offset[i];
                 state_.is_zero_by_hand[i] = true;
                 path_.record_offset(state_.system);
-                tell_place(i);
+                mark_known(i);
             }
             if (code != Code::G52) state_.is_at_start = false;
             for (std::size_t i = 0; i < offset.size(); ++i)
@@ -364,7 +364,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     assume_same_zero(machine);
     use_system(machine);
     for (std::size_t i = kX; from_position && i <= kZ; ++i) {
-        if (command.has(kAxisNames[i]) && !is_known(i)) tell_place(i);
+        if (command.has(kAxisNames[i]) && !is_known(i)) mark_known(i);
     }
     return true;
 }
@@ -401,7 +401,7 @@ ToolTableEntry* Machine::register_of(int index) {
     auto entry = std::ranges::find(tools, index, &ToolTableEntry::number);
     if (entry == tools.end()) {
         if (tools.size() > 10'000) return nullptr;
-        tools.push_back({.number = index, .offset = {}, .length_told = false, .diameter = {}});
+        tools.push_back({.number = index, .offset = {}, .length_specified = false, .diameter = {}});
         entry = tools.end() - 1;
     }
     return &*entry;
@@ -441,11 +441,11 @@ void Machine::set_register_value(ToolTableEntry& entry, bool of_length, bool is_
     const double sum =
         of_length ? entry.offset[2].mm() : entry.diameter.value_or(Length()).mm() / 2.0;
     double whole = sum - worn;  // Value without the wear.
-    double& told = is_wear ? worn : whole;
-    told = adds ? told + mm : mm;
+    double& specified = is_wear ? worn : whole;
+    specified = adds ? specified + mm : mm;
     if (of_length) {
         entry.offset[2] = Length::from_mm(whole + worn);
-        entry.length_told = true;
+        entry.length_specified = true;
         if (entry.number == state_.tool) state_.tool_length = gauge_length();
     } else {
         entry.diameter = Length::from_mm(2.0 * (whole + worn));
@@ -456,9 +456,9 @@ void Machine::set_register_value(ToolTableEntry& entry, bool of_length, bool is_
 /// tool's diameter is specified, the nearer of diameter and radius decides. Wear counts as a
 /// diameter.
 bool Machine::is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const {
-    const auto& told = options_.tools;
-    const auto tool = std::ranges::find(told, entry.number, &ToolTableEntry::number);
-    if (is_wear || tool == told.end() || !tool->diameter) return true;
+    const auto& specified = options_.tools;
+    const auto tool = std::ranges::find(specified, entry.number, &ToolTableEntry::number);
+    if (is_wear || tool == specified.end() || !tool->diameter) return true;
     const double diameter = tool->diameter->mm();
     return std::abs(mm - diameter) <= std::abs(mm - diameter / 2.0);
 }
@@ -480,7 +480,7 @@ bool Machine::set_tool_data(const Command& command, int index) {
             l == 1 ? value : machine[i] - zero[i] - value - (l == 10 ? state_.offset_92[i] : 0.0);
         entry->offset[i] = Length::from_mm(unit * offset);
     }
-    entry->length_told |= command.has('Z');
+    entry->length_specified |= command.has('Z');
     if (command.has('R')) entry->diameter = Length::from_mm(2.0 * unit * command['R']);
     if (index == state_.tool) state_.tool_length = gauge_length();
     return true;
@@ -489,19 +489,19 @@ bool Machine::set_tool_data(const Command& command, int index) {
 // --- Tools ---
 
 /// Returns the specified length of `tool`, mm; nullopt if unspecified.
-std::optional<double> Machine::told_length(int tool) const {
+std::optional<double> Machine::specified_length(int tool) const {
     const auto entry = std::ranges::find(control_.store->tools, tool, &ToolTableEntry::number);
-    if (entry == control_.store->tools.end() || !entry->length_told) return std::nullopt;
+    if (entry == control_.store->tools.end() || !entry->length_specified) return std::nullopt;
     return entry->offset[2].mm();
 }
 
 /// Returns the length of the tool in the spindle, mm: the value specified before the program
 /// starts, even if the program changes the register; otherwise the value of the register.
 std::optional<double> Machine::gauge_length() const {
-    const auto& told = options_.tools;
-    const auto entry = std::ranges::find(told, state_.tool, &ToolTableEntry::number);
-    if (entry != told.end() && entry->length_told) return entry->offset[2].mm();
-    return told_length(state_.tool);
+    const auto& specified = options_.tools;
+    const auto entry = std::ranges::find(specified, state_.tool, &ToolTableEntry::number);
+    if (entry != specified.end() && entry->length_specified) return entry->offset[2].mm();
+    return specified_length(state_.tool);
 }
 
 /// Returns the register of G43. H0 is no offset, except on LinuxCNC, where H0 is the tool in the
@@ -517,13 +517,13 @@ bool Machine::set_tool_length(const Command& command) {
     state_.by_vector = false;
     if (rules_.strict && command.has('H') && !check_tool(command, 'H')) return false;
     if (code == Code::G43_5 && !options_.joints) {
-        return stop_with(Message::TurningUntold, span_of_g(command, code), {name_of(code)});
+        return stop_with(Message::RotaryUnspecified, span_of_g(command, code), {name_of(code)});
     }
     if (code == Code::G43_4 || code == Code::G43_5 || code == Code::G234) {
         // Haas fixes the frame to the table at rotary positions 0.
         if (is_turned() && code != Code::G234 && !options_.tip_control.frame_at_zero) {
             stopped_ = true;
-            return fail(Message::TipFrameUntold, span_of_g(command, code));
+            return fail(Message::TipFrameUnspecified, span_of_g(command, code));
         }
         state_.tip_by_length = true;
         state_.by_vector = code == Code::G43_5;
@@ -534,7 +534,7 @@ bool Machine::set_tool_length(const Command& command) {
     }
     const double unit = state_.unit_mm();
     state_.length_register = code == Code::G49 ? kNoLength : kStatedLength;
-    state_.length_told = code == Code::G43_1;
+    state_.length_specified = code == Code::G43_1;
     Axes offset{};
     if (code == Code::G43_1) {
         for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
@@ -546,7 +546,7 @@ bool Machine::set_tool_length(const Command& command) {
             offset = state_.tool_offset;
         } else {
             state_.length_register = code == Code::G44 && h != 0 ? kNegatedLength : h;
-            state_.length_told = told_length(h).has_value();
+            state_.length_specified = specified_length(h).has_value();
         }
         const auto entry = std::ranges::find(control_.store->tools, h, &ToolTableEntry::number);
         if (entry != control_.store->tools.end()) {

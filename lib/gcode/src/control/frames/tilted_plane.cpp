@@ -32,7 +32,7 @@ Axes Machine::stand() const {
 }
 
 /// Converts axis positions of JointSolver to machine_position() coordinates.
-Axes Machine::from_stand(const Axes& stand) const {
+Axes Machine::from_axis_positions(const Axes& stand) const {
     Axes at = stand;
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (!is_rotary(i)) at[i] /= state_.unit_mm();
@@ -79,7 +79,7 @@ void Machine::take_coordinates(Coordinates coordinates) {
         mix_knowledge();
         if (!joints) set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
     }
-    recompute_position(from_stand(at));
+    recompute_position(from_axis_positions(at));
     ++state_.length_changes;
 }
 
@@ -133,9 +133,9 @@ bool Machine::hides_joints() const {
 /// that bring the tip to `end`.
 bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) {
     const Axes start = state_.position;
-    const bool tells_lengths = (mask & ~kRotaryAxes) != 0;
+    const bool has_lengths = (mask & ~kRotaryAxes) != 0;
     Axes target;
-    if (tells_lengths) {
+    if (has_lengths) {
         state_.position = end;
         target = stand();
         state_.position = start;
@@ -150,10 +150,10 @@ bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) 
         turned[i] = end[i];
     const Suspended before = as_joints();
     Axes goal = state_.position;
-    if (tells_lengths) goal = from_machine(from_stand(target));
+    if (has_lengths) goal = from_machine(from_axis_positions(target));
     for (std::size_t i = kA; i <= kC; ++i)
         goal[i] = turned[i];
-    path_.straight(state_, goal, kind, tells_lengths ? kAllAxes : mask);
+    path_.straight(state_, goal, kind, has_lengths ? kAllAxes : mask);
     resume(before);
     return true;
 }
@@ -195,12 +195,12 @@ bool Machine::set_plane(const Command& command) {
     if (code == Code::None) return true;
     const SourceSpan span = span_of_g(command, code);
     if (!options_.joints || !options_.joints->turns())
-        return stop_with(Message::TurningUntold, span, {name_of(code)});
+        return stop_with(Message::RotaryUnspecified, span, {name_of(code)});
     if (state_.cutter_side != CutterSide::Off)
         return stop_with(Message::ForbiddenWithCompensation, span, {name_of(code)});
     const PlaneDialect dialect = dialect_of(code, rules_);
     const bool waits = dialect == PlaneDialect::LinuxCnc;  // LinuxCNC activates the plane at G53.1.
-    const auto& told = control_.store->told_plane;
+    const auto& specified = control_.store->specified_plane;
     std::optional<FeatureFrame> frame;
     if (code == Code::G68_3) {
         frame = plane_of_tool(command, dialect);
@@ -214,13 +214,13 @@ bool Machine::set_plane(const Command& command) {
         if (!read.frame) return true;  // Further blocks of the definition follow.
         frame = read.frame;
         if (code == Code::G68_4) {
-            const auto& base = waits && told ? told : state_.plane_frame;
+            const auto& base = waits && specified ? specified : state_.plane_frame;
             if (!base) return stop_with(Message::NoPlane, span, {name_of(code)});
             frame = *base * *frame;
         }
     }
     if (waits) {
-        control_.store.change().told_plane = frame;
+        control_.store.change().specified_plane = frame;
         return true;
     }
     take_coordinates(Coordinates::Tip);
@@ -253,9 +253,9 @@ std::optional<FeatureFrame> Machine::plane_of_tool(const Command& command, Plane
 }
 
 void Machine::end_plane() {
-    if (control_.store->told_plane || !(control_.store->plane_parts == PlaneParts{})) {
+    if (control_.store->specified_plane || !(control_.store->plane_parts == PlaneParts{})) {
         Store& store = control_.store.change();
-        store.told_plane.reset();
+        store.specified_plane.reset();
         store.plane_parts = {};
     }
     if (!state_.plane_frame) return;
@@ -276,7 +276,7 @@ std::optional<Axes> Machine::turned_to(const Triple& axis, JointSolver::Way way,
         stop_with(Message::Unreachable, span, {name_of(code), turned.why_not});
         return std::nullopt;
     }
-    return from_machine(from_stand(*turned.joints));
+    return from_machine(from_axis_positions(*turned.joints));
 }
 
 /// G53.1 and similar codes: turn the tool normal to the plane.
@@ -285,21 +285,21 @@ bool Machine::orient(const Command& command) {
     if (code == Code::None) return true;
     const SourceSpan span = span_of_g(command, code);
     if (!options_.joints || !options_.joints->turns())
-        return stop_with(Message::TurningUntold, span, {name_of(code)});
-    if (!state_.plane_frame && !control_.store->told_plane)
+        return stop_with(Message::RotaryUnspecified, span, {name_of(code)});
+    if (!state_.plane_frame && !control_.store->specified_plane)
         return stop_with(Message::NoPlane, span, {name_of(code)});
     const bool linuxcnc = rules_.linuxcnc_planes;
-    JointSolver::Way way = JointSolver::Way::Told;
+    JointSolver::Way way = JointSolver::Way::Specified;
     if (linuxcnc) {
         const double p = command.get('P', 0.0);
         if (p != 0.0 && p != 1.0 && p != 2.0)
             return stop_with(Message::PlaneForm, span, {name_of(code), "P0, P1 or P2"});
         if (p != 0.0) way = p == 1.0 ? JointSolver::Way::Up : JointSolver::Way::Down;
     }
-    if (const auto told = control_.store->told_plane) {
+    if (const auto specified = control_.store->specified_plane) {
         take_coordinates(Coordinates::Tip);
-        set_plane_frame(told);
-        control_.store.change().told_plane.reset();
+        set_plane_frame(specified);
+        control_.store.change().specified_plane.reset();
     }
     const auto turned = turned_to({0, 0, 1}, way, code, span);
     if (!turned) return false;
@@ -346,7 +346,7 @@ bool Machine::turn_to_vector(const Command& command, Axes& end, AxisMask& mask) 
         return stop_with(Message::PlaneForm, span, {"G43.5", "a direction that has a length"});
     for (double& component : axis)
         component /= length;
-    const auto turned = turned_to(axis, JointSolver::Way::Told, Code::G43_5, span);
+    const auto turned = turned_to(axis, JointSolver::Way::Specified, Code::G43_5, span);
     if (!turned) return false;
     for (std::size_t i = kA; i <= kC; ++i)
         end[i] = (*turned)[i];

@@ -105,10 +105,12 @@ bool Machine::arc(const Command& command, bool clockwise) {
         if (!by_radius) shorten(out, radius, name, command.span);
         if (is_straight(out, radius)) return feed_straight(out.end, MoveKind::Feed, mask);
     }
-    if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
-    if (state_.just_left_compensation && !tolerate(Message::CompensationExit, command.span))
+    const bool is_first = !compensation_.is_on() || rules_.is_linuxcnc();
+    if (is_first && state_.just_left_compensation &&
+        !tolerate(Message::CompensationExit, command.span))
         return false;
     state_.just_left_compensation = false;
+    if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
     path_.arc(state_, out, mask);
     return true;
 }

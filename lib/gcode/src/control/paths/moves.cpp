@@ -224,14 +224,14 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
 
 bool Machine::straight(const Command& command, MoveKind kind) {
     if (command.group(Group::OneShot) != Code::G53 || !hides_joints())
-        return straight_as_told(command, kind);
+        return straight_as_specified(command, kind);
     const Suspended before = as_joints();
-    const bool done = straight_as_told(command, kind);
+    const bool done = straight_as_specified(command, kind);
     resume(before);
     return done;
 }
 
-bool Machine::straight_as_told(const Command& command, MoveKind kind) {
+bool Machine::straight_as_specified(const Command& command, MoveKind kind) {
     Axes end{};
     AxisMask mask = 0;
     const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));

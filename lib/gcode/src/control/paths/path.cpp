@@ -47,7 +47,7 @@ ProgramFrame frame_of(const MachineState& state) {
     frame.rotation = state.rotation;
     frame.plane = state.plane;
     frame.length_register = state.length_register;
-    frame.length_told = state.length_told;
+    frame.length_specified = state.length_specified;
     frame.tool_length = state.tool_length;
     return frame;
 }
@@ -253,7 +253,7 @@ void Path::compare_offset(const ProgramFrame& frame, const OriginFrame& origin_f
     const Position* specified = nullptr;
     if (system <= kNamed) {
         const auto index = static_cast<std::size_t>(system - 1);
-        if (options_.work_offsets_told[index]) specified = &options_.work_offsets[index];
+        if (options_.work_offsets_specified[index]) specified = &options_.work_offsets[index];
     } else if (const auto found = options_.extended_offsets.find(system - kNamed);
                found != options_.extended_offsets.end()) {
         specified = &found->second;

@@ -19,7 +19,7 @@ struct Travel {
 using Travels = std::map<char, Travel>;
 
 /// Preference among solutions, by the motion or the end position of the master joint.
-enum class Prefer {
+enum class SolutionPreference {
     Shortest,   ///< Shortest motion.
     WayUp,      ///< Positive motion only (LinuxCNC's tilted planes, P1).
     WayDown,    ///< Negative motion only (P2).
@@ -32,11 +32,12 @@ enum class Prefer {
 /// unless the chain has exactly two rotary joints.
 const Joint* master_of(const Chain& chain);
 
-/// Returns the best solution of turns_for(), including whole turns within `travels`. The order of
-/// criteria is: least motion of the master joint, least motion of the second rotary joint, master
-/// position nearest to 0, second position nearest to 0. No value if no solution is allowed.
-/// Source: Fanuc 16i/18i-MB operator's manual, "Angle of rotation axis".
+/// Returns the best solution of orientation_solutions(), including whole turns within `travels`.
+/// The order of criteria is: least motion of the master joint, least motion of the second rotary
+/// joint, master position nearest to 0, second position nearest to 0. No value if no solution is
+/// allowed. Source: Fanuc 16i/18i-MB operator's manual, "Angle of rotation axis".
 std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& now,
-                            const Travels& travels = {}, Prefer prefer = Prefer::Shortest);
+                            const Travels& travels = {},
+                            SolutionPreference prefer = SolutionPreference::Shortest);
 
 }  // namespace ncsim::machine

@@ -25,7 +25,7 @@ Pose inverse(const Pose& X_AB);
 
 /// Motion of the joints over a stretch whose parameter runs from 0 to 1. All joints except X, Y and
 /// Z move linearly from `from` to `to`.
-struct Going {
+struct JointMotion {
     Values from{}, to{};
     std::array<double, 3> speed{};  ///< Bounds of the speeds of X, Y and Z, mm.
     double all_speed = 0.0;         ///< Bound of the speed of X, Y and Z together, mm.
@@ -47,6 +47,6 @@ struct Ball {
 ///
 /// joint by joint from the body on; X, Y and Z are perpendicular. Each point stays within `speed`
 /// of its start, and within bend / 8 of the chord between its ends.
-Ball moved(const Chain& chain, const Going& going, Ball body);
+Ball moved(const Chain& chain, const JointMotion& going, Ball body);
 
 }  // namespace ncsim::machine

@@ -32,7 +32,7 @@ struct ProgramFacts {
     std::array<bool, 3> turns{};  ///< True for A, B, C if the program rotates about X, Y, Z.
     std::string rotation;         ///< Text: how the rotation moves the tool.
     /// Axes X, Y, Z that the program never specifies although it cuts; the positions count as 0.
-    std::array<bool, 3> untold{};
+    std::array<bool, 3> unspecified{};
     /// Rapid moves of several of X, Y and Z: the boxes of the moves, mm in W, and the blocks. A
     /// machine may move straight or as a dog-leg.
     struct SlantingRapid {

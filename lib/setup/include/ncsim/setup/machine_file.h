@@ -98,7 +98,7 @@
 #include "ncsim/gcode/interpretation.h"
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/machine_body.h"
-#include "ncsim/setup/told_kinematics.h"
+#include "ncsim/setup/specified_kinematics.h"
 #include "ncsim/verify/machine.h"
 #include "ncsim/verify/setup.h"
 
@@ -117,7 +117,7 @@ struct MachineFile {
     verify::MachineDescription machine;
     std::map<int, cda::Vec3> offsets;  ///< By MachineState::system, machine coordinates, mm.
     std::optional<cda::Vec3> start;    ///< Initial tool position, machine coordinates.
-    std::optional<ToldKinematics> kinematics;
+    std::optional<SpecifiedKinematics> kinematics;
     std::vector<MachineBody> bodies;       ///< Links with a mesh.
     std::vector<MachineBody> other_links;  ///< Links without a mesh.
     std::string part_link, tool_link;  ///< Links that carry the part and the tool, if specified.

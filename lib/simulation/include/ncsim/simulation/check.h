@@ -38,7 +38,7 @@ report::Checked check(Plan plan, const Questions& questions = {});
 void check(Plan plan, const Questions& questions, report::Checked& checked);
 /// Returns, a text each, the doubts that a verdict on the plan would have about tools, stock and
 /// motions, and the errors of its blocks, for files that the plan's run writes.
-/// Requires: `survey` belongs to `plan`; take_machine() has applied `machine`.
+/// Requires: `survey` belongs to `plan`; apply_machine() has applied `machine`.
 /// Cost: one interpretation of the program; nothing is cut.
 std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
                                         const setup::MachineFile& machine);

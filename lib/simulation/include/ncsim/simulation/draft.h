@@ -26,7 +26,8 @@ inline constexpr double kQuickWork = 12'000.0;
 /// about a thousandth of the block, and joins moves; tools stay round. A draft of at most
 /// kQuickWork with an exact model and no specified tolerance keeps the tolerances of an exact run,
 /// and `plan.is_draft_exact` is set. Plans that are not drafts remain unchanged.
-void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told);
+void coarsen(Plan& plan, const Survey& survey, bool tolerance_specified,
+             bool tool_tolerance_specified);
 
 /// Number of moves from which a draft uses a model of rays.
 inline constexpr std::uint64_t kLongProgram = 200'000;

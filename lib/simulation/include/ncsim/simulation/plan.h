@@ -38,10 +38,10 @@ enum class RayDirections : std::uint8_t { Chosen, AlongZ, AlongAll };
 /// Program, set-up and parameters of a simulation. Lengths in mm.
 struct Plan {
     setup::Job job;
-    std::string model = "cda";     ///< Name of models().
-    bool is_model_told = true;     ///< False if choose_model() may choose the model.
-    bool is_model_chosen = false;  ///< True if choose_model() chose the model.
-    double resolution = 0.0;       ///< For a model with resolution; 0: suitable for the stock.
+    std::string model = "cda";       ///< Name of models().
+    bool is_model_specified = true;  ///< False if choose_model() may choose the model.
+    bool is_model_chosen = false;    ///< True if choose_model() chose the model.
+    double resolution = 0.0;         ///< For a model with resolution; 0: suitable for the stock.
     RayDirections rays = RayDirections::Chosen;
     double tolerance = 0.005;      ///< For chords and rotating tools.
     double tool_tolerance = 0.05;  ///< For round tools.
@@ -53,7 +53,7 @@ struct Plan {
     /// True for a draft that coarsen() left exact, because it is fast.
     bool is_draft_exact = false;
     /// Kinematics of the machine, if specified.
-    std::optional<setup::ToldKinematics> kinematics;
+    std::optional<setup::SpecifiedKinematics> kinematics;
     /// Kinematics with the program zero; set by the survey.
     std::shared_ptr<const toolpath::Kinematics> placed;
     /// Line of the program after which the simulation stops; from 1.

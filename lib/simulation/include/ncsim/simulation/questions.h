@@ -33,7 +33,7 @@ struct Questions {
     const report::Baseline* baseline = nullptr;
     bool dog_leg = false;             ///< Rapid moves run axis by axis.
     bool is_rapid_specified = false;  ///< The user specifies `dog_leg`.
-    bool cut_free = false;            ///< Search for pieces that are cut free.
+    bool detached_pieces = false;     ///< Search for pieces that are cut free.
     bool air_cuts = false;            ///< Search for feed moves that remove no material.
     bool ledger = false;              ///< Keep a row per block, with exact volumes.
     bool look = false;                ///< Show the part, too; with the ledger.

@@ -11,7 +11,7 @@
 namespace ncsim::simulation {
 
 /// A section of the part.
-struct CutOpen {
+struct SectionView {
     brep::Section section;
     /// True if the section is of the simulation's boundary, because true surfaces gave no closed
     /// outlines or outlines that deviate from the boundary. The origins are then those of the
@@ -22,7 +22,7 @@ struct CutOpen {
 /// Returns the section of `solid`, compared with the boundary of `simulation`, from which the solid
 /// was made. Areas may differ by the errors of round tools and arcs. Throws: std::logic_error if
 /// the boundary itself has no section.
-CutOpen cut_open(const Plan& plan, const Simulation& simulation, const Solid& solid,
-                 const brep::SectionPlane& plane);
+SectionView cut_open(const Plan& plan, const Simulation& simulation, const Solid& solid,
+                     const brep::SectionPlane& plane);
 
 }  // namespace ncsim::simulation

@@ -34,7 +34,7 @@ struct Survey : report::ProgramFacts {
     /// ready.
     bool never_ends = false;
     /// True if Z is never specified, as for a plotter, laser or engraver: only the path is known.
-    bool is_flat() const { return untold[2]; }
+    bool is_flat() const { return unspecified[2]; }
     bool uses_tip_control = false;
     /// U, V, W are not always 0: without tip control, and with tip control.
     std::array<bool, 3> uvw{}, uvw_of_tip{};

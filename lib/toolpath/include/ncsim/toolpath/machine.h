@@ -40,7 +40,7 @@ class Poses {
 public:
     /// Uses the specified machine, or the default machine if null. Requires: the machine outlives
     /// this object.
-    Poses(const Kinematics* told, const gcode::Motion& motion);
+    Poses(const Kinematics* specified, const gcode::Motion& motion);
 
     /// Returns X_WT at the axis positions `position`.
     Pose at(const gcode::Position& position) const;

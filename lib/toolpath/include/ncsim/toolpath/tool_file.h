@@ -16,7 +16,7 @@ namespace ncsim::toolpath {
 /// Content of a tool file.
 struct ToolFile {
     std::string format;            ///< "LinuxCNC tool table" …; empty if the format is unknown.
-    std::vector<ToolEntry> tools;  ///< At most one per number, with ToldBy::Table.
+    std::vector<ToolEntry> tools;  ///< At most one per number, with ValueSource::Table.
     std::optional<StockEntry> stock;  ///< Stock of a CAMotics project.
     std::optional<bool> inches;  ///< Unit of programs without G20 and G21, in CAMotics projects.
     /// An error if the file cannot be used; a warning for each tool that cannot be used.

@@ -17,12 +17,12 @@
 namespace ncsim::toolpath {
 
 /// Origin of a value.
-enum class ToldBy : std::uint8_t { Comment, Option, Table, Assumption };
+enum class ValueSource : std::uint8_t { Comment, Option, Table, Assumption };
 
 /// A tool and the place where it was specified.
 struct ToolEntry {
     ToolSpec spec;
-    ToldBy told_by = ToldBy::Comment;
+    ValueSource specified_by = ValueSource::Comment;
     /// Position of the comment or of the line of a table; line 0 if there is none.
     gcode::SourceSpan span;
     std::string text{};  ///< As written.
@@ -32,7 +32,7 @@ struct ToolEntry {
 
 /// A stock and the place where it was specified.
 struct StockEntry : Stock {
-    ToldBy told_by = ToldBy::Comment;
+    ValueSource specified_by = ValueSource::Comment;
     gcode::SourceSpan span;
     std::string text{};  ///< Text in the file; for a derived stock the rule.
     std::string file{};  ///< Name of the tool table; empty for the program.

@@ -22,7 +22,7 @@
 namespace ncsim::toolpath {
 
 /// Simplifications of the hulls of a rotating tool.
-struct Liberties {
+struct SweepSimplification {
     /// Height above the tip, mm, above which the tool is cut off, as by cut_off().
     double top_mm = std::numeric_limits<double>::infinity();
     /// Facets may be left out if the hull gains at most this, mm. Inscribed tools keep all facets.
@@ -31,7 +31,7 @@ struct Liberties {
     double slab_mm = std::numeric_limits<double>::infinity();
 };
 /// Returns the simplifications under which the bounds of a step hold.
-Liberties liberties_of(const Turning& turning, double slack_mm = 0.0);
+SweepSimplification liberties_of(const Turning& turning, double slack_mm = 0.0);
 
 /// Cutting pieces of a tool as polytopes on a lattice, ready to be moved.
 class Cutter {
@@ -48,7 +48,7 @@ public:
     /// rank: if a wall was cut in several depths, the whole wall belongs to the deepest pass. Poses
     /// beyond cda::kMaxPose units are clamped.
     void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-               std::vector<cda::Cell>& cells, const Liberties& liberties = {});
+               std::vector<cda::Cell>& cells, const SweepSimplification& liberties = {});
 
     /// Appends cells for the cylindrical part of each piece on a whole turn that leaves no core, as
     /// computed by cda::TranslationSweep::around(); no cell if that volume is not known to exist.
@@ -59,7 +59,8 @@ public:
 
     /// Returns a box (mm) around all cells that trace() makes of these poses, except for the slack.
     /// The box is fast to compute, before tracing.
-    cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties = {}) const;
+    cda::Box bounds(const Pose& X_WA, const Pose& X_WB,
+                    const SweepSimplification& liberties = {}) const;
     /// True if the bounds of a hull that trace() makes of these poses overlap `place` (mm).
     /// Requires: the poses have the same orientation.
     bool meets(const cda::Box& place, const Pose& X_WA, const Pose& X_WB);

@@ -73,7 +73,7 @@ public:
     /// parameter is the specified machine, or null.
     Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
          const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {},
-         std::shared_ptr<const Kinematics> told = nullptr);
+         std::shared_ptr<const Kinematics> specified = nullptr);
 
     /// Makes the following steps have `sweeps` instead of cells, whatever the accuracy, for tools
     /// whose cutting pieces are all cda::RoundSweep's, while the tool is upright.
@@ -140,7 +140,7 @@ private:
     bool passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
                    const Pose& X_WA, const Pose& X_WB) const;
     void trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-               const Liberties& liberties);
+               const SweepSimplification& liberties);
 
     cda::Lattice lattice_;
     cda::Box stock_;
@@ -150,7 +150,7 @@ private:
     double slack_mm_;  // largest part of gain_mm_ for leaving out facets
     RapidPath rapid_;
     Watch watch_;
-    std::shared_ptr<const Kinematics> told_;
+    std::shared_ptr<const Kinematics> specified_;
     cda::Box place_;                  // stock and watched place
     std::optional<cda::Box> wanted_;  // place of wanted cells
     bool passes_by_ = false;          // whether motions away from wanted_ are single steps

@@ -32,7 +32,7 @@ enum class Subject : std::uint8_t {
     Core,
     TooHigh,  ///< Contact of the cutter above the depth limit; `value`: excess, mm.
     /// Contact of the flutes above the certain flute length; `value` as for TooHigh.
-    UntoldFlutes,
+    UnspecifiedFlutes,
     Fixture,  ///< Contact of fixture `index` with piece `other` of the tool.
     /// Contact of pair `index` of a MachineScene; `value`: penetration or distance, mm.
     Link,

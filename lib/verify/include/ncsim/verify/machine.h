@@ -65,8 +65,8 @@ struct MachineDescription {
     /// Position of the zero of W in machine coordinates.
     std::optional<cda::Vec3> work_zero;
     std::vector<Fixture> fixtures;
-    bool fixtures_told = false;  ///< Also true if the specified list is empty.
-    double below_stock = 0.0;    ///< Permitted depth below the stock, mm.
+    bool fixtures_specified = false;  ///< Also true if the specified list is empty.
+    double below_stock = 0.0;         ///< Permitted depth below the stock, mm.
     /// Largest permitted distance (mm) of the tip from the straight line of a feed move that turns
     /// rotary axes.
     std::optional<double> path_deviation;

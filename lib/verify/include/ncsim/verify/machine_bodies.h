@@ -53,12 +53,12 @@ public:
     /// with the hull is open.
     /// Throws: std::runtime_error for a mesh that crosses itself; the message names the place of
     ///   the specification.
-    explicit MachineBodies(LinkBodies told);
+    explicit MachineBodies(LinkBodies specified);
     ~MachineBodies();
     MachineBodies(const MachineBodies&) = delete;
     MachineBodies& operator=(const MachineBodies&) = delete;
 
-    const LinkBodies& told() const { return told_; }
+    const LinkBodies& specified() const { return specified_; }
     /// Returns the body of link `link`; null without a mesh.
     const RigidBody* body(std::size_t link) const { return links_[link].shape.get(); }
     /// Returns the reason why the hull replaces the mesh of link `link`; empty: it does not.
@@ -71,7 +71,7 @@ private:
         std::unique_ptr<const RigidBody> shape;  // null: no mesh
         std::string why_hull;
     };
-    LinkBodies told_;
+    LinkBodies specified_;
     std::vector<Body> links_;
 };
 

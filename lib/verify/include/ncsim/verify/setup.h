@@ -32,7 +32,7 @@ struct ToolFacts {
     /// Height (mm) above the tip up to which the flutes certainly reach; empty: up to the modelled
     /// height.
     std::optional<double> certain_flutes;
-    bool holder_told = false;
+    bool holder_specified = false;
     bool gauge_length_specified = false;  ///< Length from the spindle nose to the tip.
     std::optional<double> max_feed;       ///< mm/min
     std::optional<double> max_rpm;
@@ -102,7 +102,7 @@ struct Setup {
     std::set<int> cutting_tools;  ///< All tools that cut in the program.
     /// Modes that the program does not set before the first move: "units (G20, G21)".
     std::vector<std::string> inherited_modes;
-    SecondLook second_look;  ///< Empty: open contacts stay open.
+    SecondLook refine_contact;  ///< Empty: open contacts stay open.
     /// Ids of doubts that the user accepted.
     std::set<std::string, std::less<>> accepted;
     /// Values that must be specified; elements of kRequirements.

@@ -3,12 +3,12 @@
 // Verifier of a program during the simulation. It sees every motion before and after the cells are
 // removed, and changes nothing.
 //
-//     if (verifier.needs_account()) part.keep_account();  // before the first cell
+//     if (verifier.needs_account()) part.track_removal();  // before the first cell
 //     verifier.begin(motion, &part);  // each motion has its own origin
 //     walk.take(motion, origin, [&](const toolpath::Step& step) {
 //         verifier.look(step, part);
 //         for (const cda::Cell& cell : step.cells) part.subtract(cell);
-//         verifier.look_back(step, part, removed);
+//         verifier.after_cut(step, part, removed);
 //     });
 //     verifier.end(&part);
 #pragma once
@@ -48,13 +48,13 @@ public:
     void look(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Observes `step` after the cells are removed. `removed` is the removed volume (mm³); only
     /// used if measures_all().
-    void look_back(const toolpath::Step& step, const cda::WorkpieceModel& part,
+    void after_cut(const toolpath::Step& step, const cda::WorkpieceModel& part,
                    double removed = 0.0);
     /// Observes the tool at rest at the end of a motion with an unknown start.
     void arrive(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Ends the motion. `part` is the part after the motion.
     void end(const cda::WorkpieceModel* part = nullptr);
-    /// True if look_back() needs the removed volume of every step.
+    /// True if after_cut() needs the removed volume of every step.
     bool measures_all() const;
     /// True if the part must keep an account of removed volumes; false if measures_all().
     bool needs_account() const;

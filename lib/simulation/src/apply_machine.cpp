@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Applies a machine file to a plan.
-#include "ncsim/simulation/take_machine.h"
+#include "ncsim/simulation/apply_machine.h"
 
 #include "ncsim/setup/coordinate_systems.h"
 
 namespace ncsim::simulation {
 
-std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file) {
+std::vector<std::string> apply_machine(Plan& plan, const setup::MachineFile& file) {
     setup::Job& job = plan.job;
     plan.kinematics = file.kinematics;
     job.interpreter.tip_control = file.tip_control;
@@ -20,11 +20,11 @@ std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file
         if (!setup::origin_of(job.interpreter, system))
             setup::tell_offset(job.interpreter, system, origin);
     }
-    const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& told) {
-        if (!told) return;
-        to.x = gcode::Length::from_mm(told->x);
-        to.y = gcode::Length::from_mm(told->y);
-        to.z = gcode::Length::from_mm(told->z);
+    const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& specified) {
+        if (!specified) return;
+        to.x = gcode::Length::from_mm(specified->x);
+        to.y = gcode::Length::from_mm(specified->y);
+        to.z = gcode::Length::from_mm(specified->z);
     };
     lead(job.interpreter.homes[0], file.machine.home);
     lead(job.interpreter.homes[1], file.machine.tool_change);

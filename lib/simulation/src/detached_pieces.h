@@ -15,8 +15,8 @@ namespace ncsim::simulation {
 /// walls. Pieces not thicker than the accuracy of the tools are reported together, without a place.
 /// Pieces that were milled away later are not found.
 /// Cost: a few simulations if there is a piece; otherwise one boundary.
-std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
-                                      const Verification& verification,
-                                      const Simulation& simulation);
+std::vector<verify::Finding> detached_pieces(const Plan& plan, const Survey& survey,
+                                             const Verification& verification,
+                                             const Simulation& simulation);
 
 }  // namespace ncsim::simulation

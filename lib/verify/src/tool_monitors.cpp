@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Creates the bodies of a tool that are watched.
-#include "watched.h"
+#include "tool_monitors.h"
 
 #include <algorithm>
 #include <limits>
@@ -89,9 +89,9 @@ Above above(const toolpath::Tool& tool, double height, const cda::Lattice& latti
 
 }  // namespace
 
-Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lattice& lattice,
-              const toolpath::ToolAccuracy& accuracy) {
-    Watched w;
+ToolMonitors watch(const ToolFacts& facts, const Selection& selection, const cda::Lattice& lattice,
+                   const toolpath::ToolAccuracy& accuracy) {
+    ToolMonitors w;
     const toolpath::ToolPiece* cutting = nullptr;
     for (std::size_t i = 0; i < facts.tool.pieces.size(); ++i) {
         const toolpath::ToolPiece& piece = facts.tool.pieces[i];

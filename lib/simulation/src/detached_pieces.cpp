@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Search for the cuts that separate pieces from the part.
-#include "cut_free.h"
+#include "detached_pieces.h"
 
 #include "ncsim/verify/solids.h"
 
@@ -101,9 +101,9 @@ double accuracy(const Simulation& simulation) {
 
 }  // namespace
 
-std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
-                                      const Verification& verification,
-                                      const Simulation& simulation) {
+std::vector<verify::Finding> detached_pieces(const Plan& plan, const Survey& survey,
+                                             const Verification& verification,
+                                             const Simulation& simulation) {
     std::vector<verify::Finding> findings;
     const cda::Boundary boundary = surface_of(simulation);
     if (boundary.shells < 2) return findings;

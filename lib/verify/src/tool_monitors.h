@@ -21,7 +21,7 @@ struct Above {
     std::vector<Body> below;   ///< Cutter below the height.
 };
 
-struct Watched {
+struct ToolMonitors {
     struct Part {
         std::size_t piece;  ///< Index into Tool::pieces.
         Body body;
@@ -45,7 +45,7 @@ struct Watched {
 };
 
 /// Creates the bodies of a tool on `lattice`, without bodies that no selected rule needs.
-Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lattice& lattice,
-              const toolpath::ToolAccuracy& accuracy);
+ToolMonitors watch(const ToolFacts& facts, const Selection& selection, const cda::Lattice& lattice,
+                   const toolpath::ToolAccuracy& accuracy);
 
 }  // namespace ncsim::verify

@@ -14,6 +14,6 @@ namespace ncsim::simulation {
 /// Sets kinematics, functions of the control and reference points of `plan` from `file`, and
 /// offsets and start unless the job specifies them. Returns the values that cannot be used, in
 /// words.
-std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file);
+std::vector<std::string> apply_machine(Plan& plan, const setup::MachineFile& file);
 
 }  // namespace ncsim::simulation

@@ -11,10 +11,10 @@
 namespace ncsim::report {
 
 /// Returns "comment", "option" …
-const char* name_of(toolpath::ToldBy by);
+const char* name_of(toolpath::ValueSource by);
 
 /// Returns the source of a value: "line 2: (…)", "from tool.tbl, line 3: …", "from --tool".
-std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
-                 const std::string& file, const char* option);
+std::string specified(toolpath::ValueSource by, gcode::SourceSpan span, const std::string& text,
+                      const std::string& file, const char* option);
 
 }  // namespace ncsim::report
