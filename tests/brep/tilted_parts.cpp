@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    // In degrees: of 15, whole ones, or any.
+    // Returns an angle in degrees: a multiple of 15, a whole number, or any value.
     double angle(int low, int high) {
         const int kind = pick(0, 2);
         if (kind == 0) return 15.0 * pick(low / 15, high / 15);
