@@ -10,7 +10,7 @@
 
 namespace ncsim::brep::test {
 
-/// Seeds of ncsim_brep_random from here on.
+/// First seed of CAM-style programs among the seeds of ncsim_brep_random.
 inline constexpr std::uint64_t kCam = 7'000'000;
 /// First seed of rotated CAM-style programs: the programs of `kCam`, rotated about the middle of
 /// the block, with coordinates rounded again. The rounding separates faces that were coplanar.

@@ -238,7 +238,7 @@ TEST(Envelope, PointsInARowHaveTheirTimesForetold) {
     EXPECT_GT(seen, 200);
 }
 
-// Where the profile is smooth between side and corner radius, their envelopes are tangent, too.
+// If the profile is smooth between side and corner radius, their envelopes are tangent, too.
 TEST(Envelope, SidesTouchTheirCornerRadii) {
     Draw draw(11);
     for (int i = 0; i < 200; ++i) {

@@ -46,8 +46,9 @@ double bull_section() {
     return 12.0 * 3.0 - 2.0 * (4.0 - kPi);
 }
 
-// Of the bull nose, 2 deep, along 29.5 mm and a quarter of an arc of radius 5.5, nearer to whose
-// centre it is wider than that: at each height strips, the ends, and what is around the corner.
+// Returns the volume (mm³) that the bull nose removes, 2 mm deep, along 29.5 mm and a quarter arc
+// of radius 5.5 mm, which is smaller than the tool's radius. Sums the strips, the ends and the
+// sector around the corner at each height.
 double narrow_corner() {
     const double strips = 59.0 + 5.5 * kPi, round = kPi;  // factors of the radius and of its square
     const double first = 8.0 + kPi, second = 32.0 + 8.0 * kPi + 16.0 / 3.0;
@@ -623,7 +624,7 @@ TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(make(golden, 0.05, 1).step, make(golden, 0.05, 3).step);
 }
 
-// Where a flat end that rotates moves level, a finer cut does not help, there or in adjacent faces.
+// A finer cut does not help if a flat end that rotates moves level, there or in adjacent faces.
 // None is requested.
 TEST(Recognise, FacetsBesideThoseOfATurningToolAreNotGivenUp) {
     const test::Made turning = test::make_part(

@@ -67,7 +67,7 @@ TEST(Extrusion, HasItsNormalsAndPlaces) {
         EXPECT_NEAR(norm(n), 1.0, 1e-12);
         EXPECT_NEAR(dot(n, e.along), 0.0, 1e-12);
         const Vec3 out = p - far * e.along - e.centre;
-        // Where a flat extrusion bends, its rulings are thousands of times nearer to each other.
+        // Rulings of a flat extrusion are thousands of times nearer to each other at its bend.
         EXPECT_NEAR(dot(n, cross(e.axis, normalized(out))), 0.0, 1e-6);
         EXPECT_GT(dot(n, out), 0.0);
     }

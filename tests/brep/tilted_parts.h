@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
 // Random programs that tilt the tool or the part: in planes of G68.2, under tip control, and on
 // indexed tables, on machines with specified kinematics.
-// tables that were indexed, on machines that somebody told.
 #pragma once
 
 #include "ncsim/simulation/plan.h"

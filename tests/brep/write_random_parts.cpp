@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
 // write_random_parts <folder> [--faceted] <count> [first], or <folder> [--faceted] --seeds
 // <seed>...: writes parts of random programs as STEP, with the values that ncsim_read_step is to
 // find, and prints how many parts have facets. Seeds of tilted_parts.h tilt the tool or the part.
