@@ -39,7 +39,7 @@ TEST(IsClosed, KnowsASurfaceFromOneWithAGap) {
     }
 }
 
-// A tetrahedron of one unit at the origin, and what is left of it without a side.
+// A tetrahedron of 1000 units at the origin, then without a side.
 TEST(Stitch, TellsThatFacesAreMissing) {
     const Plane x{-1, 0, 0, 0};
     const Plane y{0, -1, 0, 0};

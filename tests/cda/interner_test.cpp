@@ -15,7 +15,7 @@ namespace {
 struct Good {
     std::uint64_t operator()(std::uint64_t key) const { return mix(key, 1); }
 };
-// Everything in one place.
+// Hash that puts all keys in the same place.
 struct Bad {
     std::uint64_t operator()(std::uint64_t) const { return 0; }
 };

@@ -14,7 +14,7 @@ TEST(PackedCells, GiveBackWhatWasWritten) {
     test::Random random(11);
     for (int i = 0; i < 2000; ++i) {
         PackedCells::Words words;
-        // Numbers near each other, and any.
+        // Numbers of a random size, so that some are near each other.
         const int bits = static_cast<int>(random.between(1, 32));
         const auto number = [&] {
             return static_cast<std::uint32_t>(random.next() >> (64 - bits));
