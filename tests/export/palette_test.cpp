@@ -36,7 +36,7 @@ TEST(Palette, Tool0ChangesTheColourOfNoOtherTool) {
         EXPECT_EQ(without.colour(entry), with.colour(entry));
 }
 
-// The curve of the standard, which the tests may compute with the C library.
+// The curve of the sRGB standard. Tests may use the C library.
 TEST(Palette, LinearSharesAreThoseOfSrgb) {
     for (int channel = 0; channel < 256; ++channel) {
         const double c = channel / 255.0;

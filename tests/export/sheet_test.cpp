@@ -24,7 +24,7 @@ std::vector<LabelledImage> pictures(std::size_t count) {
     return result;
 }
 
-// Pixels as rows of '#', '+' and ' ' by darkness.
+// Returns the pixels as rows of '#', '+' and ' ' by darkness.
 std::string drawn(const Image& image) {
     std::string text(1, '\n');
     for (std::uint32_t y = 0; y < image.height; ++y) {

@@ -7,7 +7,8 @@
 
 namespace ncsim::exporter::test {
 
-/// OpenGL by EGL without a surface. Throws std::runtime_error if EGL provides no context.
+/// Returns an OpenGL context of EGL without a surface.
+/// Throws: std::runtime_error if EGL provides no context.
 std::unique_ptr<OffscreenContext> egl_context();
 
 }  // namespace ncsim::exporter::test
