@@ -26,7 +26,7 @@ CgalBody intersection(const std::vector<cda::Plane>& planes) {
     if (result.corners == 0) return result;
     const auto corner = [](const auto& halfedge) {
         const auto& p = halfedge->vertex()->point();
-        // What is lazy is known to some digits only.
+        // Only some digits of a lazy number are known before exact().
         return cda::Vec3{CGAL::to_double(CGAL::exact(p.x())), CGAL::to_double(CGAL::exact(p.y())),
                          CGAL::to_double(CGAL::exact(p.z()))};
     };
