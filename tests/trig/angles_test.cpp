@@ -64,7 +64,7 @@ TEST(SinCos, OfUnwoundAnglesIsThatOfTheAngleItself) {
     EXPECT_EQ(sin_cos(360.0 * 4096 + 12.5).cos, sin_cos(12.5).cos);
 }
 
-// What is left of turns and quarter turns is that of the library: as if they had not been there.
+// After the removal of turns and quarter turns, the result is the library's result for the rest.
 TEST(SinCos, TakesTurnsAwayExactly) {
     std::mt19937_64 random(3);
     for (int i = 0; i < 200000; ++i) {
