@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the minimum distance of vertices in parts and in their facets.
 #include "heal/apart.h"
 
 #include "ncsim/export/simplify.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Random operations of CAM programs, and the rotation of a program.
 #include "brep/cam_parts.h"
 
 #include "ncsim/trig/angles.h"

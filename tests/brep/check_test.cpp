@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the check of parts with defects in loops, edges and faces, and the repair of vertices that
+// are too close.
 #include "query/check.h"
 
 #include "ncsim/brep/measure.h"

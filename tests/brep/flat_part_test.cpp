@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests solids of facets: sound input, crossing loops, open shells and voids.
 #include "ncsim/brep/flat_part.h"
 
 #include "ncsim/brep/measure.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares areas, volumes and centroids of solids with formulas.
 #include "ncsim/brep/measure.h"
 
 #include "brep/solids.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writers of random programs: common operations, rasters, and moves with B.
 #include "brep/random_parts.h"
 
 #include "brep/random_program.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Builds solids from vertices, edges and faces.
 #include "brep/solids.h"
 
 #include "ncsim/brep/frames.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests distances, gradients and parameters of extrusions, domes, coils and spirals.
 #include "ncsim/brep/surface.h"
 
 #include "brep/draw.h"

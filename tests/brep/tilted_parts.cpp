@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Random programs for preset machines with rotary axes.
 #include "brep/tilted_parts.h"
 
 #include "ncsim/machine/presets.h"
