@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares the tree of a block with unit cubes.
 #include "tree/block_tree.h"
 
 #include "block.h"

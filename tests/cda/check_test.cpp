@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests that surfaces with gaps are detected.
 #include "ncsim/cda/check.h"
 
 #include "ncsim/cda/tree.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests collisions of a part with convex and concave bodies.
 #include "ncsim/cda/collision.h"
 
 #include "support/random_shapes.h"

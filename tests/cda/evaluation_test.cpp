@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the volume and the outlines that a block evaluates to.
 #include "tree/evaluation.h"
 
 #include "block.h"

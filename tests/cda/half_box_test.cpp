@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests boxes in half units, and the sides of planes on which boxes lie.
 #include "exact/half_box.h"
 
 #include "support/random_shapes.h"

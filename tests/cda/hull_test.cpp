@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests convex hulls, hulls within a slack, and hulls of translations.
 #include "ncsim/cda/hull.h"
 
 #include "ncsim/cda/polytope.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the table that numbers keys in order of first occurrence.
 #include "exact/interner.h"
 
 #include "support/random.h"

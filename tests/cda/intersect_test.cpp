@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests linear programs, and intersections of convex polytopes.
 #include "ncsim/cda/intersect.h"
 
 #include "polytope/linear_program.h"

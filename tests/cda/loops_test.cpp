@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the orientation of loops, and whether a loop surrounds an edge.
 #include "surface/loops.h"
 
 #include <gtest/gtest.h>

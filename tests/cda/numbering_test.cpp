@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests Plücker coordinates of the lines in which planes meet.
 #include "exact/numbering.h"
 
 #include "support/random_shapes.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests background tasks and parallel sorting.
 #include "ncsim/cda/parallel.h"
 
 #include "support/random.h"

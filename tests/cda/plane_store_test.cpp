@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the compressed storage of cells and planes.
 #include "tree/plane_store.h"
 
 #include "../support/random.h"

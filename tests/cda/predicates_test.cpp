@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests exact predicates against integers of any size and against each other.
 #include "ncsim/cda/predicates.h"
 
 #include "support/random_shapes.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests gaps and depths of penetration of convex bodies.
 #include "ncsim/cda/separation.h"
 
 #include "support/random_shapes.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests stock of any shape: from meshes, in convex pieces, placed, and in files.
 #include "ncsim/cda/shape.h"
 
 #include "support/scene.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests parts in tiles against the whole part: surfaces, volumes, queries and files.
 #include "ncsim/cda/tiles.h"
 
 #include "ncsim/cda/boundary.h"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares the tree model with the flat aggregate, with unit cubes, and with itself for different
+// parameters.
 #include "ncsim/cda/tree.h"
 
 #include "ncsim/cda/check.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the triangulation of faces with degenerate outlines.
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/mesh.h"
 

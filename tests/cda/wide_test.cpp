@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests functions of 128-bit integers.
 #include "exact/wide.h"
 
 #include "support/random.h"
