@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the components and polygons of the 256 kinds of grid cells.
 #include "cell_components.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the dexel model with rays along all axes.
 #include "ncsim/dexel/dexel.h"
 
 #include "ncsim/cda/check.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests intervals of rays, packed normals and axes of the grid.
 #include "rays.h"
 
 #include "support/random.h"

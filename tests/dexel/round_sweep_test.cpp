@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares exact sweeps of round tools with the tool at many positions.
 #include "round_sweep.h"
 
 #include "support/random.h"
