@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boundaries and facets with masks of parts made of boxes.
 #include "box_part.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests sections as DXF and SVG.
 #include "ncsim/export/drawing.h"
 
 #include <gtest/gtest.h>

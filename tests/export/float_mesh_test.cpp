@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests that meshes stay closed when coordinates are rounded to floats.
 #include "mesh/float_mesh.h"
 
 #include "ncsim/cda/check.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the colours of stock and tools.
 #include "render/palette.h"
 
 #include <gtest/gtest.h>

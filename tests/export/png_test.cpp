@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests PNG files by reading them with libpng.
 #include "ncsim/export/png.h"
 
 #include "support/read_png.h"

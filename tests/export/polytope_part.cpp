@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuts random polytopes from a block.
 #include "polytope_part.h"
 
 #include <random>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares the renderers of models and boundaries, and tests overlays and sampling.
 #include "ncsim/export/render.h"
 
 #include "ncsim/export/png.h"

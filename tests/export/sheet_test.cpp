@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests lettering, and sheets of labelled pictures.
 #include "ncsim/export/sheet.h"
 
 #include "render/lettering.h"

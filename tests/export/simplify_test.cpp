@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests that simplified boundaries stay closed and within the tolerance.
 #include "ncsim/export/simplify.h"
 
 #include "ncsim/cda/check.h"

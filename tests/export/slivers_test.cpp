@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the removal of needles, caps and tiny shells from meshes.
 #include "mesh/slivers.h"
 
 #include "ncsim/cda/check.h"

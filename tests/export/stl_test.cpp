@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests binary STL files: contents, and closed surfaces in floats.
 #include "ncsim/export/stl.h"
 
 #include "ncsim/cda/tree.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests VRML text: groups, polygons and quoted names.
 #include "ncsim/export/vrml.h"
 
 #include "box_part.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// OpenGL context by EGL, for comparisons with the rasteriser.
 #pragma once
 
 #include "render/offscreen.h"
