@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares sorted corners and volumes of both models.
 #include "nef/agreement.h"
 
 #include "ncsim/cda/boundary.h"

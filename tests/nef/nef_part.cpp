@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boundary evaluation with Nef polyhedra of CGAL.
 #include "nef/nef_part.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
