@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parses the canonical functions of a reference, and compares events.
 #include "reference.h"
 
 #include "ncsim/gcode/print.h"
