@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Convex hulls of dual points by CGAL, as bodies with volume, corners and facets.
 #include "cgal_intersection.h"
 
 #include "ncsim/cda/vec.h"

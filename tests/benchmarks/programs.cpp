@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes the benchmark programs line by line.
 #include "programs.h"
 
 #include <fmt/format.h>

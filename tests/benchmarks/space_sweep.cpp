@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Space sweep over two polytopes: crowns, crossings, contours, and the assembly of the
+// intersection.
 #include "space_sweep.h"
 
 #include "ncsim/cda/polygon.h"
