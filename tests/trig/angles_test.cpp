@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests sines, cosines, angles and lengths for exact values and against the C library.
 #include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
