@@ -347,7 +347,7 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
 //  - 4 corners: a floor and two walls each                                              12
 //  - 4 slots: a floor, two walls, 9 facets each                                         48
 //  - grooves 4 to 7: a floor and two walls each                                         12
-//  - grooves 3 and 8, which slots reach into from a side: that wall in 3 pieces , 5 each  10
+//  - grooves 3 and 8, which slots reach into from a side: that wall in 3 pieces, 5 each   10
 //  - grooves 1, 2, 9, 10, which slots cross: floor and walls in 3 pieces, 9 each        36
 constexpr std::size_t kFacesOfSimple = 5 + 27 + 12 + 48 + 12 + 10 + 36;
 
