@@ -84,8 +84,8 @@ TEST(Check, FindsTheOneHoleOfManyThatMeetsAnother) {
     const Part sound = face_with_holes(kHoles);
     double miss = 0.0;
     EXPECT_EQ(told(faults_of(sound, 0, kTolerance, miss)), "");
-    // Moves each hole onto a neighbour in three directions: within a strip of the plane and across
-    // the border of two strips.
+    // Moves every seventh hole onto a neighbour in three directions: within a strip of the plane
+    // and across the border of two strips.
     for (int hole = 0; hole < kHoles * kHoles; hole += 7) {
         for (const Vec3 way : {Vec3{2.5, 0, 0}, Vec3{-2.5, 0, 0}, Vec3{0, 2.5, 0}}) {
             Part part = sound;

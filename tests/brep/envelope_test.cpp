@@ -27,7 +27,8 @@ using cda::norm;
 using cda::normalized;
 using test::Draw;
 
-// Returns a motion of the tip along a bent line while the axis rotates about a fixed direction.
+// Returns a motion of the tip along a bent line while the axis rotates about a fixed direction;
+// empty if `turning_way` cannot represent the motion.
 std::optional<TurningWay> random_turn(Draw& draw, Vec3 axis) {
     const Vec3 from = draw.point(), along = draw.from(8.0, 30.0) * draw.direction();
     const Vec3 bow = draw.from(0.0, 3.0) * draw.direction();

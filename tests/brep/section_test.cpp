@@ -207,7 +207,8 @@ TEST(Section, OfRandomPartsIsThatOfTheirPolyhedra) {
             }
         }
     }
-    // No torus is tilted. 14 planes cut spindle tori along their axes, which is not supported.
+    // No torus is tilted. 14 planes cut spindle tori parallel to their axes, which is
+    // not supported.
     EXPECT_EQ(known + 14, all);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random slots, with coordinates as far as the program rounds them.
+// Writes random slots in the units and decimals of the program.
 #include "brep/slot_parts.h"
 
 #include <fmt/format.h>
