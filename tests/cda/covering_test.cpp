@@ -104,7 +104,7 @@ TEST(Covering, SparesCellsThatWaitFromBeingTakenIn) {
     for (std::int64_t x = 0; x < 50000; x += 1000)
         part.subtract_unmeasured(pass(x, 10000));
     EXPECT_FALSE(part.contact(pass(500, 50000)));
-    EXPECT_EQ(part.counts().spared, 1U);  // this query inserts the waiting cells
+    EXPECT_EQ(part.counts().spared, 1U);  // counts() inserts the waiting cells
     for (std::int64_t x = 50000; x < 60000; x += 1000)
         part.subtract_unmeasured(pass(x, 10000));
     // A unit beyond the cleared region.
