@@ -207,7 +207,7 @@ TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
     }
 }
 
-// Shared normals save work and do not change the result. Neither do normals of a different tool.
+// Shared normals save work and do not change the result. Neither do normals of a different pass.
 TEST(TreeCda, IsTheSameWhetherNormalsAreSharedOrNot) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);

@@ -100,7 +100,7 @@ TEST(WholeTurn, IsNothingWhereACoreMayBe) {
     EXPECT_TRUE(body.around(turn({}, 96000, 36, 0), Origin{1}));
     EXPECT_FALSE(body.around(turn({}, 97000, 36, 0), Origin{1}));  // next to a side of the tool
     EXPECT_FALSE(body.around(turn({}, 200000, 36, 0), Origin{1}));
-    // In a turn the tool descends by its length.
+    // A turn must descend by less than the length of the tool.
     EXPECT_TRUE(body.around(turn({}, 50000, 36, 499999), Origin{1}));
     EXPECT_FALSE(body.around(turn({}, 50000, 36, 500000), Origin{1}));
 }
