@@ -39,8 +39,8 @@ TEST(ThinPlaces, APlainBlockHasNone) {
     EXPECT_FALSE(found->is_seen_along_z_alone);
 }
 
-// Three pockets with ribs of 0.2 mm in between, and rays of 0.4 mm pitch. The first or second rib
-// contains corners of the grid and is in the surface; the remaining rib is not.
+// Three pockets with two ribs of 0.2 mm in between, and rays of 0.4 mm pitch. Exactly one rib
+// contains corners of the grid and is in the surface.
 TEST(ThinPlaces, ARibBetweenRaysIsTold) {
     const auto part = block(0.4);
     part->subtract_unmeasured(box({1, 1, 2}, {2.7, 9, 7}, 1));
