@@ -6,7 +6,7 @@
 
 namespace ncsim::test {
 
-/// How often `part` stands in `text`.
+/// Returns the number of non-overlapping occurrences of `part` in `text`.
 inline std::size_t count(std::string_view text, std::string_view part) {
     std::size_t n = 0;
     for (std::size_t at = text.find(part); at != std::string_view::npos;

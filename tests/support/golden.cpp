@@ -17,7 +17,7 @@ namespace ncsim::exporter::test {
 
 namespace {
 
-// Pixels that differ by more than this in a channel count; one in two hundred may.
+// Largest permitted difference of a colour channel. One pixel in kAllowedShare may differ by more.
 constexpr int kTolerance = 16;
 constexpr std::size_t kAllowedShare = 200;
 
