@@ -67,7 +67,7 @@ Ran Folder::shell(const std::string& script) const {
 }
 
 Ran Folder::execute(std::vector<std::string> words) const {
-    // Beside the folder, not in it, so that files() shows what the program made.
+    // Next to the folder and not inside, so files() returns only files that the program made.
     const std::string out = path_.string() + ".out";
     const std::string err = path_.string() + ".err";
     const pid_t child = ::fork();
