@@ -240,7 +240,7 @@ TEST(Check, ComparesThePartWithItsDesign) {
     }
 }
 
-// Where a circle and a slot touch, the wall between them ends in a sharp edge. The polygon around
+// If a circle and a slot touch, the wall between them ends in a sharp edge. The polygon around
 // the tool removes 0.05 mm from the sides of the edge and 0.7 mm from the end.
 TEST(Check, SharpEdgesThatGoBackByTheErrorOfTheToolAreNotCertain) {
     Folder folder;

@@ -484,7 +484,7 @@ TEST(Run, GoesOnWithWhatAnotherProgramHasLeftTurnedOver) {
         EXPECT_EQ(again.exit_code, 0) << again.err;
         EXPECT_TRUE(folder.read("b.stl") == folder.read("second.stl"));
     }
-    // From the same side there is no material left to remove.
+    // Without the turn, the same side has no material left to remove.
     const Ran same = folder.run({"run", "slot.nc", "--stock", "first.ncstock"});
     EXPECT_TRUE(contains(same.out, "11.200 cm3 of 11.200 cm3; 0.000 cm3 removed")) << same.out;
     const Ran flat =
