@@ -5,7 +5,7 @@
 
 namespace ncsim::toolpath {
 
-/// Millimetres and degrees.
+/// Returns a position from millimetres and degrees.
 inline gcode::Position at(double x, double y, double z, double a = 0, double b = 0, double c = 0) {
     using gcode::Angle;
     using gcode::Length;
