@@ -17,7 +17,7 @@ namespace ncsim::gcode {
 namespace {
 
 // Machine with a table A that turns the part about a line along X through Y0 Z-10, with signs of
-// ISO 841: relative to the part the tool turns by A. A range of -100 to 100 degrees is optional.
+// ISO 841: relative to the part the tool turns by A.
 class ATable : public JointSolver {
 public:
     bool turns() const override { return true; }
