@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim check: findings, exit codes and reports.
 #include "cli/run_program.h"
 #include "support/count.h"
 

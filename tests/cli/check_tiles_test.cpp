@@ -207,7 +207,7 @@ TEST(CheckTiles, ThatAreNotOfOneCheckAreRefused) {
         EXPECT_EQ(folder.run(Words{"check", "slot.nc"} + wrong).exit_code, 2);
 }
 
-// Tile files may come from another program.
+// Tile files may come from an untrusted source.
 TEST(CheckTiles, SayNeitherWhatIsWrittenNorWhatDidNotHappen) {
     const Folder folder;
     folder.write("slot.nc", kSlot);

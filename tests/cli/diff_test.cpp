@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim diff: comparison of the parts of two programs.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>

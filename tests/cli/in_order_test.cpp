@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parallel work with results in order.
 #include "system/in_order.h"
 
 #include "cli/run_program.h"

@@ -29,7 +29,8 @@ const char* const kTrt =
     "G54 = [0, 0, 0]\n";
 
 // Returns a hole of 12 mm along the tool under tip control, entered from 5 mm above the top of the
-// block, at A and C. The file states the kinematics, as the demos of LinuxCNC do.
+// block, at A and C. Moves along the tool prove the kinematics of the program, as in the demos of
+// LinuxCNC.
 std::string hole(double a, double c, const std::string& begin, const std::string& end) {
     const double ra = a * kPi / 180, rc = c * kPi / 180;
     // Axis of a table that turns by the right hand: A, then C, inverted.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim measure: holes, pockets and further features of a part.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>

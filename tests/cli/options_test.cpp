@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parsing of the command line: options, values and error messages.
 #include "commands/options.h"
 
 #include "system/progress.h"

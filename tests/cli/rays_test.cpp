@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
 // Rays: directions, stated error, and drafts that use rays.
 #include "cli/run_program.h"
 

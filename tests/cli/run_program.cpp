@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Temporary folders, and processes with captured output.
 #include "cli/run_program.h"
 
 #include <fcntl.h>

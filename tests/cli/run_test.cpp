@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim run: parts, pictures, meshes, reports and exit codes.
 #include "cli/run_program.h"
 #include "support/count.h"
 #include "support/random_programs.h"

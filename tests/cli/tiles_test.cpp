@@ -259,7 +259,7 @@ TEST(Tiles, ThatAreNotOfOnePartAreRefused) {
     refused({}, "shards and tiles are not put together");
 }
 
-// Tile files may come from another program.
+// Tile files may come from an untrusted source.
 TEST(Tiles, DoNotSayWhatIsWritten) {
     const Folder folder;
     folder.write("slot.nc", kSlot);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim tools: tool tables, job files and kinematics.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
