@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions for tests of tool paths.
 #pragma once
 
 #include "ncsim/gcode/motion.h"

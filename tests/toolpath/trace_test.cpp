@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cells that a tool removes between two poses.
 #include "ncsim/toolpath/trace.h"
 
 #include "ncsim/cda/polytope.h"
