@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions that an upright tool has passed.
 #include "passes.h"
 
 #include "verified.h"
