@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
 // The table of models: each stated property of a model is tested.
 #include "ncsim/simulation/models.h"
 

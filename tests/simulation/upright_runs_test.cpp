@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs of inclined moves in a vertical plane.
 #include "upright_runs.h"
 
 #include "ncsim/gcode/interpreter.h"
