@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Counts parts of a text.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangle mesh of a cube.
 #pragma once
 
 #include "ncsim/cda/mesh.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares pixels with golden pictures, or rewrites the pictures.
 #include "support/golden.h"
 
 #include "ncsim/export/png.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Generator of random NC programs, and simulation of the programs.
 #include "support/random_programs.h"
 
 #include "ncsim/cda/shape.h"

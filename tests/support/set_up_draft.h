@@ -22,7 +22,7 @@ using Length = std::int64_t;
 enum Axis : std::size_t { X, Y, Z };
 inline constexpr std::array<char, 3> kLetters{'X', 'Y', 'Z'};
 
-/// Returns `value` / 10^`places` in decimal notation without trailing zeros.
+/// Returns `value` / 10^`places` with a decimal point and without trailing zeros.
 std::string decimal(std::int64_t value, int places);
 
 struct Fixture {

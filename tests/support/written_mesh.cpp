@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads STL and glTF files and checks the meshes.
 #include "support/written_mesh.h"
 
 #include <algorithm>
