@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Branch and bound over the intervals of a motion.
 #include "nightly/closest_approach.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Formulas of lines, arcs and rotations.
 #include "nightly/course.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks of a program: stated accuracy, threads, models, points and lines.
 #include "nightly/examine.h"
 
 #include "ncsim/cda/mesh.h"

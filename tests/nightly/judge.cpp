@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Permitted deviations of each move, and the verdict on a point.
 #include "nightly/judge.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Words of blocks, and motions of blocks.
 #include "nightly/nc_writer.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chooses stock, tools and motions of random programs.
 #include "nightly/program_generator.h"
 
 #include "support/random.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Profiles of round tools, and distances from the profiles.
 #include "nightly/round_tool.h"
 
 #include <algorithm>

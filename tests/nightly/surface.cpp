@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closedness, volume and winding number of surfaces.
 #include "nightly/surface.h"
 
 #include <algorithm>
