@@ -144,7 +144,7 @@ TEST(Check, ReadsAMachine) {
 }
 
 TEST(Check, LeadsG28AndG30WhereTheMachineSays) {
-    // Through home above the jaw, then to the tool change position beyond the travel.
+    // Through home over the jaw, then to the tool change position beyond the travel.
     Folder folder;
     const std::string head =
         "(T1 D=10. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,20.,15.,10.) (FROM/0,0,100)\n"

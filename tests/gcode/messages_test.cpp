@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Mach3, Tip, Turning };
 
-// A machine with rotary axes that refuses each request.
+// Machine with rotary axes that reaches no orientation, and no tip position with X > 50 mm.
 class Stubborn : public JointSolver {
 public:
     bool turns() const override { return true; }

@@ -312,8 +312,8 @@ TEST(Turning, ASlabIsAsLongAsItWasToldWhereverTheCylinderBegins) {
     }
 }
 
-// A slab counts as rounded below, although a plane truncates the slab: the enclosing ball extends
-// below the plane.
+// A slab counts as rounded below, although a plane truncates the slab: the rolling ball in the
+// bound extends below the plane by the radius of the ball.
 TEST(Turning, ASlabGainsWhereTheBallThatRollsAroundItReaches) {
     const Case c{flat_end_mill(20, 100).pieces[0],
                  place_at(0, 0, 50, 0, 0, 0),

@@ -52,8 +52,8 @@ TEST(NonCuttingContact, FindsAHolderThatFollowsTheCutterDown) {
 }
 
 TEST(NonCuttingContact, IsNotFoundWhereAShankAsThickAsARoundToolFollowsIt) {
-    // The polygon of a ball differs from the polygon of a cylinder with the same diameter. Corners
-    // extend beyond the cylinder by less than any tolerance.
+    // The polygon of a ball differs from the polygon of a cylinder with the same diameter. With
+    // separate polygons, corners of the shank would extend beyond the ball at any tolerance.
     for (toolpath::Tool tool :
          {toolpath::ball_end_mill(5.188, 3.0), toolpath::bull_nose_end_mill(5.188, 1.297, 3.0),
           toolpath::bull_nose_end_mill(9.2456, 1.53924, 4.3434)}) {
