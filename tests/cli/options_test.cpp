@@ -184,7 +184,8 @@ TEST(Options, RefuseWhatIsNoNumber) {
     }
 }
 
-// Results of rays are never exact: options that need an exact model name the models that are.
+// Results of rays are never exact: the error message for options that need an exact model names the
+// exact models.
 TEST(Options, RefuseRaysWhereOnlyAnExactModelWillDo) {
     for (const std::vector<std::string>& asked : {std::vector<std::string>{"--step", "a.step"},
                                                   {"--section", "z=-1", "--dxf", "a.dxf"},

@@ -194,7 +194,7 @@ TEST(ToldMachine, NoHullGainsMoreThanTheBound) {
             const double z = random.one_in(2) ? height : random.within(0, height);
             return Vec3{r * std::cos(angle), r * std::sin(angle), z};
         };
-        // For slabs, each slab has a hull.
+        // Skipped if the tool is divided into slabs, because each slab has a separate hull.
         if (c.samples.turning.slab_mm < c.tool.height) continue;
         const double s = random.unit();
         const Vec3 x =
