@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a hull costs in the tree: a raster of short ball-nose moves over crossed sines, step and
-// step-over shrinking with their number as in real finishing.
+// Cost of a hull in the tree: a raster of short ball-nose moves over crossed sines. Step and
+// step-over shrink with the number of moves, as in real finishing.
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/toolpath/trace.h"
@@ -23,7 +23,7 @@ cda::Cell stock() {
 }
 
 std::vector<cda::Cell> wave(std::int64_t moves) {
-    // 0.15 mm: a coarse ball.
+    // A tolerance of 0.15 mm makes a coarse ball.
     toolpath::Cutter cutter(toolpath::ball_end_mill(6.0, 20.0), kLattice, {0.15});
     const auto rows = static_cast<int>(std::sqrt(static_cast<double>(moves)));
     const auto columns = static_cast<int>(moves / rows);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How many lines per second are read and run. Items are lines.
+// Lines per second that are parsed and interpreted. Items are lines.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/parser.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace ncsim::gcode;
 
-/// A finishing pass: G1 lines with three axes and three decimals, as CAM systems write them.
+/// Returns a finishing pass: G1 lines with three axes and three decimals, as CAM systems write.
 SourceFile plain_lines(std::int64_t lines) {
     SourceFile file{"plain.nc", "G21 G90\nG0 Z10\nF500\n"};
     std::uint32_t random = 1;
@@ -62,7 +62,7 @@ void interpret_lines(benchmark::State& state) {
 }
 BENCHMARK(interpret_lines)->Range(1 << 14, 1 << 20)->Unit(benchmark::kMillisecond);
 
-/// A loop: expressions, parameters, a jump per turn.
+/// Measures a loop: expressions, parameters, and a jump per iteration.
 void interpret_loop(benchmark::State& state) {
     const SourceFile file{
         "loop.ngc", "G21 G90 F500\n#1=0\no100 while [#1 LT " + std::to_string(state.range(0)) +

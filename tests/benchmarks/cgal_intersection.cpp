@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Convex hulls of dual points by CGAL, as bodies with volume, corners and facets.
 #include "cgal_intersection.h"
 
 #include "ncsim/cda/vec.h"
@@ -26,7 +28,7 @@ CgalBody intersection(const std::vector<cda::Plane>& planes) {
     if (result.corners == 0) return result;
     const auto corner = [](const auto& halfedge) {
         const auto& p = halfedge->vertex()->point();
-        // What is lazy is known to some digits only.
+        // Only some digits of a lazy number are known before exact().
         return cda::Vec3{CGAL::to_double(CGAL::exact(p.x())), CGAL::to_double(CGAL::exact(p.y())),
                          CGAL::to_double(CGAL::exact(p.z()))};
     };

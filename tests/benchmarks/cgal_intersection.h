@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Intersection of halfspaces by CGAL (halfspace_intersection_3: an inner point by its solver of
-// quadratic programs, the dual, its convex hull, and back).
+// Intersection of halfspaces by CGAL. halfspace_intersection_3 finds an inner point by quadratic
+// programming and transforms back the convex hull of the dual.
 #pragma once
 
 #include "ncsim/cda/plane.h"
@@ -11,14 +11,15 @@
 
 namespace ncsim::bench {
 
-/// Of the intersection: nothing has no corners. Units of the lattice.
+/// Intersection of halfspaces, in units of the lattice. An empty intersection has no corners.
 struct CgalBody {
     double volume = 0.0;
     std::size_t corners = 0, facets = 0;
 };
 
-/// With exact numbers, or with exact decisions about points that are doubles. Throws what CGAL
-/// throws.
+/// Returns the intersection with exact numbers. `cgal_intersection_in_doubles` decides exactly
+/// about points that are doubles.
+/// Throws: any exception of CGAL.
 CgalBody cgal_intersection_exact(const std::vector<cda::Plane>& planes);
 CgalBody cgal_intersection_in_doubles(const std::vector<cda::Plane>& planes);
 

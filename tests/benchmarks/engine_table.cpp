@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// engine_table [-t THREADS] PROGRAM…: what a hull costs, from NC text to the watertight boundary,
-// stage by stage in CPU seconds, and the work that was counted. A row a program; with
-// -DNCSIM_COUNT_FILTERS=ON also how often doubles could not tell.
+// engine_table [-t THREADS] PROGRAM…: prints the cost of a hull, from NC text to the watertight
+// boundary: CPU microseconds per stage, and counts of the work. A row per program. With
+// -DNCSIM_COUNT_FILTERS=ON also prints how often doubles cannot decide.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/gcode/interpreter.h"
@@ -35,7 +35,7 @@ using bench::cpu_seconds;
 std::uint64_t for_each_hull(const gcode::SourceFile& program, const cda::Lattice& lattice,
                             const toolpath::Tool& tool,
                             const std::function<void(const cda::Cell&)>& take) {
-    // A coarse ball.
+    // The tolerance makes a coarse ball.
     toolpath::Cutter cutter(tool, lattice, {0.15});
     std::vector<cda::Cell> cells;
     std::uint64_t hulls = 0;
@@ -107,10 +107,10 @@ void measure(const std::string& name, std::uint32_t threads) {
         static_cast<double>(counts.facets_tested) / n, static_cast<double>(counts.pieces) / n,
         static_cast<double>(boundary.faces.size()) / n, volume, boundary.shells);
     std::fflush(stdout);
-    if (checksum > 1e300) std::puts("");  // so that nothing is left out
+    if (checksum > 1e300) std::puts("");  // keeps the compiler from omitting work
 }
 
-// In builds that count: what was asked, and the share that doubles could not tell.
+// Prints the number of decisions, and the share that doubles cannot decide, in builds that count.
 void print_filters() {
 #ifdef NCSIM_COUNT_FILTERS
     constexpr std::array kNames{"points", "glances", "corners", "coordinates"};

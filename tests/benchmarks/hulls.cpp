@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Walks the motions of a program and collects the hulls of its tools.
 #include "hulls.h"
 
 #include "ncsim/cda/intersect.h"

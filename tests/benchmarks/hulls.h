@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The hulls that a program takes from its stock, as the exact models get them.
+// Hulls that a program removes from its stock, as passed to the exact models.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -21,16 +21,17 @@ struct Hulls {
     std::vector<cda::Cell> cells;
 
     cda::Cell stock_cell() const;
-    /// Of what they leave, mm³.
+    /// Returns the volume that the hulls leave, mm³.
     double exact_volume() const;
 };
 
-/// Of a file, or of one of the programs of programs.h; of them no more than `most`. Throws
-/// std::invalid_argument if there is neither.
+/// Returns at most `most` hulls of a file, or of a program of programs.h.
+/// Throws: std::invalid_argument if there is neither.
 Hulls hulls_of(const std::string& name, std::size_t most = ~std::size_t{0});
 
-/// What of them is in the stock, or, else, on the lattice, as polytopes.
+/// Clipping of hulls: to the stock, or to the range of the lattice.
 enum class Within { Stock, Lattice };
+/// Returns the clipped hulls as polytopes, without empty intersections.
 std::vector<cda::ConvexPolytope> bodies_of(const Hulls& hulls, Within within);
 
 }  // namespace ncsim::bench

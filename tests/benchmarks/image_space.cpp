@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// image_space [PROGRAM…]: image space (thesis 2.3): the hulls of a program subtracted from its
-// stock in the depth buffer, by OpenCSG, for one picture; beside what the exact boundary costs, and
-// its picture. Of every pixel it is asked whether depth and normal are those of the boundary, drawn
-// by the same OpenGL. One thread, Mesa's processor.
+// image_space [PROGRAM…]: measures image space (thesis 2.3). OpenCSG subtracts the hulls of a
+// program from its stock in the depth buffer, for a single picture. The table also has the cost of
+// the exact boundary and its picture. Depth and normal of every pixel are compared with the
+// boundary, drawn by the same OpenGL. Mesa renders on the processor, with a single thread.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
@@ -43,7 +43,7 @@ using cda::Vec3;
 constexpr int kWidth = 1024, kHeight = 768;
 constexpr unsigned kSeconds = 120;
 
-// An OpenGL context without a window, whose surface is a picture in memory.
+// Makes an OpenGL context without a window. Its surface is a picture in memory.
 void make_context() {
     const EGLDisplay display =
         eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -75,7 +75,7 @@ void make_context() {
     if (surface == EGL_NO_SURFACE || context == EGL_NO_CONTEXT ||
         eglMakeCurrent(display, surface, surface, context) != EGL_TRUE)
         throw std::runtime_error("EGL gives no OpenGL context");
-    // Its last step asks for a display of X, which there is none of, after all that is needed here.
+    // The last step of glewInit() fails without an X display, after all that is needed here.
     const GLenum status = glewInit();
     constexpr GLenum kNoDisplay = 4;
     if (status != GLEW_OK && status != kNoDisplay)
@@ -85,8 +85,8 @@ void make_context() {
     glViewport(0, 0, kWidth, kHeight);
 }
 
-// Triangles, counter-clockwise seen from outside, of points as the camera sees them, with what
-// their normals look like as colours.
+// Triangles, counter-clockwise seen from outside, in coordinates of the camera, with normals as
+// colours.
 struct Triangles {
     std::vector<float> points;
     std::vector<std::uint8_t> colours;
@@ -113,7 +113,7 @@ struct Triangles {
     }
 };
 
-// Orthographic, x, y, z from -1 to 1.
+// Orthographic projection with x, y, z from -1 to 1.
 class Screen {
 public:
     explicit Screen(const exporter::Camera& camera) : camera_(camera) {}
@@ -123,7 +123,7 @@ public:
         return {dot(q, camera_.right) * high * kHeight / kWidth, dot(q, camera_.up) * high,
                 -dot(q, camera_.back) / camera_.depth};
     }
-    /// Of the depth of pixels, which goes from 0 to 1.
+    /// Returns the difference in depth of pixels, which is from 0 to 1, for a distance in mm.
     float depth_of(double mm) const { return static_cast<float>(0.5 * mm / camera_.depth); }
 
 private:
@@ -135,7 +135,7 @@ public:
     Convex(OpenCSG::Operation operation, const cda::ConvexPolytope& body,
            const cda::Lattice& lattice, const Screen& screen)
         : Primitive(operation, 1) {
-        // Its walls are seen from the other side where it is subtracted.
+        // The walls of a subtracted body are seen from inside.
         const double sign = operation == OpenCSG::Subtraction ? -1.0 : 1.0;
         cda::Box box;
         std::vector<Vec3> corners;
@@ -176,7 +176,7 @@ void begin_picture() {
     glEnable(GL_DEPTH_TEST);
     glShadeModel(GL_FLAT);
     glDisable(GL_DITHER);
-    // What is seen is counter-clockwise, and z grows away from the eye as it is.
+    // Visible faces are counter-clockwise, and z grows away from the eye without a projection.
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
     glMatrixMode(GL_MODELVIEW);
@@ -208,7 +208,8 @@ Picture picture_of(const cda::Boundary& boundary, const Screen& screen) {
     return read_picture();
 }
 
-// How pictures differ. Pixels beside an edge of one or the other may be either surface.
+// Differences of pictures, in pixels. A pixel next to an edge in either picture may show either
+// surface; `inner` does not count that difference.
 struct Difference {
     std::size_t part = 0, different = 0, inner = 0;
 };
@@ -266,7 +267,8 @@ void draw_by_opencsg(const bench::Hulls& hulls, const cda::Boundary& boundary,
                      const exporter::Camera& camera, const Method& method) {
     make_context();
     const std::vector<cda::ConvexPolytope> cut = bench::bodies_of(hulls, bench::Within::Lattice);
-    // All of a tool has to be between the planes of OpenGL, or its walls are counted wrongly.
+    // All of a tool has to be between the clipping planes of OpenGL, or its walls are counted
+    // wrongly.
     exporter::Camera whole = camera;
     for (const cda::ConvexPolytope& body : cut) {
         for (const cda::ExactPoint& v : body.vertices()) {
@@ -290,7 +292,7 @@ void draw_by_opencsg(const bench::Hulls& hulls, const cda::Boundary& boundary,
     OpenCSG::setOption(OpenCSG::DepthComplexitySetting, method.sampling);
     double seconds = 0.0;
     Picture picture;
-    // The first loads what is needed: the second is measured.
+    // The first picture loads resources; the second is measured.
     for (int turn = 0; turn < 2; ++turn) {
         const double start = bench::cpu_seconds();
         begin_picture();
@@ -304,7 +306,7 @@ void draw_by_opencsg(const bench::Hulls& hulls, const cda::Boundary& boundary,
         glCullFace(GL_BACK);
         picture = read_picture();
         seconds = bench::cpu_seconds() - start;
-        // What takes long is not measured twice.
+        // A slow picture is not drawn twice.
         constexpr double kLong = 10.0;
         if (seconds > kLong) break;
     }
@@ -344,7 +346,7 @@ void draw_boundary(const bench::Hulls& hulls, const cda::Boundary& boundary, dou
 }  // namespace
 
 int main(int argc, char** argv) {
-    // One thread of Mesa's, as of ours.
+    // Mesa has a single thread, like ncsim.
     ::setenv("LP_NUM_THREADS", "0", 1);
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     try {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Processor time by getrusage() and separate processes by fork().
 #include "measure.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What measuring takes.
+// Tools for measurements.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@
 
 namespace ncsim::bench {
 
-/// Processor time of this process, all threads.
+/// Returns the processor time of this process in seconds, over all threads.
 double cpu_seconds();
 
-/// Runs `measure` in a process of its own: memory is that of one, and what crashes or takes longer
-/// than `seconds` (0: whatever it takes) leaves a row of `title` that says so.
+/// Runs `measure` in a separate process, so memory is that of a single measurement. After a crash,
+/// or after `seconds` (0: no limit), prints a row of `title` with the reason.
 void apart(const std::string& title, unsigned seconds, const std::function<void()>& measure);
 
 }  // namespace ncsim::bench

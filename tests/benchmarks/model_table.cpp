@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// model_table [PROGRAM…]: what the models of the workpiece cost, and how near the inexact ones
-// come, one thread. PROGRAM: wave-10000 and so on (programs.h), or a file. A row a model, each in a
-// process of its own, so that memory is that of one.
+// model_table [PROGRAM…]: prints the cost of the models of the workpiece and the errors of inexact
+// models, with a single thread. PROGRAM is wave-10000 and so on (programs.h), or a file. Each row
+// is a model in a separate process, so memory is that of a single model.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/dexel/dexel.h"
@@ -69,7 +69,7 @@ simulation::Plan plan_for(const Program& program, const Row& row) {
     return plan;
 }
 
-// CPU seconds in the model alone, and what it was given.
+// CPU seconds in the model alone, and the number of moves.
 struct Cutting {
     double seconds = 0.0;
     std::size_t moves = 0;
@@ -128,12 +128,12 @@ Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey
         });
     }
     const double start = cpu_seconds();
-    static_cast<void>(part->volume());  // what waits is cut then
+    static_cast<void>(part->volume());  // cuts the waiting cells
     cutting.seconds += cpu_seconds() - start;
     return cutting;
 }
 
-// The surface alone: as the thesis has it, and as it is now.
+// Prints rows for the surface alone: dual contouring, and marching cubes as in the thesis.
 void print_mesher_rows(const Program& program, double resolution, double exact_volume) {
     simulation::Plan plan = plan_for(program, {"", "dexel", resolution});
     const simulation::Survey survey = simulation::survey(plan);
@@ -152,7 +152,7 @@ void print_mesher_rows(const Program& program, double resolution, double exact_v
     }
 }
 
-// One Boolean operation after the other.
+// Prints the row of boundary evaluation, a Boolean operation per hull.
 void print_nef_row(const Program& program, double exact_volume) {
     simulation::Plan plan = plan_for(program, {"nef", "cda"});
     const double start = cpu_seconds();

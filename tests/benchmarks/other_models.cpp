@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// other_models PROGRAM…: systems that the thesis names (chapter 2) and ncsim does not use, on the
-// same hulls: a tree of BSP cells, voxels (OpenVDB), Boolean operations of a CAD kernel
-// (OpenCASCADE); the last two where their libraries are found. Rows as those of model_table.
-// other_models --picture PROGRAM FILE.png: the part in several models, side by side.
+// other_models PROGRAM…: measures systems that the thesis names (chapter 2) and ncsim does not use,
+// on the same hulls: a tree of BSP cells, voxels (OpenVDB), and Boolean operations of a CAD kernel
+// (OpenCASCADE). OpenVDB and OpenCASCADE are optional. Rows are like rows of model_table.
+// other_models --picture PROGRAM FILE.png: draws the part in several models, side by side.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/tree.h"
@@ -65,7 +65,7 @@ using cda::Vec3;
 
 using bench::cpu_seconds;
 
-// n·x <= d, n of unit length, mm.
+// Halfspace n·x <= d, with n of unit length, in mm.
 struct Halfspace {
     Vec3 n;
     double d;
@@ -87,7 +87,7 @@ Body body_of(const cda::Cell& cell, const cda::Lattice& lattice) {
     return body;
 }
 
-// Of its first hulls, `most` of them.
+// Returns the work for the first `most` hulls.
 Work work_of(bench::Hulls hulls, std::size_t most) {
     if (hulls.cells.size() > most) hulls.cells.resize(most);
     Work work{hulls.name, hulls.stock, {}, {}, hulls.exact_volume()};
@@ -98,7 +98,7 @@ Work work_of(bench::Hulls hulls, std::size_t most) {
     return work;
 }
 
-// A convex body as polygons, each in the plane of a halfspace.
+// Polygon of a convex body, in the plane of a halfspace.
 using Polygon = std::vector<Vec3>;
 
 Polygon clipped(const Polygon& polygon, const Halfspace& h) {
@@ -114,7 +114,8 @@ Polygon clipped(const Polygon& polygon, const Halfspace& h) {
     return kept;
 }
 
-// Of a body, in the plane of one of its halfspaces; empty, if it has no part in the surface.
+// Returns the face of a body in the plane of the halfspace `number`; empty if the halfspace has no
+// share in the surface.
 Polygon face_of(const Body& body, std::size_t number) {
     constexpr double kFar = 1e3;
     const Halfspace& h = body[number];
@@ -145,7 +146,8 @@ Body box_body(const cda::Box& box) {
 
 // --- BSP: Naylor, Amanatides, Thibault, "Merging BSP Trees", SIGGRAPH 1990, of a convex body ---
 
-// A convex region: its faces, each with the number of the body's plane that it lies in, or none.
+// A convex region: its faces, each with the number of the body's plane in which the face lies, or
+// `kOfNode`.
 constexpr std::size_t kOfNode = ~std::size_t{0};
 struct Region {
     struct Face {
@@ -185,7 +187,7 @@ struct Region {
         std::ranges::sort(rim, {}, [&](const Vec3& p) {
             return std::atan2(dot(v, p - middle), dot(u, p - middle));
         });
-        // Is the region not on one side of the plane already, with a face in it?
+        // Adds the section as a face, unless the region already has a face in the plane.
         const bool has_face = std::ranges::any_of(kept.faces, [&](const Face& f) {
             return std::ranges::all_of(
                 f.outline, [&](const Vec3& p) { return std::abs(dot(h.n, p) - h.d) < kOn; });
@@ -206,7 +208,7 @@ Region region_of(const Body& body) {
 
 struct Node {
     Halfspace plane{};
-    std::unique_ptr<Node> inside, outside;  // none: a leaf
+    std::unique_ptr<Node> inside, outside;  // a leaf has neither
     bool is_in = true;
 };
 
@@ -227,7 +229,7 @@ private:
     static bool is_something(const Region& region) { return region.volume() > 1e-9; }
     static Halfspace opposite(const Halfspace& h) { return {-1.0 * h.n, -h.d}; }
 
-    // `region`: of the body, what is in the node's cell.
+    // Subtracts `region`, the part of the body in the node's cell.
     void subtract(Node& node, const Region& region, const Body& body) {
         if (!node.is_in) return;
         if (!node.inside) {
@@ -296,7 +298,8 @@ Grid::Ptr voxel_part(const Work& work, double size) {
     openvdb::initialize();
     const auto transform = openvdb::math::Transform::createLinearTransform(size);
     const auto background = static_cast<float>(3.0 * size);
-    // The distance to the planes of a body is that to its surface, but near edges from outside.
+    // The distance to the planes of a body is the distance to the surface, except outside near
+    // edges.
     const auto grid_of = [&](const Body& body, const cda::Box& box) {
         Grid::Ptr grid = Grid::create(background);
         grid->setTransform(transform);
@@ -326,7 +329,7 @@ Grid::Ptr voxel_part(const Work& work, double size) {
     };
     Grid::Ptr part = grid_of(box_body(work.stock), work.stock);
     for (std::size_t i = 0; i < work.bodies.size(); ++i) {
-        // What of the tool is far above the stock is nobody's.
+        // Omits the part of the tool that is far from the stock.
         cda::Box box = work.bounds[i];
         for (int axis = 0; axis < 3; ++axis) {
             box.min[axis] = std::max(box.min[axis], work.stock.min[axis] - 3 * size);
@@ -337,7 +340,7 @@ Grid::Ptr voxel_part(const Work& work, double size) {
     return part;
 }
 
-// Its surface, two triangles a quad.
+// Returns the surface, with two triangles per quad.
 cda::Boundary surface_of(const Grid& part) {
     std::vector<openvdb::Vec3s> points;
     std::vector<openvdb::Vec4I> quads;
@@ -348,7 +351,7 @@ cda::Boundary surface_of(const Grid& part) {
         const openvdb::Vec3d q(p);
         boundary.vertices.push_back({q.x(), q.y(), q.z()});
     }
-    // Its quads have the material on their left.
+    // Quads of OpenVDB have the material on their left.
     for (const openvdb::Vec4I& q : quads) {
         for (const auto& t : {std::array{q[0], q[2], q[1]}, std::array{q[0], q[3], q[2]}}) {
             const auto& v = boundary.vertices;
@@ -377,7 +380,7 @@ void voxels(const Work& work, double size) {
 }
 #endif
 
-// The same part in several models, from where the same camera stands.
+// Draws the same part in several models, with the same camera.
 void picture(const std::string& program, const std::string& path) {
     const Work work = work_of(bench::hulls_of(program), ~std::size_t{0});
     constexpr double kSize = 0.05;  // mm
@@ -413,7 +416,8 @@ void picture(const std::string& program, const std::string& path) {
 
 #ifdef NCSIM_HAS_OCCT
 TopoDS_Shape solid_of(const Body& body) {
-    // Edges that are shorter than what is sewn would be edges of no length, which it cannot cut.
+    // Edges shorter than the sewing tolerance become edges without length, which OpenCASCADE cannot
+    // cut.
     constexpr double kSewn = 1e-6, kShortest = 2e-6;  // mm
     BRepBuilderAPI_Sewing sewing(kSewn);
     for (const Polygon& p : polygons_of(body)) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// polytope_table [PROGRAM…]: the intersection of two convex polytopes by a space sweep (thesis
-// 4.1), as the thesis does it (4.2 to 4.4), plane by plane, and by CGAL; of pairs of hulls that
-// overlap in programs, cut out of the stock, which is what an aggregate intersects. First which
-// share of the pairs is in special position, in the stock and as they are, then what a pair costs,
-// and whether volume, corners and facets are those of the exact intersection. Then the same pairs,
-// the second of each moved by up to a tenth of a millimetre: polytopes as they are in programs, in
-// general position. What is exact and finds another body than cutting plane by plane does, fails.
+// polytope_table [PROGRAM…]: compares methods to intersect two convex polytopes: a space sweep
+// (thesis 4.1), the method of the thesis (4.2 to 4.4), cutting plane by plane, and CGAL. The pairs
+// are hulls of programs that overlap, clipped to the stock, as an aggregate intersects hulls. The
+// first table has the share of pairs in special position, clipped and not clipped. The second table
+// has the cost of a pair, and whether volume, corners and facets are those of the exact
+// intersection. The same pairs follow with the second polytope moved by up to 0.1 mm: polytopes as
+// in programs, but in general position. An exact method that differs from cutting plane by plane is
+// an error.
 #include "ncsim/cda/intersect.h"
 #include "ncsim/cda/polytope.h"
 
@@ -40,11 +41,11 @@ constexpr std::size_t kMostHulls = 2000, kMostPairs = 3000, kMostForCgal = 200;
 
 struct Pair {
     ConvexPolytope a, b;
-    std::optional<ConvexPolytope> common;  ///< Exactly.
+    std::optional<ConvexPolytope> common;  ///< The exact intersection.
     bool is_special = false;
 };
 
-// What is said of an intersection.
+// Result of an intersection.
 struct Answer {
     bool is_refused = false;
     double volume = 0.0;
@@ -69,7 +70,7 @@ std::vector<cda::Plane> planes_of(const Pair& pair) {
 }
 
 struct Pairs {
-    std::size_t all = 0;  ///< That overlap in boxes, of which some were taken.
+    std::size_t all = 0;  ///< Pairs whose boxes overlap; `taken` is a sample.
     std::vector<Pair> taken;
 };
 
@@ -91,7 +92,7 @@ Pairs pairs_of(const std::vector<ConvexPolytope>& bodies) {
     return pairs;
 }
 
-// By whole units.
+// Returns the body, moved by whole units.
 std::optional<ConvexPolytope> moved(const ConvexPolytope& body, cda::LatticePoint by,
                                     const cda::Lattice& lattice) {
     cda::Cell cell;
@@ -130,7 +131,7 @@ void print_positions(const std::string& title, std::size_t all, std::vector<Pair
         const bench::SpecialPosition p = bench::special_position(pair.a, pair.b);
         pair.is_special = p.any();
         special += p.any();
-        // Without a corner on the other's surface, those that have a point in common have a volume.
+        // In general position, a pair with a common point has a common volume.
         meeting += p.any() || pair.common;
         equal += p.equal;
         one_side += p.facets_one_side;
@@ -148,7 +149,7 @@ void print_positions(const std::string& title, std::size_t all, std::vector<Pair
     std::fflush(stdout);
 }
 
-// Answers of one of them, and how they compare.
+// Answers of a method, compared with the exact answers.
 class Row {
 public:
     Row(std::string title, std::string& table, std::string method)
@@ -229,7 +230,8 @@ void compare(const std::string& title, const std::vector<Pair>& pairs, std::stri
         .measure(pairs, kMostForCgal, false, [&](const Pair& pair) {
             return of_cgal(bench::cgal_intersection_exact(planes_of(pair)));
         });
-    // Two ways to find the same: all of both surfaces, and what the plane met.
+    // Two tests for special position must agree: of both whole surfaces, and of the features that
+    // the sweep plane meets.
     if (disagreements != 0)
         throw std::logic_error(fmt::format("{}: {} pairs are special to one and not to the other",
                                            title, disagreements));

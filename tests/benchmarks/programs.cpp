@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes the benchmark programs line by line.
 #include "programs.h"
 
 #include <fmt/format.h>
@@ -66,9 +68,9 @@ std::string wave_program(std::size_t moves) {
 std::string pocket_program(std::size_t moves) {
     Program program("trochoidal clearing", "D=10. CR=0. - flat end mill");
     constexpr double kLoop = 3.0;     // radius
-    constexpr double kAdvance = 0.8;  // a loop
+    constexpr double kAdvance = 0.8;  // per loop
     constexpr double kRowWidth = 12.0;
-    constexpr std::size_t kSteps = 64;  // a loop: 0.3 mm each
+    constexpr std::size_t kSteps = 64;  // per loop, 0.3 mm each
     double x = 10.0;
     double y = 10.0;
     double z = -2.0;
@@ -143,7 +145,7 @@ std::string finish_program(std::size_t moves) {
         for (std::size_t k = 0; k <= columns; ++k) {
             const std::size_t at = row % 2 == 0 ? k : columns - k;
             const double x = kPatch * static_cast<double>(at) / static_cast<double>(columns);
-            // Every fifth millimetre a step of one, up and down again.
+            // The path steps up and down by 1 mm every 5 mm.
             const bool is_high = static_cast<int>(x / 5.0) % 2 == 1;
             program.line("X{:.3f} Y{:.3f} Z{:.3f}", 20.0 + x, 20.0 + y, is_high ? -1.0 : -2.0);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// NC programs of any length, written as CAM systems write them: what the engine is measured with.
+// NC programs of any length in the style of CAM systems, for measurements of the engine.
 #pragma once
 
 #include <cstddef>
@@ -9,34 +9,36 @@
 
 namespace ncsim::bench {
 
-/// wave-N: a raster of N straight moves over crossed sines with a ball nose of 6 mm; step and
-/// step-over shrink with N as in real finishing. Block of 100 × 100 × 40 mm.
+/// Returns wave-N: a raster of N straight moves over crossed sines with a ball nose of 6 mm. Step
+/// and step-over shrink with N, as in real finishing. The block is 100 × 100 × 40 mm.
 std::string wave_program(std::size_t moves);
 
-/// pocket-N: trochoidal clearing with a flat end mill of 10 mm, in steps of 0.1 to 0.5 mm, layer by
-/// layer; after each layer the block is as long as N asks for.
+/// Returns pocket-N: trochoidal clearing in N moves of about 0.3 mm, with a flat end mill of 10 mm,
+/// in layers of 2 mm.
 std::string pocket_program(std::size_t moves);
 
-/// drill-N: a plate with N / 8 holes, each drilled in pecks by G1 and G0 moves along one line.
+/// Returns drill-N: a plate with N / 8 holes, each drilled in pecks by G1 and G0 moves along a
+/// line.
 std::string drill_program(std::size_t moves);
 
-/// contour-N: a wall followed by a tilted flat end mill (A and B turn a little with each of N
-/// moves).
+/// Returns contour-N: a tilted flat end mill follows a wall. A and B change a little in each of N
+/// moves.
 std::string contour_program(std::size_t moves);
 
-/// finish-N: a raster with a ball nose of 2 mm over steps with upright walls, N moves.
+/// Returns finish-N: a raster of N moves with a ball nose of 2 mm over steps with vertical walls.
 std::string finish_program(std::size_t moves);
 
-/// passes-N: the same contour, 80 moves around, N times, each deeper by the Nth of 20 mm.
+/// Returns passes-N: the same contour of 80 moves, N times, each pass deeper by 20 mm / N.
 std::string passes_program(std::size_t passes);
 
-/// bores-N: N helical bores of three turns, a flat end mill of 6 mm.
+/// Returns bores-N: N helical bores of three turns, with a flat end mill of 6 mm.
 std::string bores_program(std::size_t bores);
 
-/// rotary-N: a raster of N moves around a bar: A turns, the ball nose goes along X.
+/// Returns rotary-N: a raster of N moves around a bar. A rotates, and the ball nose moves along X.
 std::string rotary_program(std::size_t moves);
 
-/// "wave-10000" and so on. Throws std::invalid_argument if there is no such program.
+/// Returns the program of a name like "wave-10000".
+/// Throws: std::invalid_argument if there is no program of that name.
 std::string program_named(std::string_view name);
 
 }  // namespace ncsim::bench

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Space sweep over two polytopes: crowns, crossings, contours, and the assembly of the
+// intersection.
 #include "space_sweep.h"
 
 #include "ncsim/cda/polygon.h"
@@ -27,11 +30,12 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 struct Edge {
     std::uint32_t u = kNone, v = kNone;
-    /// Facets that have it as u → v and as v → u.
+    /// Facets with the edge as u → v, and as v → u.
     std::uint32_t left = kNone, right = kNone;
 };
 
-// Down along z; points of one height as if the plane were tilted a little.
+// Compares points from top to bottom along z. Points of equal height are ordered as if the plane
+// were slightly tilted.
 int compare_heights(const ExactPoint& a, const ExactPoint& b) {
     for (const int axis : {2, 1, 0}) {
         if (const int order = cda::compare_coordinate(b, a, axis)) return order;
@@ -66,7 +70,8 @@ struct Solid {
     const Plane& plane(std::uint32_t facet) const { return body.facets()[facet].plane; }
 };
 
-// On which side of a facet's plane of one the corners of the other lie; asked once each.
+// Sides of the corners of a polytope with respect to the facet planes of a second polytope, each
+// computed once.
 class Sides {
 public:
     Sides(const Solid& corners, const Solid& planes)
@@ -82,7 +87,8 @@ public:
         }
         return static_cast<Side>(known);
     }
-    /// Of a corner in the facet's plane.
+    /// True if the corner is in the facet.
+    /// Requires: the corner is in the facet's plane.
     bool is_in_facet(std::uint32_t corner, std::uint32_t facet) {
         return std::ranges::none_of(
             planes_.facets()[facet].neighbours,
@@ -98,21 +104,22 @@ private:
 
 struct Special {};
 
-// Where an edge of one of them goes through a facet of the other.
+// Point where an edge of a polytope crosses a facet of the second polytope.
 struct Crossing {
     ExactPoint point;
     std::uint32_t edge = 0, facet = 0;
-    std::uint8_t solid = 0;      ///< Whose edge.
+    std::uint8_t solid = 0;      ///< Polytope of the edge.
     bool starts_inside = false;  ///< The edge's `u` is below the facet.
 };
 
 struct Contact {
     bool is_crossing = false, is_on_rim = false;
     ExactPoint point;
-    std::uint32_t rims = 0;  ///< Planes of neighbours that it lies on.
+    std::uint32_t rims = 0;  ///< Number of neighbours whose planes contain the point.
 };
 
-// Of an edge whose ends are on different sides of the facet's plane.
+// Returns the contact of an edge with a facet.
+// Requires: the ends of the edge are on different sides of the facet's plane.
 Contact contact_of(const Solid& of_edge, const Edge& edge, const Solid& of_facet,
                    std::uint32_t facet) {
     Contact contact;
@@ -147,12 +154,13 @@ public:
     }
 
 private:
-    // What starts and ends at the corners of a polytope, and what the plane meets now.
+    // Edges and facets that start and end at each corner of a polytope, and the edges and facets
+    // that the plane meets.
     struct Crown {
         std::vector<std::uint32_t> order;  // of corners
         std::vector<std::vector<std::uint32_t>> starting_edges, starting_facets;
         std::vector<std::uint32_t> last_of_edge, last_of_facet;  // corners
-        std::vector<std::uint32_t> edges, facets;                // now
+        std::vector<std::uint32_t> edges, facets;                // met by the plane
     };
 
     static Crown crown_of(const Solid& solid) {
@@ -193,10 +201,10 @@ private:
             pass(solid, order < 0 ? a : b);
             ++next[solid];
         }
-        // Below the lowest corner of one, nothing meets it.
+        // Below the lowest corner of a polytope there are no crossings.
     }
 
-    // The transition at a corner.
+    // Updates a crown as the plane passes a corner.
     void pass(std::uint8_t solid, std::uint32_t corner) {
         Crown& crown = crowns_[solid];
         const Crown& other = crowns_[1 - solid];
@@ -216,7 +224,7 @@ private:
         }
     }
 
-    // An edge of `solid` and a facet of the other.
+    // Tests an edge of `solid` and a facet of the second polytope.
     void meet(std::uint8_t solid, std::uint32_t number, std::uint32_t facet) {
         const Edge& edge = solids_[solid].edges[number];
         Sides& sides = sides_[solid];
@@ -230,7 +238,8 @@ private:
             crossings_.push_back({contact.point, number, facet, solid, u == Side::Below});
     }
 
-    // No contour: one is in the other, or they are apart.
+    // Returns the inner polytope if a polytope contains the second; empty if they are apart.
+    // Requires: there is no contour.
     std::optional<ConvexPolytope> contained() {
         for (const std::size_t inner : {0U, 1U}) {
             bool is_inside = true;
@@ -241,7 +250,8 @@ private:
         return std::nullopt;
     }
 
-    // An edge of what is common to both that lies on both surfaces, seen from the first's facet.
+    // Edge of the intersection that lies on both surfaces, directed as seen from the first
+    // polytope's facet.
     struct Segment {
         std::uint32_t start = kNone, end = kNone, facet_a = 0, facet_b = 0;
     };
@@ -259,13 +269,14 @@ private:
         end = crossing;
     }
 
-    // Which way contours go at a crossing tells the direction of the edge that makes it.
+    // Links crossings to contours. The direction of the edge at a crossing determines the direction
+    // of the contours.
     void link_contours() {
         segment_of_.assign(solids_[0].facets().size() * solids_[1].facets().size(), kNone);
         for (std::uint32_t i = 0; i < crossings_.size(); ++i) {
             const Crossing& c = crossings_[i];
             const Edge& edge = solids_[c.solid].edges[c.edge];
-            // As seen by who goes along the edge from inside to outside.
+            // Left and right are seen along the edge from inside to outside.
             const std::uint32_t left = c.starts_inside ? edge.left : edge.right;
             const std::uint32_t right = c.starts_inside ? edge.right : edge.left;
             if (c.solid == 0) {
@@ -286,8 +297,8 @@ private:
         std::uint32_t tail, head, neighbour;
     };
 
-    // Corners of `solid` that are inside the other: told by the edges that cross, and the same at
-    // both ends of those that do not.
+    // Returns which corners of `solid` are inside the second polytope. An edge with a crossing
+    // determines its ends; both ends of an edge without crossings are on the same side.
     std::vector<bool> inside_of(std::size_t solid,
                                 const std::vector<std::vector<std::uint32_t>>& crossings_of_edge) {
         const Solid& s = solids_[solid];
@@ -339,7 +350,7 @@ private:
         return ConvexPolytope::assemble(std::move(corners), std::move(facets));
     }
 
-    // What of a polytope's own edges is inside the other.
+    // Adds the parts of a polytope's own edges that are inside the second polytope.
     void add_inner_edges(std::uint32_t solid, std::uint32_t first, std::vector<ExactPoint>& corners,
                          std::vector<std::vector<Piece>>& pieces) {
         const Solid& s = solids_[solid];
@@ -425,7 +436,7 @@ SpecialPosition special_position(const ConvexPolytope& a, const ConvexPolytope& 
             for (const Edge& edge : mine.edges) {
                 const Side u = sides.of(edge.u, f), v = sides.of(edge.v, f);
                 if (u == v || u == Side::On || v == Side::On) continue;
-                // Two rims are a corner of the other.
+                // Two rims are a corner of the second polytope.
                 if (contact_of(mine, edge, other, f).rims == 1) position.edge_on_edge = true;
             }
         }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// thesis_table FOLDER SAMPLE.nc…: what thesis chapter 7 measured, for each sample: a line of a
-// table on stdout, and FOLDER/<sample>.csv with one row a negative cell (time in milliseconds).
+// thesis_table FOLDER SAMPLE.nc…: repeats the measurements of thesis chapter 7. Prints a row of a
+// table per sample, and writes FOLDER/<sample>.csv with a row per negative cell (time in
+// milliseconds).
 #include "ncsim/cda/flat.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
@@ -30,14 +31,15 @@ void measure(const std::filesystem::path& folder, const std::filesystem::path& f
     app::Options options;
     options.program = file.string();
     options.model = "cda-flat";
-    options.stats = "timed";  // the model gets a clock; nothing is written here
+    options.stats = "timed";  // gives the model a clock; no file is written
     setup::InputSet inputs;
     simulation::Plan plan = app::plan_for(options, inputs);
     const simulation::Survey survey = simulation::survey(plan);
     const simulation::Simulation run = simulation::simulate(plan, survey, {}, {});
     const auto& part = dynamic_cast<const cda::FlatCda&>(*run.part);
 
-    // Rendering along the way: the same cells again, a picture at every twentieth of them.
+    // Renders along the way: inserts the same cells again and draws about 20 pictures at even
+    // steps.
     exporter::RenderOptions render;
     render.width = 1024;
     render.height = 768;

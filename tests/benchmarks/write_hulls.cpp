@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_hulls PROGRAM: the hulls that a program takes from its stock, for other libraries. First
-// line: the corners of the stock, mm. Second line: the volume of the part, mm³. Each further line:
-// the corners of a hull, mm.
+// write_hulls PROGRAM: prints the hulls that a program removes from its stock, for use by external
+// libraries. First line: the corners of the stock, mm. Second line: the volume of the part, mm³.
+// Each further line: the corners of a hull, mm.
 #include "hulls.h"
 
 #include <fmt/format.h>

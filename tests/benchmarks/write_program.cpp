@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_program NAME: a program that the engine is measured with, to the standard output.
+// write_program NAME: prints a program of programs.h.
 #include "programs.h"
 
 #include <cstdio>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the minimum distance of vertices in parts and in their facets.
 #include "heal/apart.h"
 
 #include "ncsim/export/simplify.h"
@@ -20,8 +22,8 @@
 namespace ncsim::brep {
 namespace {
 
-// A block of 10 with a pit of three sides from below, the tip of which ends in a hole of the top
-// that is `size` large.
+// Returns a cube of 10 mm with a three-sided pit in its bottom. The pit narrows towards the top,
+// where it leaves a triangular hole of width `size`.
 cda::Boundary pit_through(double size) {
     cda::Boundary boundary;
     boundary.vertices = {{0, 0, 0},  {10, 0, 0},  {10, 10, 0},  {0, 10, 0},
@@ -73,7 +75,7 @@ TEST(KeepApart, AHoleThatCanBeSeenStays) {
     EXPECT_TRUE(check(part, 1e-6).empty());
 }
 
-// What was between two faces around a corner of both had vanished, and each kept an edge from that
+// The piece between two faces at a common corner vanishes. Neither face may keep an edge from that
 // corner to itself.
 TEST(Facets, NoLoopComesToACornerTwiceInARow) {
     simulation::Plan plan = test::plan_of(test::tilted_part(3000160), "part.nc");
@@ -89,8 +91,8 @@ TEST(Facets, NoLoopComesToACornerTwiceInARow) {
     }
 }
 
-// Corners of facets go to where the true surfaces beside them meet; the facets stayed where they
-// were, up to 0.04 mm away.
+// Vertices of facets move to the intersections of adjacent recognised surfaces, here by up to 0.04
+// mm. The facets must follow.
 TEST(Facets, LieInTheirPlanes) {
     simulation::Plan plan = test::plan_of(test::tilted_part(3001006), "part.nc");
     const simulation::Survey survey = simulation::survey(plan);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Random operations of CAM programs, and the rotation of a program.
 #include "brep/cam_parts.h"
 
 #include "ncsim/trig/angles.h"
@@ -21,7 +23,7 @@ namespace ncsim::brep::test {
 
 namespace {
 
-// The middle line of a wall: a rectangle whose corners may be round.
+// Centre line of a wall: a rectangle with corner radius `corner`, or 0 for sharp corners.
 struct Frame {
     double x, y, half_x, half_y, corner;
 };
@@ -59,7 +61,7 @@ private:
         z_ = z;
         line(fmt::format("G1 Z{:.3f} F300", z));
     }
-    // In up to three pieces.
+    // Moves in one to three collinear pieces.
     void go(double x, double y, double z) {
         const int pieces = pick(1, 3);
         const double from_x = x_, from_y = y_, from_z = z_;
@@ -71,7 +73,7 @@ private:
         }
     }
     void go(double x, double y) { go(x, y, z_); }
-    // To the left about a centre.
+    // Moves on a counter-clockwise arc to (`x`, `y`) about the given centre.
     void turn(double x, double y, double centre_x, double centre_y) {
         const double i = centre_x - x_, j = centre_y - y_;
         x_ = x, y_ = y;
@@ -107,7 +109,7 @@ private:
         line("G0 Z5");
     }
 
-    // To and fro, deeper each time, by plunges or ramps.
+    // Cuts a slot back and forth, deeper at each pass, by plunges or ramps.
     void slot() {
         const int tool = pick(1, 4);
         call(tool);
@@ -150,7 +152,7 @@ private:
         return frame;
     }
 
-    // Once around from the middle of its lower side, to the left.
+    // Moves once around the frame, counter-clockwise from the middle of the lower side.
     void around(const Frame& f) {
         const double c = f.corner, x = f.half_x, y = f.half_y;
         go(f.x + x - c, f.y - y);
@@ -164,7 +166,8 @@ private:
         go(f.x, f.y - y);
     }
 
-    // A wall in passes, each led in and out by a quarter of an arc from within, or by nothing.
+    // Cuts a wall in passes. Each pass has a lead-in and a lead-out, quarter arcs from inside, or
+    // neither.
     void wall(const Frame& f, double depth) {
         const int passes = pick(1, 3);
         const double lead = pick(0, 1) == 0 ? length(0.5, 2) : 0.0;
@@ -190,7 +193,7 @@ private:
         wall(frame_at_random(6), length(0.5, 2));
     }
 
-    // In by a helix, a ramp or straight, rows, and the wall.
+    // Cuts a pocket: entry by a helix, a ramp or a plunge, then rows, then the wall.
     void pocket() {
         const int tool = pick(0, 1) == 0 ? 2 : 4;
         const double radius = tool == 2 ? 3.0 : 6.0;
@@ -220,7 +223,8 @@ private:
     }
 };
 
-// Each block has its words of a plane in pairs.
+// Rotates `program` in the XY plane about the middle of the block.
+// Requires: each block has X with Y and I with J, or neither.
 std::string turned(const std::string& program, double degrees) {
     const auto t = trig::sin_cos(degrees);
     std::string text;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs at random as CAM systems write them: walls and pockets in several passes down, with
-// arcs that lead in and out, entries by ramps and helices, facing, slots, holes, chamfers and
-// engraving; and straight moves in pieces that go on one as the other.
+// Random programs in the style of CAM systems: walls and pockets in several passes with lead-in and
+// lead-out arcs, entries by ramps and helices, facing, slots, holes, chamfers and engraving. Some
+// straight moves are split into collinear pieces.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace ncsim::brep::test {
 
-/// Seeds of ncsim_brep_random from here on.
+/// First seed of CAM-style programs among the seeds of ncsim_brep_random.
 inline constexpr std::uint64_t kCam = 7'000'000;
-/// From here on those of kCam, turned about the middle of the block, with numbers rounded again:
-/// what lay in one plane is apart by as much.
+/// First seed of rotated CAM-style programs: the programs of `kCam`, rotated about the middle of
+/// the block, with coordinates rounded again. The rounding separates faces that were coplanar.
 inline constexpr std::uint64_t kTurnedCam = 8'000'000;
 
-/// Always the same for a seed. Tools and stock are in its comments.
+/// Returns the program of `seed`, the same in every call. Comments in the program describe tools
+/// and stock.
 std::string cam_part(std::uint64_t seed);
 
 }  // namespace ncsim::brep::test

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the check of parts with defects in loops, edges and faces, and the repair of vertices that
+// are too close.
 #include "query/check.h"
 
 #include "ncsim/brep/measure.h"
@@ -49,8 +52,8 @@ test::NamedPart solid_named(const std::string& name) {
     return {};
 }
 
-// A plate of which one face has n × n square holes; its edges are the sides of the loops, four
-// each.
+// Returns a part with a single planar face that has n × n square holes. The edges are the sides of
+// the loops, four per loop.
 Part face_with_holes(int n) {
     Part part;
     Face face;
@@ -81,8 +84,8 @@ TEST(Check, FindsTheOneHoleOfManyThatMeetsAnother) {
     const Part sound = face_with_holes(kHoles);
     double miss = 0.0;
     EXPECT_EQ(specified(faults_of(sound, 0, kTolerance, miss)), "");
-    // By hole, and the direction in which it moves onto the next one: within a strip of the plane
-    // and across the border of two.
+    // Moves every seventh hole onto a neighbour in three directions: within a strip of the plane
+    // and across the border of two strips.
     for (int hole = 0; hole < kHoles * kHoles; hole += 7) {
         for (const Vec3 way : {Vec3{2.5, 0, 0}, Vec3{-2.5, 0, 0}, Vec3{0, 2.5, 0}}) {
             Part part = sound;
@@ -119,7 +122,8 @@ TEST(Check, FindsAnEdgeOffItsSurface) {
     EXPECT_NEAR(part.miss_mm, 1e-4, 1e-9);
 }
 
-// The floor and the top of a slot end in arcs; one of these ends on a circle 1 mm wider.
+// The floor and the top of a slot have arcs at their ends. The centre of an arc is shifted by 0.5
+// mm.
 TEST(Check, FindsAnArcThatMissesItsEnd) {
     Part part = solid_named("slotted_box").part;
     for (Edge& edge : part.edges) {
@@ -131,7 +135,7 @@ TEST(Check, FindsAnArcThatMissesItsEnd) {
     EXPECT_NE(specified(check(part, 1.0 / 16)).find("misses its end"), std::string::npos);
 }
 
-// The bore touches a round boss beside it, in a point of the floor that neither has a corner in.
+// Two circular holes of a floor touch in the origin, where neither circle has a vertex.
 TEST(Check, FindsCirclesThatTouch) {
     Part part;
     const Vec3 up{0, 0, 1};
@@ -139,7 +143,7 @@ TEST(Check, FindsCirclesThatTouch) {
     floor.surface.form = Plane{{}, up};
     const auto circle = [&](Vec3 centre, double radius, bool is_forward) {
         const auto v = static_cast<std::uint32_t>(part.vertices.size());
-        // Not where they touch, nor half a step of 3.75 degrees from there.
+        // The vertex is neither at the contact nor half a sampling step of 3.75 degrees from there.
         const double cosine = std::cos(1.01), sine = std::sin(1.01);
         part.vertices.push_back(centre + radius * Vec3{cosine, sine, 0});
         floor.loops.push_back({{static_cast<std::uint32_t>(part.edges.size()), is_forward}});
@@ -160,7 +164,7 @@ TEST(Check, FindsCirclesThatTouch) {
 
 constexpr Vec3 kUp{0, 0, 1};
 
-// Of a level face within one loop.
+// Returns the faults of a level face that `loop` bounds.
 std::string faults_between(std::vector<Vec3> corners, std::vector<Edge> edges, Loop loop) {
     Part part;
     part.vertices = std::move(corners);
@@ -174,7 +178,7 @@ std::string faults_between(std::vector<Vec3> corners, std::vector<Edge> edges, L
     return specified(faults_of(part, 0, 1e-9, miss));
 }
 
-// A line through the axis of a pipe is at no angle there.
+// A line through the axis of a pipe has no angle where it crosses the axis.
 TEST(Check, FindsEdgesThatAreNowhereOnTheirSurface) {
     Part part;
     part.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
@@ -188,8 +192,8 @@ TEST(Check, FindsEdgesThatAreNowhereOnTheirSurface) {
     EXPECT_NE(specified(faults_of(part, 0, 1e-3, miss)).find("nowhere"), std::string::npos);
 }
 
-// Two curves that begin 2 um beside their common corner, as edges do beside facets: they come no
-// nearer to it than that, however often they are halved.
+// Two curves begin 2 µm from their common vertex, as edges next to facets do. Bisection brings the
+// curves no nearer to the vertex.
 TEST(Check, EndsWhereNeighboursMissTheirCorner) {
     Part part;
     part.vertices = {{-1.93e-3, -5.3e-4, 0}, {10, 0, 0}};
@@ -204,8 +208,9 @@ TEST(Check, EndsWhereNeighboursMissTheirCorner) {
     EXPECT_EQ(specified(faults_of(part, 0, 1e-2, miss)), "");
 }
 
-// A line ends at the tip of a slender ellipse, and crosses it once more if it goes up: 0.04 mm
-// before that, or by so little that it may be meant to touch.
+// A line ends at the tip of a slender ellipse. A rising line crosses the ellipse a second time:
+// 0.04 mm before the tip (a fault), or so near the tip that the curves may be meant to touch
+// (accepted).
 TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
     const auto faults = [](double rise) {
         return faults_between(
@@ -218,12 +223,12 @@ TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
     EXPECT_EQ(faults(-0.2), "");
 }
 
-// The corner where two arcs end is beyond the point in which they touch, as far as the radii of 5
-// and 15 and their distance tell: they cross there once more, 0.2 mm before the corner, 0.02 mm
-// before it, where readers see it, too, or in the corner but for rounding.
+// The vertex at the end of two arcs lies beyond the contact that follows from the radii 5 and 15 mm
+// and from the distance of the centres. So the arcs cross a second time before the vertex: by 0.2
+// mm, by 0.02 mm (readers see this as well), or by rounding only (accepted).
 TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
     const auto faults = [](double half) {
-        // Of both circles the points beside the y axis, on both sides.
+        // Both circles pass through (`half`, 0) and (-`half`, 0).
         const double inner = std::sqrt(25.0 - half * half), outer = std::sqrt(225.0 - half * half);
         const Vec3 low{0, -inner, 0}, lower{0, -outer, 0};
         const auto on = [](Vec3 centre, double radius, double degrees) {
@@ -240,10 +245,9 @@ TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
     EXPECT_EQ(faults(1e-7), "");
 }
 
-// Edges of facets are off the cone that is beside them: of two that meet near its apex nobody can
-// say whether the apex is in the face.
-// The floor of a slot along an arc of 7.2 mm by a tool of 6 mm, before the circle of a plunge at
-// its end: outside, both arcs are tangent in the corner, which the plunge misses.
+// Returns the faults of a slot's floor along an arc of radius 7.2 mm, cut by a tool of 6 mm, that
+// ends at the circle of a plunge. The outer arc and the circle are tangent at their common vertex
+// if `miss`, the offset of the circle's centre, is 0.
 std::string faults_beside_plunge(double miss) {
     const Circle outside{{}, kUp, 10.2}, inside{{}, kUp, 4.2};
     const Circle plunge{{7.2 + miss, 0, 0}, -kUp, 3.0}, start{{-7.2, 0, 0}, -kUp, 3.0};
@@ -271,6 +275,8 @@ TEST(Check, LetsArcsThatEndInTheirCornerTouchThere) {
     EXPECT_FALSE(circle_through({{7.2001, 0, 0}, kUp, 3.0}, {10.2, 0, 0}, {4.2, 0, 0}));
 }
 
+// Edges of facets lie off the adjacent cone. If two such edges meet near the apex, it is
+// undecidable whether the apex belongs to the face.
 TEST(Check, FindsEdgesBesideTheApexOfACone) {
     const auto faults = [](Vec3 near_tip) {
         Part part;
@@ -288,13 +294,13 @@ TEST(Check, FindsEdgesBesideTheApexOfACone) {
         return specified(faults_of(part, 0, 0.1, miss));
     };
     EXPECT_NE(faults({0, -2e-4, 0.013}).find("misses the apex"), std::string::npos);
-    // On the cone, but on its other side.
+    // On the cone, on the side opposite to the edges' ends.
     EXPECT_NE(faults({0, -0.02, 0.02}).find("misses the apex"), std::string::npos);
     EXPECT_EQ(faults({0, 0, 0}).find("misses the apex"), std::string::npos);
     EXPECT_EQ(faults({0, 0.5, 0.5}).find("misses the apex"), std::string::npos);
 }
 
-// The wall of a bore without its lower end; and a ring of which one loop is left.
+// The wall of a bore without its lower loop, then a torus with a single loop.
 TEST(Check, FindsFacesWithoutAnOtherEnd) {
     Part part = solid_named("bored_box").part;
     const auto wall = std::ranges::find_if(part.faces, [](const Face& face) {
@@ -318,7 +324,7 @@ TEST(Check, FindsLoopsThatCross) {
     for (Edge& edge : part.edges) {
         auto* circle = std::get_if<Circle>(&edge.curve);
         if (!circle) continue;
-        // Beyond the side of the box.
+        // Moves the bore beyond the side of the box.
         circle->centre.x += 9;
         part.vertices[edge.from].x += 9;
     }
@@ -337,7 +343,7 @@ TEST(Check, FindsTheLongWayRound) {
     EXPECT_NE(specified(check(part, kTolerance)), "");
 }
 
-// Walls and lids of a post with these corners, 5 high.
+// Returns walls and lids of a post with the given corners, 5 mm high.
 Part post(const std::vector<std::pair<double, double>>& corners) {
     cda::Boundary walls;
     for (const double z : {0.0, 5.0}) {
@@ -379,7 +385,7 @@ double shortest_edge(const Part& part) {
     return shortest;
 }
 
-// Two of its five corners are 1.4e-8 mm apart: readers take these for one, and find its walls open.
+// Two of the five corners are 1.4e-8 mm apart. Readers merge both and find the walls open.
 TEST(Apart, MakesOneOfCornersThatReadersWouldTakeForOne) {
     const double near = 1e-8;
     Part part = post({{0, 0}, {10, 0}, {10, 10 - near}, {10 - near, 10}, {0, 10}});
@@ -389,8 +395,8 @@ TEST(Apart, MakesOneOfCornersThatReadersWouldTakeForOne) {
     EXPECT_EQ(specified(check(part, 1e-4)), "");
 }
 
-// A spur of 1e-7 mm, at 3 degrees to one of its walls: longer, it would be nearer to the wall than
-// readers can tell.
+// A spur of 1e-7 mm at 3 degrees to a wall. A longer spur would be nearer to the wall than readers
+// can resolve.
 TEST(Apart, MakesNoSpursOfCorners) {
     const double near = 1e-7;
     Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {near, 10 - 0.05 * near}});
@@ -399,7 +405,8 @@ TEST(Apart, MakesNoSpursOfCorners) {
     EXPECT_EQ(specified(check(part, 1e-4)), "");
 }
 
-// The lid of a post goes on as a line into a wall, which has a hole with two edges there.
+// The lid of a post extends as a line of zero width into a wall, which has a hole of two edges
+// there.
 TEST(Apart, TakesOutWhatHasNoWidth) {
     Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     const auto tip = static_cast<std::uint32_t>(part.vertices.size());
@@ -419,8 +426,8 @@ TEST(Apart, TakesOutWhatHasNoWidth) {
     EXPECT_EQ(part.faces.size(), 6U);
 }
 
-// Within the lid there is another one, between a side of it and two short edges: both have a side
-// of their own there, with nothing of the lid between.
+// The lid contains a second face between a side of the lid and two short edges. Both faces have an
+// edge of their own along that side, with no area of the lid in between.
 TEST(Apart, ClosesSlitsBetweenAnOutlineAndAHole) {
     Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     const EdgeUse side = part.faces[4].loops.front().front();
@@ -451,8 +458,8 @@ std::string told_of_readers(Part& part) {
     return specified(check(part, 1e-4));
 }
 
-// A corner of the lid is in the middle of the opposite edge, but for rounding: the lid is two
-// triangles that meet in it.
+// A corner of the lid is in the middle of the opposite edge, up to rounding. The lid becomes two
+// triangles that meet in that corner.
 TEST(Apart, PartsFacesWithACornerOnTheirEdge) {
     Part part = post({{0, 0}, {10, 0}, {10, 10}, {5, 1e-8}, {0, 10}});
     EXPECT_NE(specified(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
@@ -463,7 +470,7 @@ TEST(Apart, PartsFacesWithACornerOnTheirEdge) {
     EXPECT_NEAR(volume(part), 250.0, 1e-5);
 }
 
-// Two corners of the lid are one but for rounding, with a hole in one of the parts that it has.
+// Two corners of the lid coincide up to rounding. The lid becomes two faces that meet there.
 TEST(Apart, PartsFacesWithTwoCornersInOnePlace) {
     Part part = post({{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5 + 1e-8}});
     EXPECT_NE(specified(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
@@ -473,8 +480,8 @@ TEST(Apart, PartsFacesWithTwoCornersInOnePlace) {
     EXPECT_NEAR(volume(part), 250.0, 1e-5);
 }
 
-// The side of the lid goes up, a little back along itself, and on; as far beside itself as
-// simplified polyhedra may be.
+// A side of the lid goes up, slightly back along itself, and on. The fold is as wide as simplified
+// polyhedra may have folds.
 TEST(Apart, TakesOutFoldsThatReadersCannotSee) {
     for (const double width : {1e-6, 1e-5}) {
         SCOPED_TRACE(width);
@@ -487,8 +494,8 @@ TEST(Apart, TakesOutFoldsThatReadersCannotSee) {
     }
 }
 
-// A pit in the side of a block is 4e-7 mm wide: readers cannot tell both its corners apart, which
-// the top, the side and the end of the pit have in common.
+// A pit in the side of a block is 4e-7 mm wide. Readers cannot separate its two corners, which the
+// top, the side and the end of the pit share.
 TEST(Apart, ClosesPitsTooNarrowForReaders) {
     cda::Boundary block;
     block.vertices = {{0, 0, 0},  {10, 0, 0},        {10, 10, 0}, {0, 10, 0},
@@ -513,8 +520,8 @@ TEST(Apart, ClosesPitsTooNarrowForReaders) {
     EXPECT_NEAR(volume(part), 500.0, 1e-5);
 }
 
-// Both ends of a short edge have a neighbour in common that no face beside the edge has: as one
-// point they would have two edges to it.
+// Both ends of a short edge have a common neighbour that is on no face adjacent to the edge.
+// Merging the ends would make two edges to that neighbour.
 TEST(Apart, KeepsCornersThatHoldTheSurfaceTogether) {
     cda::Boundary two;
     two.vertices = {{0, 0, 5}, {0, 0, -5}, {5, 0, 0}, {-5, -5e-8, 0}, {-5, 5e-8, 0}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers and directions at random, the same in each run.
+// Random numbers and directions, the same in each run.
 #pragma once
 
 #include "ncsim/cda/vec.h"

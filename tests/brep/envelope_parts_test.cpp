@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts with envelopes: as golden ones, their volumes by sums over squares where no paper has them.
+// Parts with envelopes, tested like golden parts. Volumes without a closed form are sums over
+// squares.
 #include "ncsim/brep/curve.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/brep/swept.h"
@@ -30,7 +31,8 @@ using test::kPi;
 using test::Made;
 using test::make;
 
-// Of the smallest value of what goes down first and then up, between both ends.
+// Returns the minimum of `f` between `low` and `high`, by ternary search.
+// Requires: `f` first decreases and then increases.
 template <typename F>
 double least_of(const F& f, double low, double high) {
     constexpr int kThirds = 90;
@@ -45,16 +47,16 @@ double least_of(const F& f, double low, double high) {
     return f(0.5 * (low + high));
 }
 
-// How high the bull nose is there, from its middle.
+// Returns the height (mm) of the bull nose D12 R2 above its tip at (`x`, `y`) from its axis.
 double bull_height(double x, double y) {
     const double out = std::max(0.0, std::hypot(x, y) - 4.0);
     return 2.0 - std::sqrt(std::max(0.0, 4.0 - out * out));
 }
 
-// Down a slope from side to side of the block, 0.06 mm for 1 mm, the corner radius leaves one face.
+// Along a slope of 6 % from side to side of the block, the corner radius leaves a single face.
 TEST(Recognise, KnowsTheFloorsOfBullNosesOnSlopes) {
     const Golden golden{"slope", "T4 M6\nG0 X-10 Y30 Z0\nG1 X90 Z-6\nG0 Z5\n", {}, 0.0};
-    // At y beside the way the floor is so much higher than a line that goes down with the tip.
+    // At lateral distance `y`, the floor is `higher` mm above the line on which the tip descends.
     double cut = 0.0;
     constexpr int kSteps = 4000;
     for (int i = 0; i < kSteps; ++i) {
@@ -77,8 +79,8 @@ TEST(Recognise, KnowsTheFloorsOfBullNosesOnSlopes) {
     }
 }
 
-// Steep, and ending in the block: beside the floor stands the tool, with its side, its corner
-// radius all around and its flat end.
+// A steep slope ends within the block. There the tool leaves its side, its corner radius all around
+// and its flat end.
 TEST(Recognise, KnowsWhereBullNosesStopOnSlopes) {
     const Golden golden{"steep", "T4 M6\nG0 X20 Y30 Z0\nG1 X40 Z-12\nG0 Z5\n", {}, 0.0};
     double cut = 0.0;
@@ -108,8 +110,9 @@ TEST(Recognise, KnowsWhereBullNosesStopOnSlopes) {
     }
 }
 
-// What the ball of 8 mm takes out on a helix about the middle, its radius 15, from Z1 on: over
-// squares, at the times about the angle of each.
+// Returns the volume (mm³) that the ball of 8 mm removes on a helix about the middle of the block,
+// of radius 15 mm, from Z1 on, `down` mm per turn. Sums over squares; each square takes only the
+// times near its angle.
 double removed_on_helix(double down, double turns) {
     constexpr double kStep = 0.1, kTime = 5e-4;
     double sum = 0.0;
@@ -133,7 +136,8 @@ double removed_on_helix(double down, double turns) {
     return sum;
 }
 
-// A whole turn is two halves, which are one groove but for their edge; at the end stands the ball.
+// A full turn is two half turns, whose faces are the same groove but for the edge between. The ball
+// leaves a spherical cap at the end.
 TEST(Recognise, KnowsTheGroovesOfBallsOnHelices) {
     struct Helix {
         std::string moves;
@@ -153,9 +157,9 @@ TEST(Recognise, KnowsTheGroovesOfBallsOnHelices) {
     }
 }
 
-// While B turns about the zero, X and Z are told so that the tip goes about level through the top
-// of the block; and a chain of such moves, which bends by so little that the lunes between are left
-// out.
+// While B rotates about the zero, X and Z are such that the tip moves nearly level through the top
+// of the block. The second case is a chain of moves that bends so little that the lunes in between
+// are omitted.
 TEST(Recognise, KnowsTheGroovesOfBallsThatTurn) {
     const std::string start = "T3 M6\nG0 X20 Y30 Z20\nG1 Z-2\n", end = "G0 Z60\n";
     for (const auto& [moves, kinds] :
@@ -169,10 +173,10 @@ TEST(Recognise, KnowsTheGroovesOfBallsThatTurn) {
     }
 }
 
-// The same deeper than the ball is high, down and up along the tool. Turned in the plane of its way
-// its side leaves planes; beside that, to the left and to the right, what no other form is. A chain
-// bends by 3 degrees, or by 11, where faces of the ball cross in a curve that passes where they
-// touch.
+// Moves as above, deeper than the ball is high, with entry and exit along the tool. A tool that
+// rotates in the plane of its path leaves planes with its side; with lateral motion the side leaves
+// envelopes. Chains bend by 3 or by 11 degrees; at 11 degrees, faces of the ball cross in a curve
+// that passes through their point of contact.
 TEST(Recognise, KnowsTheSidesOfBallsThatTurn) {
     const std::string start = "T3 M6\nG0 X20 Y30 Z20\nG1 Z-8\n", end = "G0 Z60\n";
     for (const auto& [moves, kinds] :
@@ -187,8 +191,8 @@ TEST(Recognise, KnowsTheSidesOfBallsThatTurn) {
     }
 }
 
-// Where such a slope is nearly level, what is left of the ring around the flat end where the tool
-// stood is a hundredth of a millimetre high, and no facet tells it.
+// On a nearly level slope, the torus that remains around the flat end at a stop is 0.01 mm high. No
+// facet indicates that torus.
 TEST(Recognise, KnowsWhereBullNosesStopNearlyLevel) {
     const std::string start = "T4 M6\nG0 X20 Y30 Z0\n", end = "G0 Z5\n";
     for (const auto& [moves, kinds] :
@@ -201,7 +205,7 @@ TEST(Recognise, KnowsWhereBullNosesStopNearlyLevel) {
     }
 }
 
-// Strips of such rings that cannot stay are not put in again and again.
+// Strips of a torus that cannot stay are not inserted again and again.
 TEST(Recognise, EndsWhereBullNosesGoDownAndLevelInTurns) {
     const Golden golden{"turns",
                         "T4 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG1 X25 Z-1.05\nG1 X30\nG1 X35 Z-1.2\n"
@@ -213,7 +217,8 @@ TEST(Recognise, EndsWhereBullNosesGoDownAndLevelInTurns) {
     EXPECT_TRUE(made.solid.is_sound);
 }
 
-// Down, up, and in a chain, with what their sides leave: its flat end goes level nowhere.
+// Bull noses move down, up and in a chain, and leave faces of their sides, too. The flat end
+// nowhere moves level.
 TEST(Recognise, KnowsTheCornersOfBullNosesThatTurn) {
     const std::string start = "T4 M6\nG0 X20 Y30 Z20\n", end = "G0 Z60\n";
     for (const auto& [moves, kinds] :
@@ -229,7 +234,7 @@ TEST(Recognise, KnowsTheCornersOfBullNosesThatTurn) {
     }
 }
 
-// The circle of a flat end: at both ends of the way it is an edge.
+// The rim of a flat end leaves an envelope. At both ends of the path the rim's circle is an edge.
 TEST(Recognise, KnowsTheRimsOfFlatEndsThatTurn) {
     const Golden golden{"rim",
                         "T1 M6\nG0 X20 Y30 Z20\nG1 Z-5\nG1 X55 Y33 Z-6 B3\nG0 Z60\n",
@@ -239,7 +244,7 @@ TEST(Recognise, KnowsTheRimsOfFlatEndsThatTurn) {
     expect_at({0.05, 0.02, 0.0055}, golden, left);
 }
 
-// An arc nearer to its centre where it ends, and a helix in an upright plane.
+// An arc whose radius decreases towards its end, and a helix in a vertical plane.
 TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
     for (const auto& [moves, kinds] :
          {std::pair<std::string, Kinds>{"T3 M6\nG0 X60 Y30 Z1\nG1 Z-3\nG3 X20.05 Y30 I-20\n",
@@ -253,9 +258,10 @@ TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
     }
 }
 
-// A corner radius on an arc hardly wider than itself: its envelope folds, and edges of its face go
-// along the fold, where some of their points are in no place of it. What faces bound has the area
-// of their edges, seen from any side; so the volume is the same from wherever it is summed up.
+// A corner radius moves on an arc hardly larger than itself. Its envelope folds, and edges of the
+// face follow the fold, where some of their points have no place on the envelope. The projected
+// area of a face follows from its edges for any direction. So the volume does not depend on the
+// origin of the sum.
 TEST(Envelope, AreasAreKnownWhereItFolds) {
     simulation::Plan plan;
     plan.job = setup::job_of(
@@ -301,7 +307,8 @@ TEST(Envelope, AreasAreKnownWhereItFolds) {
     EXPECT_EQ(envelopes, 6);
 }
 
-// Each of 300 turns was two surfaces to try, for each facet: a line of 40 characters took a minute.
+// An arc of 300 turns yields few candidate surfaces. With two candidates per turn for each facet, a
+// line of 40 characters takes a minute.
 TEST(Envelope, ManyTurnsAreFewSurfaces) {
     const setup::Job job =
         setup::job_of({"bore.nc",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Envelopes against what they are made of: the tool at many times, and differences of points.
+// Compares envelopes with their definition: the tool at many times, and finite differences of
+// points.
 #include "ncsim/brep/envelope.h"
 
 #include "ncsim/brep/surface.h"
@@ -26,7 +27,8 @@ using cda::norm;
 using cda::normalized;
 using test::Draw;
 
-// The tip along a bent line, the axis on a circle about another one.
+// Returns a motion of the tip along a bent line while the axis rotates about a fixed direction;
+// empty if `turning_way` cannot represent the motion.
 std::optional<RotaryPath> random_turn(Draw& draw, Vec3 axis) {
     const Vec3 from = draw.point(), along = draw.from(8.0, 30.0) * draw.direction();
     const Vec3 bow = draw.from(0.0, 3.0) * draw.direction();
@@ -40,7 +42,7 @@ std::optional<RotaryPath> random_turn(Draw& draw, Vec3 axis) {
     });
 }
 
-// A helix or a spiral, about the axis or not.
+// Returns a helix or a spiral about the tool axis or about a random direction.
 RoundWay random_round_way(Draw& draw, Vec3 axis, double tool) {
     RoundWay round;
     round.centre = draw.point();
@@ -54,8 +56,8 @@ RoundWay random_round_way(Draw& draw, Vec3 axis, double tool) {
     return round;
 }
 
-// Sides of end mills and of tapered tools, and tips; where the tool does not pivot about a point of
-// its axis beside them.
+// Returns the envelope of the side of an end mill, a tapered tool or a tip. Rejects motions that
+// pivot the tool about a point of its axis within the side.
 Envelope random_flank(Draw& draw) {
     for (;;) {
         Flank flank{draw.from(2.0, 5.0), draw.from(0.0, 3.0), 1.0, 0.0, draw.from(1.0, 4.0)};
@@ -84,15 +86,17 @@ Envelope random_flank(Draw& draw) {
     }
 }
 
-// Some place across: of fillets between these angles, of flanks anywhere on them.
+// Returns a random place across the motion: for a fillet an angle between `low` and `high`, for a
+// flank any place along the flank.
 double random_place(Draw& draw, const Sweep& sweep, double low, double high) {
     const Flank* flank = sweep.flank();
     if (!flank) return draw.from(low, high);
     return draw.from(1.1, 1.9) * (draw.from(-1, 1) < 0.0 ? -flank->length : flank->length);
 }
 
-// Balls and bull noses: lines that are neither level nor too steep, turning ones, and helices and
-// spirals, wider than the tool, whose axis may lean; and flanks.
+// Returns a random envelope. Balls and bull noses move on lines that are neither level nor too
+// steep, on rotary moves, and on helices and spirals wider than the tool, whose axis may be tilted.
+// Flanks are included.
 Envelope random_envelope(Draw& draw) {
     for (;;) {
         if (draw.from(0, 1) < 0.3) return random_flank(draw);
@@ -120,7 +124,7 @@ Envelope random_envelope(Draw& draw) {
     }
 }
 
-// Of all times.
+// Returns the least distance of `p` from the tool over 2001 times.
 double least_off(const Sweep& sweep, Vec3 p) {
     double least = std::numeric_limits<double>::infinity();
     constexpr int kTimes = 2000;
@@ -129,7 +133,7 @@ double least_off(const Sweep& sweep, Vec3 p) {
     return least;
 }
 
-// Of points to which the tool does not come.
+// Tests points that the tool never enters.
 TEST(Envelope, HasItsPlacesNormalsAndDistances) {
     Draw draw(11);
     int seen = 0;
@@ -156,7 +160,7 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
         EXPECT_NEAR(place_across(sweep, place.passage, p), across_way, 1e-8);
         const double off = draw.from(-0.05, 0.05);
         EXPECT_NEAR(distance(envelope, p + off * n), off, 1e-6);
-        // What crosses it there.
+        // Surfaces that cross the envelope at `p`.
         EXPECT_NEAR(distance(Characteristic{envelope, t}, p), 0.0, 1e-10);
         EXPECT_NEAR(distance(Trail{envelope, dot(n, place.passage.axis)}, p), 0.0, 1e-3);
         EXPECT_LT(std::abs(dot(gradient(Characteristic{envelope, t}, p), place.normal)), 1e-6);
@@ -181,7 +185,7 @@ TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
     }
 }
 
-// Both by differences.
+// Compares both gradients with finite differences.
 TEST(Envelope, WhatCrossesItHasItsGradient) {
     Draw draw(11);
     constexpr double kStep = 1e-6;
@@ -208,7 +212,7 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
     }
 }
 
-// Points one after the other, each from the one before.
+// Evaluates points in sequence, each with the projection of the preceding point.
 TEST(Envelope, PointsInARowHaveTheirTimesForetold) {
     Draw draw(11);
     constexpr double kStep = 1e-4;
@@ -235,14 +239,14 @@ TEST(Envelope, PointsInARowHaveTheirTimesForetold) {
     EXPECT_GT(seen, 200);
 }
 
-// Where the profile goes smoothly from the one to the other, they touch on the way, too.
+// If the profile is smooth between side and corner radius, their envelopes are tangent, too.
 TEST(Envelope, SidesTouchTheirCornerRadii) {
     Draw draw(11);
     for (int i = 0; i < 200; ++i) {
         const Envelope side = random_flank(draw);
         const Flank& flank = *side.sweep->flank();
         if (flank.radius * flank.cosine < 0.5) continue;
-        // A ball about the point of the axis in which the normal ends.
+        // A ball about the axis point in which the normal of the flank ends.
         const double radius = flank.radius / flank.cosine;
         const Envelope ball{std::make_shared<Sweep>(
             Fillet{0.0, flank.height - radius * flank.sine, radius}, side.sweep->way())};
@@ -257,7 +261,7 @@ TEST(Envelope, SidesTouchTheirCornerRadii) {
     }
 }
 
-// A fillet without a radius: where its circle passes, by differences.
+// A fillet of radius 0: its envelope is the trace of its circle, compared by finite differences.
 TEST(Envelope, OfARimIsWhereItsCirclePasses) {
     Draw draw(12);
     int seen = 0;
@@ -286,7 +290,7 @@ TEST(Envelope, OfARimIsWhereItsCirclePasses) {
         EXPECT_NEAR(on.off, 0.0, 1e-10);
         EXPECT_NEAR(on.t, t, 1e-9);
         EXPECT_NEAR(std::abs(dot(on.normal, n)), 1.0, 1e-8);
-        // Below the tool.
+        // The normal points down along the tool axis.
         EXPECT_LT(dot(on.normal, on.passage.axis), 0.0);
         EXPECT_NEAR(place_across(sweep, on.passage, p), place, 1e-8);
         const double off = draw.from(-0.05, 0.05);
@@ -312,7 +316,7 @@ TEST(Envelope, OfARimIsWhereItsCirclePasses) {
     }
 }
 
-// The point of the axis about which it does stays where it is.
+// The tool pivots about a fixed point of its axis.
 TEST(Envelope, HasNoSideWhereTheToolPivots) {
     const auto way = turning_way([](double t) {
         const double angle = 0.3 * t;
@@ -332,7 +336,7 @@ TEST(Envelope, HasNoSideWhereTheToolPivots) {
     EXPECT_FALSE(pivots(30.0));
 }
 
-// What machines do: axes turn evenly, and places turn with them.
+// Motion as on a machine: rotary axes move uniformly, and positions rotate with the axes.
 TEST(RotaryPath, GoesThroughWhatItIsMadeOf) {
     const auto pose = [](double t) {
         const double b = 2.5 * t, c = 1.0 - 1.5 * t;

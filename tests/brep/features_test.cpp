@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a machinist finds on parts of a few lines, by calliper and depth gauge.
+// Features of small parts, with the sizes that a calliper and a depth gauge measure.
 #include "ncsim/brep/features.h"
 
 #include "ncsim/cda/mesh.h"
@@ -106,7 +106,7 @@ TEST(Features, APocketHasAFloorWidthsWallsAndCorners) {
     EXPECT_TRUE(f.floors[1].is_closed);
     EXPECT_NEAR(f.floors[1].area, 1000.0 - (100.0 - 25.0 * std::numbers::pi), 1e-6);
     EXPECT_EQ(lengths(f, true), (std::vector<double>{25.0, 40.0}));
-    // Left, front, below, back, right, through the whole.
+    // Left, front, below, back, the whole block, right.
     EXPECT_EQ(lengths(f, false), (std::vector<double>{15.0, 15.0, 16.0, 20.0, 20.0, 25.0}));
     ASSERT_EQ(f.corners.size(), 4U);
     for (const Corner& corner : f.corners) {
@@ -121,14 +121,15 @@ TEST(Features, AnOpenSlotHasItsWidth) {
     EXPECT_EQ(lengths(f, true), std::vector<double>{10.0});
     ASSERT_FALSE(f.distances.empty());
     const auto slot = std::ranges::find_if(f.distances, &Distance::is_void);
-    // Across its way, from wall to wall.
+    // The distance is measured across the path, from wall to wall.
     const Vec3 across = (1.0 / slot->mm) * (slot->to - slot->from);
     EXPECT_NEAR(cda::dot(across, cda::normalized({100, 70, 0})), 0.0, kExact);
     for (const Floor& floor : f.floors)
         EXPECT_FALSE(floor.is_closed);
 }
 
-// Two slots side by side: what is between is a wall; what is across both of them is no slot.
+// Two parallel slots. The material in between is a wall; the distance across both slots is no slot
+// width.
 TEST(Features, WhatStandsBetweenCounts) {
     const Features f = measured("slots",
                                 "T1 M6\nG0 X-10 Y20 Z5\nG1 Z-4\nG1 X90\nG0 Z5\nG0 X-10 Y34\n"
@@ -154,7 +155,8 @@ TEST(Features, ABossAndABar) {
     EXPECT_NEAR(bar.bosses[0].diameter, 60.0, kExact);
 }
 
-// The floor of a helix is no surface that is known here: it is told, and nothing is made of it.
+// The floor of this helix is not a recognised surface. Its facets are counted, and no feature is
+// derived from the facets.
 TEST(Features, FacetsAreCountedAndNotMeasured) {
     const Features f =
         measured("ramp", "T5 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG2 X60 Y30 I20 J0 Z-4\nG0 Z5\n");

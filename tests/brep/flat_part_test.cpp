@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests solids of facets: sound input, crossing loops, open shells and voids.
 #include "ncsim/brep/flat_part.h"
 
 #include "ncsim/brep/measure.h"
@@ -12,8 +14,8 @@
 namespace ncsim::brep {
 namespace {
 
-// A block of 10 with a pit of four sides in its top, which comes to a point, `to_the_right` of its
-// middle.
+// Returns a cube of 10 mm with a four-sided pit in its top that ends in a point, shifted by
+// `to_the_right` (mm) in X.
 Facets pitted_block(double to_the_right) {
     cda::Boundary block;
     block.vertices = {{0, 0, 0},   {10, 0, 0},   {10, 10, 0}, {0, 10, 0}, {0, 0, 10},
@@ -74,7 +76,8 @@ TEST(FlatPart, OpenOnesAndThoseOfAnotherVolumeAreNotSound) {
     EXPECT_FALSE(is_sound_polyhedron(part, volume(part)));
 }
 
-// It had no faces: nothing is around a void that is written by itself.
+// A void that is written alone has no enclosing shell. Its faces are kept, and its volume is
+// negative.
 TEST(FlatPart, AVoidByItselfHasItsFaces) {
     Facets block = pitted_block(kInside);
     for (cda::BoundaryFace& face : block.boundary.faces) {

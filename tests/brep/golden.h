@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts as a machinist would describe them.
+// Golden parts: small programs with known faces and volumes.
 #pragma once
 
 #include "ncsim/brep/measure.h"
@@ -18,17 +18,18 @@
 namespace ncsim::brep::test {
 
 inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kBlock = 80.0 * 60.0 * 20.0;  // mm3
+inline constexpr double kBlock = 80.0 * 60.0 * 20.0;  // mm³
 
-// Planes, cylinders, cones, spheres, tori, extrusions, domes, coils, spirals, envelopes.
+// Numbers of planes, cylinders, cones, spheres, tori, extrusions, domes, coils, spirals and
+// envelopes.
 using Kinds = std::array<int, 10>;
 
 struct Golden {
     std::string name;
-    std::string moves;  // after the tool and the stock were told
+    std::string moves;  // without tool and stock
     Kinds kinds;
     double volume;
-    bool is_bar = false;  // else a block of 80 x 60 x 20
+    bool is_bar = false;  // otherwise a block of 80 x 60 x 20 mm
 };
 
 inline Made make(const Golden& golden, double tool_tolerance, unsigned threads = 0) {
@@ -42,7 +43,8 @@ inline Kinds kinds_of(const Part& part) {
     return kinds;
 }
 
-// Its faces and what is left of it, but for such a share, at any of these tolerances, and no facet.
+// Expects the faces of `golden`, no facet, and the volume `left` up to `share`, at each of
+// `tolerances`.
 inline void expect_at(const std::vector<double>& tolerances, const Golden& golden, double left,
                       double share = 1e-8) {
     for (const double tolerance : tolerances) {

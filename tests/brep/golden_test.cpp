@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts as a machinist would describe them: so many faces of each kind, volumes as on paper, and
-// nothing of it depends on how round the simulated tools are.
+// Golden parts: each program has known numbers of faces per kind and a known volume, which do not
+// depend on the tolerance of the simulated tools.
 #include "brep/golden.h"
 
 #include "ncsim/brep/measure.h"
@@ -33,22 +33,24 @@ using test::kPi;
 using test::Made;
 using test::make;
 
-// Of the ball of 8 mm, 3 deep: across the way, and where it stood.
+// Returns the cross-section (mm²) of the groove of the ball of 8 mm, 3 mm deep. `ball_cap` returns
+// the volume (mm³) at the groove's ends.
 double ball_section() {
     return 16.0 * std::acos(0.25) - std::sqrt(15.0);
 }
 double ball_cap() {
     return kPi * 9.0 * (3.0 * 4.0 - 3.0) / 3.0;
 }
-// Of the bull nose, 3 deep.
+// Returns the cross-section (mm²) of the groove of the bull nose, 3 mm deep.
 double bull_section() {
     return 12.0 * 3.0 - 2.0 * (4.0 - kPi);
 }
 
-// Of the bull nose, 2 deep, along 29.5 mm and a quarter of an arc of radius 5.5, nearer to whose
-// centre it is wider than that: at each height strips, the ends, and what is around the corner.
+// Returns the volume (mm³) that the bull nose removes, 2 mm deep, along 29.5 mm and a quarter arc
+// of radius 5.5 mm, which is smaller than the tool's radius. Sums the strips, the ends and the
+// sector around the corner at each height.
 double narrow_corner() {
-    const double strips = 59.0 + 5.5 * kPi, round = kPi;  // for each mm of radius; its square
+    const double strips = 59.0 + 5.5 * kPi, round = kPi;  // factors of the radius and of its square
     const double first = 8.0 + kPi, second = 32.0 + 8.0 * kPi + 16.0 / 3.0;
     const double u = std::sqrt(1.75);
     const double beyond =
@@ -56,7 +58,7 @@ double narrow_corner() {
     return strips * first + round * second - (1.0 - 0.25 * kPi) * beyond;
 }
 
-// Under the circle of radius 30, from -y to y.
+// Returns the area of the disc of radius 30 between -`y` and `y`.
 double across_bar(double y) {
     return 2.0 * (y * std::sqrt(900.0 - y * y) + 900.0 * std::asin(y / 30.0));
 }
@@ -73,7 +75,8 @@ std::vector<Golden> goldens() {
          "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X50\nG0 Z5\n",
          {9, 2, 0, 0, 0},
          kBlock - 4.0 * (300.0 + 25.0 * kPi)},
-        // Both moves are one hull, named for the second; the wall is where the first one starts.
+        // Both moves are one hull, named after the second move; the wall is at the start of the
+        // first.
         {"slot_in_two_moves",
          "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X23\nG4 P1\nG1 X28\nG0 Z5\n",
          {9, 2, 0, 0, 0},
@@ -98,20 +101,20 @@ std::vector<Golden> goldens() {
          "T5 M6\nG0 X-10 Y-3 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n",
          {7, 0, 0, 0, 0},
          kBlock - 40.0},
-        // Two rings whose walls touch in one line: none of the three strips between is there. The
-        // upper floor, which runs out between them, is two planes.
+        // Two annular grooves whose walls touch in a line: none of the three strips in between
+        // exists. The upper floor, which narrows towards the line, is two planes.
         {"touching_rings",
          "T1 M6\nG0 X52 Y30 Z1\nG1 Z-3\nG2 X52 Y30 I-12\nG0 Z5\nG0 X47 Y25\nG1 Z-6\nG2 X47 Y25 "
          "I-7\nG0 Z5\n",
          {10, 3, 0, 0, 0},
          kBlock - 1275.0 * kPi},
-        // Of the wall of 0.4 um between both rings facets leave a fin here and there, which goes.
+        // The wall of 0.4 µm between both annular grooves leaves fins of facets, which are removed.
         {"ring_beside_ring",
          "T1 M6\nG0 X50 Y30 Z1\nG1 Z-4\nG2 X50 Y30 I-10\nG0 Z5\nG0 X60.0004 Y30\nG1 Z-4\nG2 "
          "X60.0004 Y30 I-20.0004\nG0 Z5\n",
          {8, 2, 0, 0, 0},
          kBlock - 4.0 * kPi * (25.0004 * 25.0004 - 25.0)},
-        // Each groove parts both walls of the other one, which touch in a point there.
+        // Each groove splits both walls of the crossing groove, which touch in a point there.
         {"crossing_points",
          "T2 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG1 X60\nG0 Z5\nG0 X40 Y10\nG1 Z-1\nG1 Y50\nG0 Z5\n",
          {14, 0, 4, 0, 0},
@@ -124,7 +127,7 @@ std::vector<Golden> goldens() {
          "T3 M6\nG0 X20 Y30 Z5\nG1 Z-3\nG1 X60\nG0 Z5\n",
          {6, 1, 0, 2, 0},
          kBlock - 40.0 * ball_section() - ball_cap()},
-        // Four degrees: the lune at the bend would be 2 um high.
+        // Four degrees: the lune at the bend would be 2 µm high.
         {"bent_ball_groove",
          "T3 M6\nG0 X20 Y30 Z5\nG1 Z-3\nG1 X40\nG1 X60 Y31.4\nG0 Z5\n",
          {6, 2, 0, 2, 0},
@@ -142,13 +145,14 @@ std::vector<Golden> goldens() {
          "T4 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
          {8, 2, 0, 0, 2},
          kBlock - 30.0 * kPi * bull_section()},
-        // Around a corner that is narrower than the tool: within the arc the ring is thicker than
-        // wide, and comes to a tip, which is a corner of its face.
+        // A corner that is narrower than the tool. Inside the arc the torus is a spindle torus
+        // (minor radius > major radius) and comes to a tip, which is a vertex of its face.
         {"narrow_corner",
          "T4 M6\nG0 X25 Y8 Z5\nG1 Z-2\nG1 X35.5\nG3 X41 Y13.5 I0 J5.5\nG1 Y32.5\nG0 Z5\n",
          {7, 4, 0, 0, 4},
          kBlock - narrow_corner()},
-        // The rim of the tool leaves the floor, which is as deep as where it passed last.
+        // The rim of the tool leaves the floor. Each point of the floor is as deep as the rim's
+        // last pass.
         {"ramp",
          "T1 M6\nG0 X20 Y30 Z0\nG1 X60 Z-4\nG0 Z5\n",
          {9, 1, 0, 0, 0, 1},
@@ -161,7 +165,8 @@ std::vector<Golden> goldens() {
          "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X60 Z0\nG0 Z5\n",
          {9, 1, 0, 0, 0, 1},
          kBlock - (800.0 + 100.0 * kPi)},
-        // Less steep than facets of round tools are off: where it starts is the disc.
+        // The slope is smaller than the deviation of facets of round tools. The tool's disc is the
+        // floor at the start.
         {"shallow_ramp",
          "T1 M6\nG0 X20 Y30 Z5\nG1 Z-1.6\nG1 X43 Z-1.44\nG0 Z5\n",
          {9, 2, 0, 0, 0, 1},
@@ -170,12 +175,12 @@ std::vector<Golden> goldens() {
          "T1 M6\nG0 X20 Y30 Z0\nG1 X60 Z-2\nG1 X20 Z-4\nG0 Z5\n",
          {9, 2, 0, 0, 0, 1},
          kBlock - (1200.0 + 100.0 * kPi)},
-        // In by a quarter of an arc and out by another one: radius 6, and level between.
+        // A quarter arc down and a quarter arc up, of radius 6 mm, with a level move in between.
         {"dip",
          "T1 M6\nG0 X20 Y30 Z0\nG18 G2 X26 Z-6 I6 K0\nG1 X44\nG2 X50 Z0 I0 K6\nG17\nG0 Z5\n",
          {9, 0, 0, 0, 0, 0, 2},
          kBlock - (1080.0 + 330.0 * kPi)},
-        // Down and up again in one arc: at its bottom is the disc.
+        // A single arc down and up; its lowest position leaves the disc.
         {"dip_between",
          "T1 M6\nG0 X20 Y30 Z0\nG18 G2 X32 Z0 I6 K8\nG17\nG0 Z5\n",
          {9, 0, 0, 0, 0, 0, 2},
@@ -209,8 +214,9 @@ TEST_P(GoldenPart, HasTheFacesOfItsDrawingAtAnyTolerance) {
 INSTANTIATE_TEST_SUITE_P(Recognise, GoldenPart, testing::ValuesIn(goldens()),
                          [](const auto& tested) { return tested.param.name; });
 
-// Once around, 4 deep in 30 pi: along the helix the walls and the floor are splines. The disc, 5 in
-// radius, is as deep as where it passed last, which is behind.
+// A full turn, 4 mm deep over 30π mm. Edges of the walls and the floor along the helix are splines.
+// Each point of the floor is as deep as the last pass of the disc of radius 5 mm, at the disc's
+// rear.
 TEST(Recognise, KnowsTheFloorsOfHelices) {
     for (const std::string turn : {"G2", "G3"}) {
         const Golden golden{
@@ -229,9 +235,9 @@ TEST(Recognise, KnowsTheFloorsOfHelices) {
     }
 }
 
-// Three quarters around, 3 deep, by a tool wider than its way: where it stops it stands before a
-// wall whose corners are on the floor that came down beside it, though its middle is not. As floor
-// it left a cave, of 0.9 mm3.
+// Three quarters of a turn, 3 mm deep, by a tool wider than its path. At the end the tool stands in
+// front of a wall whose corners are on the floor that descended next to the wall, though the wall's
+// middle is not. Treating the wall as floor would leave a cave of 0.9 mm³.
 TEST(Recognise, WallsAreNotTheFloorsThatComeDownToThem) {
     const Made made = test::make_part(
         setup::job_of({"helix_stops.nc",
@@ -243,8 +249,8 @@ TEST(Recognise, WallsAreNotTheFloorsThatComeDownToThem) {
     EXPECT_LT(volume(made.solid.part), 95813.8);
 }
 
-// Half around, nearer to the centre by 0.05: what the disc passes is as wide everywhere, along the
-// whole way.
+// A half turn that ends 0.05 mm nearer to its centre. The strip that the disc covers has the same
+// width along the whole path.
 TEST(Recognise, KnowsArcsWhoseEndsDifferInRadius) {
     for (const std::string turn : {"G2", "G3"}) {
         const Golden golden{"spiral",
@@ -271,8 +277,8 @@ TEST(Recognise, KnowsArcsWhoseEndsDifferInRadius) {
     }
 }
 
-// Nearly once around, by a tool that is small beside what is left of the turn. As of one that comes
-// near to where it started, all of it stayed facets.
+// Nearly a full turn, by a tool that is small compared with the gap that remains. If the path
+// counted as returning near its start, the whole part would stay facets.
 TEST(Recognise, KnowsSpiralsOfNearlyATurn) {
     for (const bool is_left : {false, true}) {
         const std::string side = is_left ? "32.18" : "27.82", end = is_left ? "27.82" : "32.18";
@@ -301,8 +307,8 @@ TEST(Recognise, KnowsSpiralsOfNearlyATurn) {
     }
 }
 
-// Over squares of 0.02 mm, what the ball of 8 mm takes out, 6 deep, that passes within `distance`
-// of their middles.
+// Returns the volume (mm³) that the ball of 8 mm removes, 6 mm deep, by squares of 0.02 mm.
+// `distance` returns the distance (mm) of a square's middle from the path.
 template <typename Distance>
 double removed_by_ball(const Distance& distance) {
     constexpr double kStep = 0.02;
@@ -316,15 +322,15 @@ double removed_by_ball(const Distance& distance) {
     return sum * kStep * kStep;
 }
 
-// Where the way ends, the ball leaves a cap; the pipe of an earlier line, longer, passes through
-// its middle by chance. It joined that as if the way did no more than bend there.
+// The path ends in a spherical cap. The pipe of a longer, earlier line passes through the cap's
+// middle by chance. The cap must not join the pipe as if the path only bent there.
 TEST(Recognise, KeepsTheBallAtTheEndOfAWay) {
     const Golden golden{
         "hook", "T3 M6\nG0 X35 Y30 Z5\nG1 Z-6\nG1 X45\nG2 X51 Y30 I3 J3\nG0 Z5\n", {}, 0.0};
     const double radius = std::sqrt(18.0);
     const auto distance = [&](double x, double y) {
         const double u = x - 48.0, v = y - 33.0;
-        const bool is_below = v < -std::abs(u);  // where the arc is not
+        const bool is_below = v < -std::abs(u);  // outside the arc's sector
         const double ends =
             std::min(std::hypot(x - 45.0, y - 30.0), std::hypot(x - 51.0, y - 30.0));
         const double arc = is_below ? ends : std::abs(std::hypot(u, v) - radius);
@@ -342,15 +348,17 @@ TEST(Recognise, KnowsTheMiddlesOfDomesAndExtrusions) {
         const auto golden = std::ranges::find(goldens_, name, &Golden::name);
         return mass_of(make(*golden, 0.05).solid.part).centroid;
     };
-    // From the middle of the block without what was cut, which is `depth` deep in the middle.
+    // Returns the centroid of the block after removal of the volume `cut` with the centroid
+    // `middle`.
     const auto left = [](double cut, Vec3 middle) {
         return (1.0 / (kBlock - cut)) * (kBlock * Vec3{40, 30, -10} - cut * middle);
     };
     const double dip = 1080.0 + 330.0 * kPi;
     const Vec3 of_dip = left(dip, {35, 30, -(4680.0 + 450.0 * kPi) / dip});
     EXPECT_NEAR(cda::norm(middle_of("dip") - of_dip), 0.0, 1e-9);
-    // Over the width of 10, and the circle in which it ends: of depth, of half its square, and of
-    // depth times the way from the start, less what the front is ahead of the middle.
+    // Integrals over the width of 10 mm and over the circle at the end: of the depth, of half its
+    // square, and of the depth times the path from the start, less the lead of the front over the
+    // middle.
     const double ramp = 800.0 + 100.0 * kPi;
     const double squares = 10.0 * 0.005 * 64000.0 / 3.0 + 8.0 * 25.0 * kPi;
     const double ways =
@@ -359,9 +367,9 @@ TEST(Recognise, KnowsTheMiddlesOfDomesAndExtrusions) {
     EXPECT_NEAR(cda::norm(middle_of("ramp") - of_ramp), 0.0, 1e-9);
 }
 
-// A bore from the side of a bar: its mouth is a spline that closes in itself. It began with steps
-// of half a micrometre, and OpenCASCADE, which looks for curves on the bar at even steps of their
-// parameter, found it to cross itself.
+// A bore from the side of a bar has a closed spline as its mouth, with steps of equal length.
+// OpenCASCADE searches curves on the bar at even steps of their parameter. If the first steps are
+// half a micrometre, OpenCASCADE finds that the curve crosses itself.
 TEST(Recognise, SplinesThatCloseHaveStepsAsLongAllAround) {
     const std::string moves =
         "T1 M6\nG0 X10 Y12 Z100\nG0 B90\nG0 Z40\nG1 Z15\nG1 Z40\nG0 Z100\nG0 B0\n";
@@ -384,8 +392,9 @@ TEST(Recognise, SplinesThatCloseHaveStepsAsLongAllAround) {
     EXPECT_EQ(closed, 1);
 }
 
-// Points of two grooves as deep as each other, 16 um apart: the cones meet in a hyperbola as sharp
-// as a needle. What is far from its end lies behind there, and it was followed the wrong way.
+// Two V-grooves of the same depth end 16 µm apart, so their cones meet in a hyperbola as sharp as a
+// needle. Points far from the hyperbola's end lie behind that end; the curve must still be followed
+// in the right direction.
 TEST(Recognise, ConesMeetBesideTheirPoints) {
     const std::string program =
         "(T1 D=6. CR=0. TAPER=30deg - chamfer mill)\n(STOCK/BLOCK,20.,12.,3.,-135.,-2.,3.)\n"
@@ -399,8 +408,8 @@ TEST(Recognise, ConesMeetBesideTheirPoints) {
     }
 }
 
-// Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
-// miss their common corner by almost a micrometre, and cross beside it.
+// Two arcs are tangent up to the rounding of their numbers. The exact circles of their walls miss
+// the common vertex by almost a micrometre and cross next to the vertex.
 TEST(Recognise, ArcsEndInTheirCorners) {
     const Golden golden{"bends",
                         "T1 M6\nG0 X35 Y11.34 Z5\nG1 Z-4\nG3 X38.66 Y25 I-5 J8.66\n"
@@ -419,8 +428,9 @@ TEST(Recognise, ArcsEndInTheirCorners) {
     }
 }
 
-// An engraver's way goes back along itself but for rounding: between both walls on the one side is
-// a strip that looks to the other side, as flat as it is narrow, and has no width where they meet.
+// An engraver's path returns along itself up to rounding. Between both walls on a side is a strip
+// that faces the opposite side. The strip is as flat as it is narrow, and has no width where the
+// walls meet.
 TEST(Recognise, StripsWithoutWidthMayLookAnywhere) {
     const std::string text =
         "(T1 D=10. CR=0. TAPER=30deg - chamfer mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
@@ -437,9 +447,9 @@ TEST(Recognise, StripsWithoutWidthMayLookAnywhere) {
     }
 }
 
-// A slot is deepened from its end on, where the way turns by less than a facet is wide: the wall of
-// the turn touches the wall of both slots, of which the upper one ends there. So the slit between
-// them is shorter on the one side than on the other.
+// A slot is deepened from its end on, where the path bends by less than the width of a facet. The
+// wall of the bend touches the walls of both slots; the upper slot's wall ends there. So the slit
+// between the walls is shorter on a side.
 TEST(Recognise, SlitsMayBeLongerOnOneSide) {
     const Golden golden{"deeper_from_here",
                         "T1 M6\nG0 X40 Y45 Z5\nG1 Z-3\nG1 Y30\nG1 X40.06 Y29.9\nG1 X40.14\n"
@@ -458,7 +468,7 @@ TEST(Recognise, SlitsMayBeLongerOnOneSide) {
     }
 }
 
-// Is a facet beside a face of that form?
+// True if a facet is adjacent to a face of type `Form`.
 template <typename Form>
 bool has_facet_beside(const Part& part) {
     std::vector<std::vector<std::uint32_t>> beside(part.edges.size());
@@ -478,8 +488,9 @@ bool has_facet_beside(const Part& part) {
     });
 }
 
-// A ball on an arc smaller than itself leaves facets in the floor of a ramp that is less steep than
-// these are large: readers found their edges on the other side of it, and drew nothing.
+// A ball on an arc smaller than the ball leaves facets in the floor of a ramp. The ramp is less
+// steep than the facets are large. Readers would find edges of adjacent facets on the opposite side
+// of the ramp and draw nothing.
 TEST(Recognise, FlatRampsHaveNoFacetsBesideThem) {
     const Golden golden{"flat_ramp",
                         "T1 M6\nG0 X15 Y30 Z5\nG1 Z-3\nG1 X65 Z-3.1\nG0 Z5\n"
@@ -491,8 +502,8 @@ TEST(Recognise, FlatRampsHaveNoFacetsBesideThem) {
     EXPECT_FALSE(has_facet_beside<Extrusion>(made.solid.part));
 }
 
-// Two upright arcs end in one point: where facets are left beside a dome, their corners may lie
-// beyond the half of it that is a face, and readers drew nothing.
+// Two vertical arcs end in the same point. Corners of facets adjacent to a dome may lie beyond the
+// half of the dome that is a face; readers then draw nothing.
 TEST(Recognise, DomesHaveNoFacetsBesideThem) {
     const Golden golden{"dips_to_a_point",
                         "T1 M6\nG0 X55 Y30 Z5\nG1 Z0\nG18 G3 X40 Z-15 I-15 K0\nG0 Z5\n"
@@ -502,8 +513,8 @@ TEST(Recognise, DomesHaveNoFacetsBesideThem) {
     EXPECT_FALSE(has_facet_beside<Dome>(make(golden, 0.05).solid.part));
 }
 
-// A wall was a facet, since a move of a tenth of a micrometre left two corners where its loop came
-// to one.
+// A move of 0.1 µm leaves two corners at a place of the wall's loop. Unless both merge, the wall
+// stays a facet.
 TEST(Recognise, CornersThatAreApartByRoundingAreOne) {
     const Made made = test::make_part(
         setup::job_of({"letter.nc",
@@ -518,8 +529,8 @@ TEST(Recognise, CornersThatAreApartByRoundingAreOne) {
     EXPECT_TRUE(check(checked, 1e-3).empty());
 }
 
-// They had 510, 370 and 163: what is thin gave up its neighbours, and these theirs; and a plane
-// that touches itself in one place gave up all that is around it.
+// A failure must not spread. If thin faces demote their neighbours, and a plane that touches itself
+// in a point demotes all adjacent faces, these parts have 510, 370 and 163 facets.
 TEST(Recognise, WhatFailsInOnePlaceStaysThere) {
     for (const auto& [seed, most] : {std::pair(5117U, 60U), {5066U, 60U}, {5100U, 60U}}) {
         const Made made =
@@ -528,10 +539,10 @@ TEST(Recognise, WhatFailsInOnePlaceStaysThere) {
     }
 }
 
-// They had 3 to 218 facets: where pipes of a ball bend, an edge that goes on from one of their two
-// ellipses to the other had no corner; corners that the polyhedron has in the wrong order were
-// looked for far away; edges of a tenth of a micrometre were none; what had no width took the walls
-// beside it along.
+// Four defects leave 3 to 218 facets on these parts. An edge that continues from an ellipse to the
+// next, where pipes of a ball bend, lacks a vertex. Corners in the wrong order in the polyhedron
+// are searched far away. Edges of 0.1 µm are missing. Faces without width remove the adjacent
+// walls.
 TEST(Recognise, FinishingByABallLeavesNoFacets) {
     for (const std::uint64_t seed :
          {3U, 5U, 7U, 11U, 15U, 19U, 20U, 33U, 43U, 48U, 49U, 52U, 58U}) {
@@ -542,8 +553,8 @@ TEST(Recognise, FinishingByABallLeavesNoFacets) {
     }
 }
 
-// A lollipop leaves a ring above the middle of its ball, too, where no face of a ring thicker than
-// wide may be: facets stay there, and took all faces along.
+// A lollipop mill leaves a torus above the middle of its ball, too, where a spindle torus (minor
+// radius > major radius) can have no face. Facets stay there, but all other faces are recognised.
 TEST(Recognise, FacetsOfLollipopsInNarrowCornersStayThere) {
     const Golden golden{"lollipop",
                         "(T6 D=8. - lollipop mill)\nT6 M6\nG0 X90 Y30 Z-10\nG1 X40\n"
@@ -555,7 +566,8 @@ TEST(Recognise, FacetsOfLollipopsInNarrowCornersStayThere) {
     EXPECT_LT(made.solid.facets_kept, 60U);
 }
 
-// Of these most kept facets where moves in a row go on one as the other.
+// Most of these parts keep facets if consecutive moves that continue each other are treated
+// separately.
 TEST(Recognise, CamProgramsLeaveNoFacets) {
     for (const std::uint64_t seed : {0U,  1U,  2U,  3U,  4U,  6U,  8U,  11U, 12U, 13U, 14U,
                                      15U, 17U, 19U, 21U, 22U, 23U, 26U, 30U, 32U, 67U, 85U}) {
@@ -565,8 +577,8 @@ TEST(Recognise, CamProgramsLeaveNoFacets) {
     }
 }
 
-// Nothing was drawn of a floor whose outline a deeper pocket touches from inside, along an arc of
-// both: it becomes two, on both sides of a line.
+// A deeper pocket touches the outline of a floor from inside, along an arc of both. Readers draw
+// nothing of that floor, so it is split into two faces along a line.
 TEST(Recognise, PlanesArePartedWhereAHoleTouchesTheirOutline) {
     const auto corners_of = [](const Part& part, const Loop& loop) {
         std::vector<std::uint32_t> corners;
@@ -591,8 +603,8 @@ TEST(Recognise, PlanesArePartedWhereAHoleTouchesTheirOutline) {
     }
 }
 
-// Neither the floor's outline nor its hole has another corner than the one where they touch, so a
-// round edge of each is halved.
+// Neither the floor's outline nor its hole has a vertex except the point of contact. So a round
+// edge of each is split.
 TEST(Recognise, PlanesArePartedWhereRoundEdgesTouch) {
     Made made = test::make_part(
         "ring", "T1 M6\nG0 X30 Y30 Z5\nG1 Z-4\nG3 X30 Y30 I10 J0\nG1 Z-8\nG1 X38\nG0 Z5\n");
@@ -612,7 +624,8 @@ TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(make(golden, 0.05, 1).step, make(golden, 0.05, 3).step);
 }
 
-// Where a flat end that turns goes level no finer cut helps, nor beside it: none is asked for.
+// A finer cut does not help if a flat end that rotates moves level, there or in adjacent faces.
+// None is requested.
 TEST(Recognise, FacetsBesideThoseOfATurningToolAreNotGivenUp) {
     const test::Made turning = test::make_part(
         "turning", "T1 M6\nG0 X-10 Y30 Z20\nG1 Z-4\nG1 X20\nG1 X60.48 Y33 Z4.54 B10\nG0 Z60\n");
@@ -620,8 +633,8 @@ TEST(Recognise, FacetsBesideThoseOfATurningToolAreNotGivenUp) {
     EXPECT_EQ(turning.solid.facets_given_up, 0U);
 }
 
-// A slot along a cubic spline has walls of cylinders, since it is taken as arcs within 2 um: as
-// wide as the tool along all of its length, and a round end.
+// A slot along a cubic spline has walls of cylinders because arcs replace the spline within 2 µm.
+// The slot is as wide as the tool along its whole length and has a round end.
 TEST(Recognise, KnowsSlotsAlongSplines) {
     const auto length = [] {
         constexpr int kSteps = 100'000;
@@ -648,14 +661,14 @@ TEST(Recognise, KnowsSlotsAlongSplines) {
     }
 }
 
-// A spline of the first degree has a corner, in which the tool leaves what is round.
+// A spline of degree 1 has a corner, where the tool leaves a round wall.
 TEST(Recognise, KnowsCornersOfSplines) {
     const Golden golden{"corner",
                         "T1 M6\nG0 X20 Y20 Z5\nG1 Z-4\nG5.2 P1 L2\nX40 Y20 P1\nX40 Y40 P1\nG5.3\n"
                         "G0 Z5\n",
                         {11, 3},
                         0.0};
-    // Two rectangles that have a corner in common, two half circles, a quarter of one.
+    // Two rectangles with a common corner, two half discs and a quarter disc.
     const double left = kBlock - 4.0 * (2.0 * 20.0 * 10.0 - 5.0 * 5.0 + 1.25 * kPi * 25.0);
     expect_at({0.05, 0.02, 0.0055}, golden, left, 1e-9);
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs a program through simulation, recognition and STEP export.
 #include "brep/made_part.h"
 
 #include "ncsim/export/step.h"

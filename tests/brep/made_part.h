@@ -15,16 +15,17 @@ namespace ncsim::brep::test {
 struct Made {
     Recognised solid;
     exporter::Provenance provenance;
-    std::string step;  // the solid as a file
+    std::string step;  // the solid as a STEP file
     cda::Boundary boundary;
 };
 
-/// With `is_draft` moves in a row are joined where they are nearly straight.
+/// Simulates `job` and recognises the surfaces of the part. `tool_tolerance` is in mm. With
+/// `is_draft`, consecutive moves that are nearly straight are joined.
 Made make_part(setup::Job job, double tool_tolerance, unsigned threads = 0, bool is_draft = false);
 
-/// Of a block of 80 x 60 x 20 with a corner in the zero and its top in Z20, or of a bar D60 x 20
-/// with its top in Z0. `moves` may call T1 flat D10, T2 drill D6 118 degrees, T3 ball D8, T4 bull
-/// nose D12 R2, T5 chamfer D10 45 degrees a side.
+/// Makes the part of `moves` on a block of 80 x 60 x 20 mm with the zero in a corner of its top, or
+/// with `is_bar` on a bar D60 x 20 with its top in Z0. `moves` may call T1 flat D10, T2 drill D6
+/// 118 degrees, T3 ball D8, T4 bull nose D12 R2, and T5 chamfer D10 45 degrees per side.
 Made make_part(const std::string& name, const std::string& moves, double tool_tolerance = 0.05,
                unsigned threads = 0, bool is_bar = false);
 

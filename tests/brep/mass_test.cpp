@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares areas, volumes and centroids of solids with formulas.
 #include "ncsim/brep/measure.h"
 
 #include "brep/solids.h"
@@ -20,14 +22,16 @@ struct Paper {
     Vec3 centroid;
 };
 
-// Of what is taken out of the box of 20 x 16 x 10: its volume and the height of its middle.
+// Returns the centroid of the box of 20 x 16 x 10 mm after removal of `volume` (mm³), whose
+// centroid is at (`x`, `y`, `height`).
 Vec3 box_without(double volume, double height, double x = 10.0, double y = 8.0) {
     const double box = 3200.0, left = box - volume;
     return {(box * 10.0 - volume * x) / left, (box * 8.0 - volume * y) / left,
             (box * 5.0 - volume * height) / left};
 }
 
-// 10 mm of the side of the slanting cylinder: across its rulings it is an ellipse of 4 by 3.2.
+// Returns the area (mm²) of 10 mm of the side of the slanting cylinder. The section across the
+// rulings is an ellipse with half-axes 4 and 3.2 mm.
 double slanting_side() {
     constexpr int kSteps = 400;
     double sum = 0.0;
@@ -38,7 +42,7 @@ double slanting_side() {
     return 10.0 * sum * 2.0 * kPi / kSteps;
 }
 
-// As in a book of tables.
+// Returns areas and centroids by the formulas of a book of tables.
 std::map<std::string, Paper> papers() {
     const double slant = 5.0, box = 2.0 * (320.0 + 200.0 + 160.0);
     const double bore = 45.0 * kPi, tip = 6.0 * kPi;
@@ -57,8 +61,8 @@ std::map<std::string, Paper> papers() {
     };
 }
 
-// Between an arc and its chord, which miss each other where they end by as much as programs round:
-// what is below all of the ball counted for that gap, and was a hundred times as much.
+// A face between an arc and its chord. The ends of both miss each other by as much as programs
+// round. The area below the ball, a hundred times as large, must not count for that gap.
 TEST(Mass, SicklesWithGapsAreNarrow) {
     Part part;
     part.vertices = {{24.12629328924804, 37.604813308075826, 0},
@@ -98,8 +102,8 @@ TEST(Mass, OfAGroovedBarIsOnItsAxis) {
     }
 }
 
-// Of a spline each piece is a polynomial, but from knot to knot: in even steps the area under it
-// was some millionths off.
+// Each piece of a spline is a polynomial only from knot to knot. Integration in even steps makes
+// the area wrong by some millionths.
 TEST(Mass, KnowsWhereThePiecesOfASplineEnd) {
     const Spline spline{
         {{0, 0, 0}, {0, 1, 0}, {1, 3, 0}, {2, 3.2, 0}, {3, 2, 0}, {4, 5, 0}, {6, 1, 0}, {6, 0, 0}},
@@ -112,7 +116,7 @@ TEST(Mass, KnowsWhereThePiecesOfASplineEnd) {
     face.frame = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
     face.loops = {{{1, true}, {0, false}}};
     const Track track(part.edges[0].curve, part.vertices[0], part.vertices[1]);
-    // Between 0.2 and 0.26 of it is the short piece.
+    // The short piece is between the parameters 0.2 and 0.26.
     double area = 0.0;
     const auto add = [&](double begin, double end) {
         constexpr int kSteps = 20'000;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// mesh_step <solid.step> <mesh.stl> <deflection>: triangles within so many mm of its surfaces, as
-// OpenCASCADE makes them.
+// mesh_step <solid.step> <mesh.stl> <deflection>: writes OpenCASCADE's triangles of the solid,
+// within `deflection` mm of its surfaces.
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StlAPI_Writer.hxx>

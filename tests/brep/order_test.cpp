@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where facets are wider than what is between corners, the polyhedron has these in another order.
+// Parts whose facets are wider than the distance between corners: the polyhedron has the corners in
+// a wrong order.
 #include "ncsim/brep/curve.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/setup/job.h"
@@ -28,12 +29,12 @@ int cylinders_of(const Part& part) {
     }));
 }
 
-// Of what a disc of `radius` passes on the line from (ax, ay) to (bx, by), below `y`; by halving
-// strips, to 1e-6.
+// Returns the area (mm²) below `y` that a disc of `radius` covers on the line from (ax, ay) to (bx,
+// by). Sums strips; the error is about 1e-6 mm².
 double area_below(double ax, double ay, double bx, double by, double radius, double y) {
     const double length = std::hypot(bx - ax, by - ay);
     const double dx = (bx - ax) / length, dy = (by - ay) / length;
-    // How much of the level line at `h` is within the radius of the way.
+    // Returns the length of the level line at `h` that the disc covers.
     const auto chord = [&](double h) {
         double low = 1e9, high = -1e9;
         const auto reach = [&](double x) {
@@ -47,7 +48,7 @@ double area_below(double ax, double ay, double bx, double by, double radius, dou
             reach(cx + std::sqrt(square));
         }
         for (const double side : {-radius, radius}) {
-            // Of the wall beside the way.
+            // Intersection with the wall on this side of the path.
             const double along = (h - ay - side * dx) / dy;
             if (along >= 0.0 && along <= length) reach(ax + along * dx - side * dy);
         }
@@ -61,9 +62,9 @@ double area_below(double ax, double ay, double bx, double by, double radius, dou
     return sum;
 }
 
-// The wall of the lower slot touches its round end 0.1 mm before the wall of the upper one, whose
-// corner with it the polyhedron has there: nothing is in common to the three, so that on the way
-// down the round end comes before the wall, and two corners change.
+// The wall of the lower slot passes into its round end 0.1 mm before the wall of the upper slot,
+// where the polyhedron has their corner. The three surfaces have no common point: on the way down
+// the round end comes before the wall, so two corners swap.
 TEST(Order, AWallEndsBeforeItComesOutBelowAnother) {
     for (const double tolerance : {0.05, 0.0125}) {
         SCOPED_TRACE(tolerance);
@@ -82,8 +83,8 @@ TEST(Order, AWallEndsBeforeItComesOutBelowAnother) {
     }
 }
 
-// Leaning, the wall ends in a line askew, which comes out from behind another one far below the
-// corner that the polyhedron has of it.
+// A leaning wall ends in an oblique line, which emerges from behind a second wall far below the
+// corner that the polyhedron has.
 TEST(Order, AWallThatLeansEndsFarBelow) {
     std::optional<double> left;
     for (const double tolerance : {0.05, 0.0125}) {
@@ -100,8 +101,8 @@ TEST(Order, AWallThatLeansEndsFarBelow) {
     }
 }
 
-// A helix ends where a level line goes on, so that the circle of its floor touches the wall of
-// that.
+// A helix ends where a level line continues. The circle of the helix's floor touches the wall of
+// that line.
 TEST(Order, AHelixEndsBesideAWall) {
     for (const double tolerance : {0.05, 0.02, 0.0055}) {
         for (const std::string end : {"X28 Y33 Z-5 I8", "X32 Y37 Z-5 I12"}) {
@@ -116,8 +117,8 @@ TEST(Order, AHelixEndsBesideAWall) {
     }
 }
 
-// By 1 um the circles in which two ramps begin overlap: circles of the floor that end in the corner
-// beside which both pass would cross there, and OpenCASCADE finds the floor crossed.
+// The circles in which two ramps begin overlap by 1 µm. Circles of the floor that end in the
+// adjacent corner would cross there, and OpenCASCADE finds that the floor crosses itself.
 TEST(Order, CirclesThatOughtToTouchEndWhereTheyDo) {
     const std::string program =
         "(T1 D=10. CR=0. - flat end mill)\n(T2 D=3.175 CR=0. - flat end mill)\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ramps: what a flat end leaves where it goes down or up, an extruded circle.
+// Ramps: a flat end that moves down or up leaves an extruded circle.
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
 
@@ -29,10 +29,10 @@ using test::kPi;
 using test::Made;
 using test::make;
 
-// Two ramps that meet on a ridge, askew: where their floors meet the edge has a corner, nearer to
-// its end than facets are wide, and of the four faces in one corner of the polyhedron no four meet.
-// Between the walls the tool stood and left a strip of 0.62 mm, along which the bend has its
-// circle: as large as facets were it was no face, or the floors had its edge twice.
+// Two ramps meet obliquely on a ridge. The edge of their floors has a corner that is nearer to the
+// edge's end than facets are wide. The four faces at a corner of the polyhedron have no common
+// point. The stop of the tool between the walls leaves a strip of 0.62 mm, with the circle of the
+// bend along it. Without that strip, which is as small as a facet, the floors share an edge twice.
 TEST(Recognise, KnowsRampsThatMeetAskew) {
     const Golden golden{"ridge",
                         "T1 M6\nG0 X10 Y30 Z5\nG1 X20 Z-5\nG1 X30 Z-2\nG1 X70 Y25 Z-12\nG0 Z5\n",
@@ -42,9 +42,9 @@ TEST(Recognise, KnowsRampsThatMeetAskew) {
     expect_at({0.05, 0.02, 0.01, 0.0055, 0.001}, golden, left, 1e-9);
 }
 
-// Down a ramp, along a slot and back, and up another ramp, askew. The wall beside that touches its
-// floor from where it starts, on the circle where both ramps begin, and the floor of the first ramp
-// crosses both there and a little farther up: the corner of the three is farther up.
+// Down a ramp, along a slot and back, and up a second, oblique ramp. The second ramp's wall touches
+// its floor from the start on, on the circle where both ramps begin. The floor of the first ramp
+// crosses both there and a little higher; the corner of the three faces is the higher crossing.
 TEST(Recognise, KnowsRampsThatMeetInAValley) {
     for (const std::string end : {"34", "38"}) {
         const Golden golden{
@@ -58,9 +58,9 @@ TEST(Recognise, KnowsRampsThatMeetInAValley) {
     }
 }
 
-// Down a helix into a groove around an island, once around and out of it on another one. Both leave
-// the wall of the island where it touches the circle of the floor, which begins there: the wall is
-// pinched, and one loop comes there twice.
+// Down a helix into a groove around an island, once around, and out on a second helix. Both helices
+// leave the island's wall in the point where the wall touches the circle of their floor. The wall
+// is pinched, and a loop visits the point twice.
 TEST(Recognise, KnowsHelicesThatTouchAWallInAPoint) {
     const Golden golden{"helices",
                         "T1 M6\nG0 X40 Y30 Z5\nG1 Z0\nG3 X60 Y30 Z-1 I10 J0\nG3 I-20\nG3 X40 Y30 "
@@ -71,8 +71,8 @@ TEST(Recognise, KnowsHelicesThatTouchAWallInAPoint) {
     expect_at({0.05, 0.02, 0.0055}, golden, left, 1e-7);
 }
 
-// Out of the groove alone, as a program rounds it that has turned: they miss the point by a
-// micrometre or two, so that its corners lie apart, or have an edge between them.
+// Only the helix out of the groove, with the rounding of a rotated program. Groove and helix miss
+// the point by 1 or 2 µm, so its corners are separate or have an edge in between.
 TEST(Recognise, KnowsHelicesThatTouchAWallButForRounding) {
     for (const std::string way : {"G0 X60.000 Y32.679 Z10\nG1 Z-1\nG3 I-10.000 J17.321\n"
                                   "G3 X50.000 Y50.000 Z1 I-5.000 J8.660\n",
@@ -90,8 +90,8 @@ TEST(Recognise, KnowsHelicesThatTouchAWallButForRounding) {
     }
 }
 
-// Ramps beside each other, one diameter apart: their floors touch in a point, and between them
-// their ways meet in an edge without an angle.
+// Parallel ramps, a diameter apart. Their floors touch in a point and meet between the paths in an
+// edge of zero angle.
 TEST(Recognise, KnowsRampsThatTouch) {
     const std::string ramp = "G1 Z-2\nG1 X60 Z-6\nG0 Z5\n", first = "T1 M6\nG0 X20 Y20 Z5\n" + ramp;
     const double taken = kBlock - volume(make({"ramp", first, {}, 0.0}, 0.002).solid.part);
@@ -99,9 +99,9 @@ TEST(Recognise, KnowsRampsThatTouch) {
     expect_at({0.05, 0.02, 0.0055}, golden, kBlock - 2.0 * taken, 1e-9);
 }
 
-// The arc by which a tool enters a slot askew, in short lines: rounded to a micrometre, each goes
-// up to half a degree aside of the one before. In one upright plane they leave one wall on each
-// side.
+// The arc by which a tool enters an oblique slot, in short lines. Rounding to 1 µm turns each line
+// by up to half a degree from the preceding line. The lines, in a vertical plane, leave a single
+// wall on each side.
 TEST(Recognise, KnowsArcsOfEntryInRoundedLines) {
     const Golden golden{"entry",
                         "T1 M6\nG0 X20.91 Y25.389 Z5\nG1 Z-0.873\nG1 X20.961 Y25.348 Z-0.949\n"
@@ -114,9 +114,9 @@ TEST(Recognise, KnowsArcsOfEntryInRoundedLines) {
     expect_at({0.05, 0.0125, 0.005}, golden, left);
 }
 
-// A cutter shorter than its groove is deep, down an arc in the plane of its axis: its upper end
-// leaves a roof, which it goes through as it retracts. Their curve has its ends on the circle where
-// the arc ends, and passes above it.
+// A cutter shorter than the depth of its groove moves down an arc in the plane of its axis. Its
+// upper end leaves a roof, which the tool cuts through as it retracts. The curve of that cut has
+// its ends on the circle where the arc ends, and passes above the circle.
 TEST(Recognise, KnowsRoofsThatToolsGoThrough) {
     const Golden golden{"roof",
                         "(TOOL#=6 FLUTE=4 LEN=12 UNIT=METRIC)\nT6 M6\nG0 X45 Y30 Z0\n"
@@ -127,8 +127,9 @@ TEST(Recognise, KnowsRoofsThatToolsGoThrough) {
     expect_at({0.05, 0.02, 0.0055}, golden, left);
 }
 
-// A ramp leaves the block through its side, where its floor ends in half an ellipse. Readers know
-// the ends of that by their angles, half a turn apart, and took it to pass above.
+// A ramp leaves the block through a side, where the floor ends in half an ellipse. Readers know the
+// ends of the half by angles that are half a turn apart, and choose the half above. So the edge is
+// split.
 TEST(Recognise, RampsHaveNoEdgesHalfAround) {
     const Golden golden{"ramp_out", "T1 M6\nG0 X60 Y30 Z0\nG1 X100 Z-8\nG0 Z5\n", {}, 0.0};
     const Made made = make(golden, 0.05);
@@ -147,8 +148,8 @@ TEST(Recognise, RampsHaveNoEdgesHalfAround) {
     EXPECT_NEAR(volume(part), left, 1e-9 * left);
 }
 
-// A shallow ramp ends in a wall whose axis is upright: their edge is a spline. Readers found places
-// of a long one so roughly that they drew nothing of the ramp.
+// A shallow ramp ends in a wall with a vertical axis; their edge is a spline. Readers locate points
+// of a long spline so coarsely that they draw nothing of the ramp. So the spline is split.
 TEST(Recognise, ShallowRampsHaveShortSplines) {
     const Golden golden{"ramp_into_a_bore",
                         "T1 M6\nG0 X20 Y30 Z5\nG1 Z-2\nG1 X40 Z-2.6\nG0 Z5\n"
@@ -169,7 +170,7 @@ TEST(Recognise, ShallowRampsHaveShortSplines) {
             if (!std::holds_alternative<Spline>(edge.curve)) continue;
             ++splines;
             EXPECT_GT(cda::dot(out(edge.from), out(edge.to)), 0.8);
-            // Each half is the curve that it was part of.
+            // Each half lies on the ramp, as the whole curve does.
             const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
             for (const double t : {0.0, 0.3, 0.7, 1.0})
                 EXPECT_NEAR(distance(*ramp, track.at(t)), 0.0, 1e-5);
@@ -196,7 +197,7 @@ struct RationalCubic {
     }
 };
 
-// In a file, after its four points.
+// Returns the first rational cubic of a STEP file, in which the four points precede the curve.
 RationalCubic first_rational_cubic(const std::string& step) {
     const auto numbers = [&](std::size_t from, auto... into) {
         std::istringstream text(step.substr(from, 200));
@@ -217,10 +218,10 @@ RationalCubic first_rational_cubic(const std::string& step) {
     return cubic;
 }
 
-// The floor of a nearly level ramp ends in a point between its wall and where the next ramp goes
-// down. Beside the wall, what is in front of the way and what is behind it are as high at one
-// place: readers took the one for the other, and drew nothing. The file has only the half of the
-// circle in front; of a ramp without such a corner it has the circle.
+// The floor of a nearly level ramp ends in a point between its wall and the start of the next ramp.
+// At a place near the wall, points ahead of the path and behind the path have the same height.
+// Readers confuse both and draw nothing. So the file has only the front half of the circle. A ramp
+// without that point has the whole circle.
 TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
     const auto ramp = [](const std::string& next) {
         return test::make_part(
@@ -252,9 +253,9 @@ TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
     EXPECT_EQ(halves, 1);
 }
 
-// Ramps cross at little more than their rounding, and two of their corners are 2 um apart: along
-// what touches a corner may be off by more than programs round. As one they were off what is around
-// them, which cost 88 facets instead of 63.
+// Ramps cross by little more than their rounding, and two of their corners are 2 µm apart. Along
+// tangent surfaces, a corner may be off by more than programs round. If both corners merge, they
+// are off the adjacent faces, which costs 88 facets instead of 63.
 TEST(Recognise, CornersOfRampsStayApart) {
     const Made made = test::make_part(
         setup::job_of({"ramps.nc",
@@ -268,7 +269,7 @@ TEST(Recognise, CornersOfRampsStayApart) {
                        "X5.807770 Y9.395136 Z-4.248148\nX5.800150 Y9.414440 Z-4.251800\n"
                        "G0 Z5\nM30\n"}),
         0.02);
-    // Some of them are triangles of one whose corners were moved off its plane.
+    // Some facets are triangles of a facet whose corners were moved off its plane.
     EXPECT_LE(made.solid.facets_kept, 75U);
 }
 

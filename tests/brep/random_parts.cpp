@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writers of random programs: common operations, rasters, and moves with B.
 #include "brep/random_parts.h"
 
 #include "brep/random_program.h"
@@ -65,7 +67,7 @@ private:
     bool is_ramp_ = false;  // straight moves go up and down
 };
 
-// A ball goes back and forth over a surface of waves, as finishing does.
+// Program of a ball that moves back and forth over a wavy surface, as in finishing.
 class Raster {
 public:
     explicit Raster(std::uint64_t seed) : random_(seed) {}
@@ -77,7 +79,7 @@ public:
         amplitude_ = diameter * tenths(1, 4);
         length_ = diameter * tenths(20, 60);
         phase_x_ = tenths(0, 63), phase_y_ = tenths(0, 63);
-        // From edge to edge of the stock, a little beyond, or on an island.
+        // The rows end slightly beyond the stock, within the stock, or at its edge.
         const double margin = pick(0, 2) == 0 ? -0.1 * diameter : pick(0, 1) == 0 ? diameter : 0.0;
         const double x = moves * along, y = rows * across;
         std::string text = fmt::format(
@@ -108,7 +110,7 @@ private:
     double amplitude_ = 0.0, length_ = 1.0, phase_x_ = 0.0, phase_y_ = 0.0;
 };
 
-// Grooves of a tool whose tip is about level, while B turns it about the zero.
+// Program of grooves with a nearly level tip while B rotates the tool about the zero.
 class TurningTool {
 public:
     explicit TurningTool(std::uint64_t seed) : random_(seed), is_deep_(seed >= kTurningSides) {}
@@ -138,7 +140,7 @@ private:
         return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
     }
     double tenths(int low, int high) { return 0.1 * pick(low, high); }
-    // To such a place from above.
+    // Returns a rapid to the place of `to` at Z60, then `to`.
     static std::string along_tool(const std::string& to) {
         const std::size_t z = to.find(" Z"), b = to.find(" B");
         return "G0" + to.substr(2, z - 2) + " Z60" + to.substr(b) + to;
@@ -150,7 +152,7 @@ private:
         return which == 1 ? "(T1 D=10. CR=2. - bull nose end mill)\n"
                           : "(T1 D=6. CR=3. - ball end mill)\n";
     }
-    // Where the tip is on the part.
+    // Returns a block that moves the tip to (`x`, `y`, `z`) on the part at the angle `b` (degrees).
     static std::string place(const char* word, double x, double y, double z, double b) {
         const double angle = b * std::acos(-1.0) / 180.0;
         return fmt::format("{} X{:.3f} Y{:.3f} Z{:.3f} B{:.3f} F600\n", word,

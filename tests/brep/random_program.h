@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What programs at random have in common: tools, numbers as programs write them, lines and arcs.
+// Base of random programs: tools, rounded numbers, lines and arcs.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 namespace ncsim::brep::test {
 
-/// Flat ends, a ball, a bull nose, a chamfer mill, and from T6 on drills.
+/// Comments of two flat end mills, a ball, a bull nose, a chamfer mill and, from T6 on, drills.
 inline constexpr const char* kRandomTools =
     "(T1 D=10. CR=0. - flat end mill)\n(T2 D=6. CR=0. - flat end mill)\n"
     "(T3 D=8. CR=4. - ball end mill)\n(T4 D=12. CR=2. - bull nose end mill)\n"
@@ -26,12 +26,12 @@ protected:
     int pick(int low, int high) {
         return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
     }
-    // Between two lengths, as programs write them.
+    // Returns a random length (mm) between `low` and `high` on the grid.
     double length(double low, double high) {
         const int steps = static_cast<int>((high - low) * 1000.0) / grid_;
         return low + pick(0, steps) * grid_ / 1000.0;
     }
-    // Of some programs numbers are round, so that much coincides.
+    // Selects the grid. Some programs have round numbers, so that many positions coincide.
     void choose_grid() { grid_ = pick(0, 2) == 0 ? 1 : pick(0, 1) == 0 ? 500 : 5000; }
     void line(const std::string& text) { text_ += text + "\n"; }
 
@@ -46,9 +46,9 @@ protected:
 
     struct Arc {
         const char* word;
-        double i, j;  // it ends where the program is then
+        double i, j;  // centre from the start; the end is the program's position
     };
-    // By whole quarters, so that it ends on the grid.
+    // Returns an arc of whole quarters, which ends on the grid; empty if the radius is 0.
     std::optional<Arc> next_arc() {
         const double i = length(-12, 12), j = pick(0, 1) == 0 ? 0.0 : length(-12, 12);
         if (i == 0.0 && j == 0.0) return std::nullopt;

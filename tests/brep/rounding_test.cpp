@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What programs round apart, and what is narrower than the sides of a polygon: walls askew, strips,
-// tips.
+// Parts with faces that rounding separates, and with details narrower than the sides of a polygon:
+// oblique walls, strips, tips.
 #include "ncsim/brep/measure.h"
 
 #include "brep/golden.h"
@@ -23,8 +23,8 @@ using test::kPi;
 using test::Made;
 using test::make;
 
-// A pocket askew, by two tools, one of them twice: its walls are one plane each but for a
-// micrometre of rounding, by which they cross anywhere; facets of the tools are off by far more.
+// An oblique pocket by two tools, the second at two depths. Each wall is a plane up to a micrometre
+// of rounding, by which its pieces cross anywhere. Facets of the tools deviate by far more.
 TEST(Recognise, KnowsWallsThatProgramsRoundApart) {
     const std::string finish =
         "X-4.971 Y4.954\nX-4.3 Y-5.547\nX4.971 Y-4.954\nX4.3 Y5.547\nG0 Z5\n";
@@ -42,7 +42,7 @@ TEST(Recognise, KnowsWallsThatProgramsRoundApart) {
             tolerance);
         EXPECT_EQ(kinds_of(made.solid.part), (Kinds{21, 4}));
         EXPECT_EQ(made.solid.facets_kept, 0U);
-        // An island stays, wider below, where the larger tool was not.
+        // An island stays. It is wider below, where the larger tool did not cut.
         constexpr double kOutline = 10.8774 * 12.1096 - (4.0 - kPi) * 0.79375 * 0.79375;
         constexpr double kTaken =
             2.0 * (kOutline - 4.5277 * 5.7593) + 2.0 * (kOutline - 7.7025 * 8.9349);
@@ -50,8 +50,8 @@ TEST(Recognise, KnowsWallsThatProgramsRoundApart) {
     }
 }
 
-// A move of 0.1 mm at the end of a groove: between both ends of it a V-cutter leaves a strip of a
-// plane on the whole wall, which facets tell for a quarter of its height alone.
+// A move of 0.1 mm at the end of a groove. Between both ends of the move, a V-cutter leaves a strip
+// of a plane on the whole wall. Facets indicate only a quarter of the strip's height.
 TEST(Recognise, KnowsStripsBesideShortMoves) {
     const Golden golden{"short",
                         "T5 M6\nG0 X25.5675 Y22.5298 Z5\nG1 Z-1.27\nG1 X29.7128 Y22.4815\nG0 Z5\n"
@@ -63,8 +63,8 @@ TEST(Recognise, KnowsStripsBesideShortMoves) {
     expect_at({0.05, 0.02, 0.0055}, golden, left);
 }
 
-// A wall that the round end of another way comes through, by 2.5 um and 0.13 mm wide: as if they
-// touched, two edges crossed.
+// The round end of a second path breaks through a wall by 2.5 µm, 0.13 mm wide. Treating both as
+// tangent would make two edges cross.
 TEST(Recognise, KnowsWhereWallsCrossByLittle) {
     for (const double tolerance : {0.05, 0.02, 0.0055}) {
         SCOPED_TRACE(tolerance);
@@ -82,8 +82,8 @@ TEST(Recognise, KnowsWhereWallsCrossByLittle) {
     }
 }
 
-// A V-groove around corners of 3.5 mm, 3.4 mm deep: within, the hill of each is 0.1 mm wide on top,
-// where polygons in the place of the cutter leave one of half a millimetre.
+// A V-groove around corners of radius 3.5 mm, 3.4 mm deep. Inside, the hill of each corner is 0.1
+// mm wide at the top; polygons in place of the cutter leave half a millimetre.
 TEST(Recognise, KnowsHillsWithinTheArcsOfVCutters) {
     const Golden golden{"hill",
                         "T5 M6\nG0 X40 Y20 Z5\nG1 Z-3.4\nG1 X49.5\nG3 X53 Y23.5 I0 J3.5\nG1 Y36.5\n"
@@ -95,8 +95,8 @@ TEST(Recognise, KnowsHillsWithinTheArcsOfVCutters) {
     expect_at({0.05, 0.02, 0.0055, 0.002}, golden, 80.0 * 60.0 * 20.0 - kTaken, 1e-9);
 }
 
-// The same askew and in inches, whose four places are 2.5 um apart: where lines and arcs meet,
-// edges are left that are as short, and have no way.
+// The same groove, oblique and in inches with four decimals, a grid of 2.5 µm. Where lines and arcs
+// meet, edges as short as that remain.
 TEST(Recognise, KnowsVGroovesAskewInInches) {
     for (const double tolerance : {0.05, 0.02, 0.0055}) {
         SCOPED_TRACE(tolerance);
@@ -116,8 +116,8 @@ TEST(Recognise, KnowsVGroovesAskewInInches) {
     }
 }
 
-// Cones of the arc by which a V-cutter enters pass 1.5 um beside its tip where it began:
-// OpenCASCADE takes corners as near to an apex for it, and drew nothing of a face that had one.
+// Cones of the arc by which a V-cutter enters pass 1.5 µm from the tip at the arc's start.
+// OpenCASCADE takes a vertex that near an apex for the apex, and draws nothing of its face.
 TEST(Recognise, HasCornersInTipsNotBesideThem) {
     const Made made = test::make_part(
         setup::job_of({"tips.nc",
@@ -148,8 +148,8 @@ TEST(Recognise, HasCornersInTipsNotBesideThem) {
     EXPECT_GT(in_tips, 0);
 }
 
-// An arc in lines of 8 um and 1 um in turns: two of its walls are part of each other but for
-// rounding, and would become so in turns.
+// An arc in alternate lines of 8 µm and 1 µm. Two of its walls are part of each other up to
+// rounding; joining must not alternate between both.
 TEST(Recognise, WallsAreNotJoinedToAndFro) {
     const Made made = test::make_part(
         setup::job_of({"isolation.nc",
@@ -165,8 +165,8 @@ TEST(Recognise, WallsAreNotJoinedToAndFro) {
     EXPECT_EQ(made.solid.facets_kept, 0U);
 }
 
-// Arcs of the outline of a letter, by a tool hardly narrower than one of them: where they meet, two
-// facets of the same wall are 2 um wide, and look anywhere.
+// Arcs of the outline of a letter, by a tool hardly narrower than an arc. Where the arcs meet, two
+// facets of the same wall are 2 µm wide and have arbitrary normals.
 TEST(Recognise, KnowsFacetsThatLookAnywhere) {
     const Made made = test::make_part(
         setup::job_of({"letter.nc",
@@ -184,8 +184,9 @@ TEST(Recognise, KnowsFacetsThatLookAnywhere) {
     EXPECT_EQ(made.solid.facets_kept, 0U);
 }
 
-// An arc that starts beside its wall by 0.1 um, since the one before ought to touch it, and ends in
-// a corner: as wide as it starts, it crosses there what it meets (OpenCASCADE: not valid).
+// An arc starts 0.1 µm off its wall, because the preceding arc ought to be tangent there, and ends
+// in a corner. With the radius of its start, the arc crosses an adjacent edge in that corner
+// (OpenCASCADE: not valid).
 TEST(Recognise, CirclesAreAsWideAsTheirWalls) {
     const Made made = test::make_part(
         setup::job_of({"corner.nc",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sections as they would be drawn: so many lines and arcs, radii and areas as on paper.
+// Sections with known numbers of lines and arcs, radii and areas.
 #include "ncsim/brep/section.h"
 
 #include "ncsim/brep/measure.h"
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Lines, arcs, ellipses, chords.
+// Numbers of lines, arcs, ellipses and chords.
 using Curves = std::array<int, 4>;
 
 Curves curves_of(const Section& section) {
@@ -56,7 +56,8 @@ struct Drawing {
     double area;
 };
 
-// Half of what is cut off a circle by a chord so far from its centre.
+// Returns half the area of the segment that a chord at `distance` from the centre cuts off a
+// circle.
 double half_segment(double radius, double distance) {
     return 0.5 * (radius * radius * std::acos(distance / radius) -
                   distance * std::sqrt(radius * radius - distance * distance));
@@ -71,7 +72,7 @@ std::vector<Drawing> drawings() {
     const double tip = 3.0 / std::tan(59.0 * kPi / 180.0);
     const double groove = half_segment(4.0, 1.0) * 2.0;
     return {
-        // In the floor its walls are seen; below it nothing is.
+        // The section in the plane of the floor shows the slot's walls; a section below shows none.
         {"slot", slot, "z=-4", {6, 2, 0, 0}, 2, {5.0}, 4800.0 - 300.0 - 25.0 * kPi},
         {"slot_below", slot, "z=-4.001", {4, 0, 0, 0}, 1, {}, 4800.0},
         {"slot_along", slot, "y=30", {8, 0, 0, 0}, 1, {}, 1600.0 - 40.0 * 4.0},
@@ -149,7 +150,7 @@ TEST_P(SectionOf, IsAsDrawn) {
 INSTANTIATE_TEST_SUITE_P(Drawings, SectionOf, testing::ValuesIn(drawings()),
                          [](const auto& tested) { return tested.param.name; });
 
-// Slices of a body have its volume: Cavalieri.
+// Slices of a body have the volume of the body (Cavalieri).
 TEST(Section, SlicesHaveTheVolumeOfTheBody) {
     for (const test::NamedPart& body : test::solids()) {
         SCOPED_TRACE(body.name);
@@ -175,13 +176,13 @@ TEST(Section, SlicesHaveTheVolumeOfTheBody) {
     }
 }
 
-// Of whatever programs leave: sections of true surfaces are as large as those of the polyhedron.
+// Sections of recognised surfaces are as large as sections of the polyhedron.
 TEST(Section, OfRandomPartsIsThatOfTheirPolyhedra) {
     std::size_t known = 0, all = 0;
     std::vector<std::string> programs;
     for (std::uint64_t seed = 0; seed < 12; ++seed)
         programs.push_back(test::random_part(seed));
-    // With rings that are thicker than wide.
+    // Programs that leave spindle tori (minor radius > major radius).
     for (const std::uint64_t seed : {10U, 28U, 31U, 65U, 73U, 90U})
         programs.push_back(test::cam_part(test::kCam + seed));
     for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -200,14 +201,14 @@ TEST(Section, OfRandomPartsIsThatOfTheirPolyhedra) {
                 ASSERT_TRUE(flat.has_value());
                 if (!section) continue;
                 ++known;
-                constexpr double kError = 0.06;  // of tools and chords
+                constexpr double kError = 0.06;  // by tools and chords
                 EXPECT_NEAR(section->area_mm2, flat->area_mm2,
                             kError * std::max(section->area_per_mm, flat->area_per_mm));
             }
         }
     }
-    // None of them is a ring that lies askew; 14 go upright through those that are thicker than
-    // wide.
+    // No torus is tilted. 14 planes cut spindle tori parallel to their axes, which is
+    // not supported.
     EXPECT_EQ(known + 14, all);
 }
 

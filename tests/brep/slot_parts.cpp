@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes random slots in the units and decimals of the program.
 #include "brep/slot_parts.h"
 
 #include <fmt/format.h>
@@ -42,7 +44,7 @@ private:
         if (kind == 4) passes();
     }
 
-    // Arc of any angle, which starts and ends in a plunge that is deeper, or does not.
+    // Cuts an arc of any angle. A deeper plunge may be at the start, at the end, or at both.
     void arc_slot() {
         const double radius = diameter_ * from(0.6, 4.0), start = from(0.0, kTurn);
         const bool is_left = pick(0, 1) == 0;
@@ -61,7 +63,7 @@ private:
         retract();
     }
 
-    // Arc, the line tangent to it, and an arc again.
+    // Cuts an arc, the line tangent to the arc, and a second arc.
     void lead_in() {
         const double radius = diameter_ * from(0.6, 2.0), direction = from(0.0, kTurn);
         const double sweep = from(0.1, 0.6) * kTurn, length = diameter_ * from(0.5, 5.0);
@@ -79,7 +81,7 @@ private:
         retract();
     }
 
-    // Two straight slots of one depth or two.
+    // Cuts two straight slots of equal or different depth.
     void crossing() {
         const double depth = diameter_ * from(0.1, 1.5);
         const double x = diameter_ * from(-3.0, 3.0), y = diameter_ * from(-3.0, 3.0);
@@ -109,12 +111,13 @@ private:
     int pick(int low, int high) {
         return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
     }
-    // Numbers as the random engine makes them, because distributions differ between libraries.
+    // Returns a number from the bits of the random engine, because distributions differ between
+    // libraries.
     double from(double low, double high) {
         return low + (high - low) * (static_cast<double>(random_() >> 11U) * 0x1p-53);
     }
     double size(double mm) const { return is_inch_ ? mm / 25.4 : mm; }
-    // The number as the program has it, in mm.
+    // Returns the number as the program has it, in mm.
     double rounded(double mm) const {
         const double scale = std::pow(10.0, decimals_);
         return std::round(size(mm) * scale) / scale * (is_inch_ ? 25.4 : 1.0);

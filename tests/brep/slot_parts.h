@@ -10,10 +10,11 @@
 
 namespace ncsim::brep::test {
 
-/// Seeds from here on are slots (cam_parts.h has the ones before).
+/// First seed of slots; cam_parts.h has the seeds below.
 inline constexpr std::uint64_t kSlots = 9'000'000;
 
-/// Returns the same program for the same seed. Tools and stock are in its comments.
+/// Returns the program of `seed`, the same in every call. Comments in the program describe tools
+/// and stock.
 std::string slot_part(std::uint64_t seed);
 
 }  // namespace ncsim::brep::test

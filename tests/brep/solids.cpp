@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Builds solids from vertices, edges and faces.
 #include "brep/solids.h"
 
 #include "ncsim/brep/frames.h"
@@ -24,12 +26,12 @@ public:
         part_.edges.push_back({from, to, std::move(curve)});
         return static_cast<std::uint32_t>(part_.edges.size() - 1);
     }
-    // A circle about the Z-axis or one parallel to it, counter-clockwise from above.
+    // Adds a circle about the Z-axis or about a parallel to Z, counter-clockwise from above.
     std::uint32_t circle(Vec3 centre, double radius) {
         const std::uint32_t v = vertex(centre + Vec3{radius, 0, 0});
         return edge(v, v, Circle{centre, kUp, radius});
     }
-    // Edges by number, from 1; negative: backwards.
+    // Adds a face. `loops` are numbers of edges from 1; a negative number reverses the edge.
     void face(const Surface& surface, const std::vector<std::vector<int>>& loops) {
         Face face;
         face.surface = surface;
@@ -58,7 +60,8 @@ int number(std::uint32_t edge) {
     return static_cast<int>(edge) + 1;
 }
 
-// Bottom in Z0; loops on the top and at the bottom are open for more.
+// Outer loops of the top and the bottom of a box on Z0. Both have no face yet, so more loops can be
+// added.
 struct Box {
     std::vector<int> top, bottom;
 };
@@ -139,7 +142,7 @@ NamedPart dimpled_box() {
     return {"dimpled_box", b.finish(), 20 * 16 * 10 - kPi * 64 * 2 / 3, 7};
 }
 
-// 4 deep, from (6, 8) to (14, 8), 6 wide.
+// Returns a box with a slot from (6, 8) to (14, 8), 6 mm wide and 4 mm deep.
 NamedPart slotted_box() {
     Builder b;
     const Box sides = box(b, 20, 16, 10);
@@ -166,7 +169,8 @@ NamedPart slotted_box() {
     return {"slotted_box", b.finish(), 20 * 16 * 10 - 4 * (8 * 6 + kPi * 9), 11};
 }
 
-// A bar of radius 20, 10 high, with a groove of a ball of 2 mm along the circle of radius 12.
+// Returns a bar of radius 20, 10 high, with a groove of a ball of radius 2 along the circle of
+// radius 12 (mm).
 NamedPart grooved_bar() {
     Builder b;
     const int low = number(b.circle({0, 0, 0}, 20)), high = number(b.circle({0, 0, 10}, 20));

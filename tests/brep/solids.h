@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solids put together by hand, with their volumes as on paper.
+// Solids built by hand, with volumes by formulas.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -17,10 +17,10 @@ struct NamedPart {
     int faces = 0;
 };
 
-/// A cylinder of radius 5 and height 8; the frustum of a cone from radius 6 to 3 over 4; a box of
-/// 20 x 16 x 10 with a bore of 6 mm right through; the same box with a hole of a drill, with a
-/// dimple of a ball, with a slot; a bar with a ring groove; a circle that moves
-/// askew, and a box with a bore of that form.
+/// Returns a cylinder of radius 5 and height 8; the frustum of a cone from radius 6 to 3 over 4; a
+/// box of 20 x 16 x 10 with a through bore of 6; the same box with a drilled hole, with a dimple of
+/// a ball, and with a slot; a bar with an annular groove; an oblique circular cylinder; and a box
+/// with a bore of that form. Lengths are in mm.
 std::vector<NamedPart> solids();
 
 }  // namespace ncsim::brep::test

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests distances, gradients and parameters of extrusions, domes, coils and spirals.
 #include "ncsim/brep/surface.h"
 
 #include "brep/draw.h"
@@ -29,7 +31,7 @@ Extrusion random_extrusion(Draw& draw) {
     return e;
 }
 
-// A point of the surface: on the circle, and on along the line.
+// Returns the surface point at `angle` (rad) of the circle, moved by `far` (mm) along the line.
 Vec3 point_of(const Extrusion& e, double angle, double far) {
     const Vec3 x = across(e.axis), y = cross(e.axis, x);
     return e.centre + (e.radius * std::cos(angle)) * x + (e.radius * std::sin(angle)) * y +
@@ -50,7 +52,7 @@ TEST(Extrusion, IsAsFarAsTheNearestOfItsRulings) {
         const Vec3 level = p - place_along(e, p) * e.along - e.centre;
         const double sign = norm(level) < e.radius ? -1.0 : 1.0;
         EXPECT_NEAR(distance(e, p), sign * nearest, 2e-3);
-        // One goes that far along the gradient.
+        // Moving against the gradient by the distance ends on the surface.
         const Vec3 foot = p - distance(e, p) * gradient(e, p);
         EXPECT_NEAR(distance(e, foot), 0.0, 1e-9);
     }
@@ -67,12 +69,12 @@ TEST(Extrusion, HasItsNormalsAndPlaces) {
         EXPECT_NEAR(norm(n), 1.0, 1e-12);
         EXPECT_NEAR(dot(n, e.along), 0.0, 1e-12);
         const Vec3 out = p - far * e.along - e.centre;
-        // Rulings are thousands of times nearer to each other where a flat one bends.
+        // Rulings of a flat extrusion are thousands of times nearer to each other at its bend.
         EXPECT_NEAR(dot(n, cross(e.axis, normalized(out))), 0.0, 1e-6);
         EXPECT_GT(dot(n, out), 0.0);
     }
     const Extrusion flat{{1, 2, 3}, {0, 0, 1}, {0.6, 0, 0.8}, 5.0};
-    // In the middle, on the long axis and beyond it.
+    // In the middle, on the long axis and beyond the axis.
     EXPECT_NEAR(distance(flat, flat.centre), -4.0, 1e-12);
     EXPECT_NEAR(distance(flat, flat.centre + Vec3{0, 5, 0}), 0.0, 1e-12);
     EXPECT_NEAR(distance(flat, flat.centre + Vec3{0, 7, 0}), 2.0, 1e-12);
@@ -93,7 +95,7 @@ TEST(Extrusion, IsTheSameWhereverItsCircleIs) {
     EXPECT_FALSE(is_same({e, true}, {moved, true}, 1e-3));
 }
 
-// Its middle, axis, and where it begins around that.
+// Sets the centre, the axis and the start direction around the axis at random.
 template <class Surface>
 void put_anywhere(Surface& surface, Draw& draw) {
     surface.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
@@ -111,7 +113,7 @@ Dome random_dome(Draw& draw) {
     return dome;
 }
 
-// Angles in radians: of the arc, and of the circle from `ahead`.
+// Returns the point at the angles `arc` of the arc and `circle` of the circle from `ahead`, in rad.
 Vec3 point_of(const Dome& d, double arc, double circle) {
     return d.centre + (d.reach * std::cos(arc) + d.radius * std::cos(circle)) * d.ahead +
            d.reach * std::sin(arc) * d.axis + d.radius * std::sin(circle) * cross(d.axis, d.ahead);
@@ -123,7 +125,7 @@ TEST(Dome, HasItsPlacesNormalsAndDistances) {
         const Dome dome = random_dome(draw);
         const double arc = draw.from(-1.5, 1.5), circle = draw.from(0.0, 6.28);
         const Vec3 p = point_of(dome, arc, circle);
-        // The side points of its ends have no normal, and near them it bends sharply.
+        // The side points of the dome's ends have no normal, and the dome bends sharply near them.
         if (std::abs(std::cos(circle)) + std::cos(arc) < 0.3) continue;
         constexpr double kStep = 1e-6;
         const Vec3 u = point_of(dome, arc, circle + kStep) - point_of(dome, arc, circle - kStep);
@@ -132,7 +134,7 @@ TEST(Dome, HasItsPlacesNormalsAndDistances) {
         EXPECT_NEAR(distance(dome, p), 0.0, 1e-11);
         EXPECT_NEAR(norm(gradient(dome, p) - n), 0.0, 1e-7);
         EXPECT_NEAR(place_on(dome, p).degrees(), arc * 180.0 / std::numbers::pi, 1e-6);
-        // Nearer than it bends.
+        // The distance is smaller than the radii of curvature.
         const double off = draw.from(-0.03, 0.03) * std::min(dome.reach, dome.radius);
         EXPECT_NEAR(distance(dome, p + off * n), off, 1e-6);
     }
@@ -158,7 +160,8 @@ Coil random_coil(Draw& draw) {
     return coil;
 }
 
-// Angles in radians: of the helix, and of the circle from where it goes.
+// Returns the point at the angles `helix` of the helix and `circle` of the circle from its
+// direction of motion, in rad.
 Vec3 point_of(const Coil& c, double helix, double circle) {
     const Vec3 side = cross(c.axis, c.ahead);
     const Vec3 up = std::cos(helix) * c.ahead + std::sin(helix) * side;
@@ -171,7 +174,7 @@ TEST(Coil, HasItsPlacesNormalsAndDistances) {
     Draw draw(7);
     for (int i = 0; i < 2000; ++i) {
         const Coil coil = random_coil(draw);
-        // On the half behind, two turns up or down.
+        // A point on the rear half, up to two turns up or down.
         const double helix = draw.from(-12.0, 12.0), circle = draw.from(1.7, 4.6);
         const Vec3 p = point_of(coil, helix, circle);
         constexpr double kStep = 1e-6;
@@ -179,7 +182,7 @@ TEST(Coil, HasItsPlacesNormalsAndDistances) {
             point_of(coil, helix, circle + kStep) - point_of(coil, helix, circle - kStep);
         const Vec3 v =
             point_of(coil, helix + kStep, circle) - point_of(coil, helix - kStep, circle);
-        // Out of the circle: up on one half of it, down on the other one.
+        // The normal points out of the circle: up on a half of the circle, down on the second half.
         const Vec3 n = (coil.lead < 0.0 ? -1.0 : 1.0) * normalized(cross(u, v));
         EXPECT_NEAR(distance(coil, p), 0.0, 1e-11);
         EXPECT_NEAR(norm(gradient(coil, p) - n), 0.0, 1e-7);
@@ -197,7 +200,7 @@ Spiral random_spiral(Draw& draw) {
     return spiral;
 }
 
-// The distance is that from the way less the offset; the way is followed by hand.
+// The distance is measured from the path, less the offset. The test computes the path itself.
 TEST(Spiral, HasItsPlacesNormalsAndDistances) {
     Draw draw(7);
     for (int i = 0; i < 2000; ++i) {
@@ -229,7 +232,7 @@ TEST(Spiral, HasItsPlacesNormalsAndDistances) {
 TEST(Coil, IsTheSameFromAnyTurnOn) {
     const Coil coil{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 6.0, 5.0, -0.5};
     Coil other = coil;
-    // A quarter on, and two turns.
+    // A quarter turn and two turns further on.
     other.ahead = {0, 1, 0};
     other.centre.z -= 0.5 * 4.5 * std::numbers::pi;
     EXPECT_TRUE(is_same({coil, true}, {other, true}, 1e-6));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Random programs for preset machines with rotary axes.
 #include "brep/tilted_parts.h"
 
 #include "ncsim/machine/presets.h"
@@ -42,7 +44,7 @@ public:
     }
 
 private:
-    // In degrees: of 15, whole ones, or any.
+    // Returns an angle in degrees: a multiple of 15, a whole number, or any value.
     double angle(int low, int high) {
         const int kind = pick(0, 2);
         if (kind == 0) return 15.0 * pick(low / 15, high / 15);

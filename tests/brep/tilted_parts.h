@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs at random that lean the tool or the part: in planes of G68.2, under tip control, and on
-// tables that were indexed, on machines that somebody told.
+// Random programs that tilt the tool or the part: in planes of G68.2, under tip control, and on
+// indexed tables, on machines with specified kinematics.
 #pragma once
 
 #include "ncsim/simulation/plan.h"
@@ -12,17 +12,17 @@
 namespace ncsim::brep::test {
 
 struct TiltedPart {
-    std::string machine;  ///< A preset.
-    std::string program;  ///< Tools and stock are in its comments.
+    std::string machine;  ///< Name of a preset.
+    std::string program;  ///< Program with comments that describe tools and stock.
 };
 
-/// Seeds of ncsim_brep_random from here on, up to kWithSlopes.
+/// First seed of tilted parts among the seeds of ncsim_brep_random; they end at `kWithSlopes`.
 inline constexpr std::uint64_t kTilted = 3'000'000;
 
-/// Always the same for a seed.
+/// Returns the part of `seed`, the same in every call.
 TiltedPart tilted_part(std::uint64_t seed);
 
-/// To cut it on its machine, with the boundary kept.
+/// Returns a plan that cuts the part on its machine and keeps the boundary.
 simulation::Plan plan_of(const TiltedPart& part, const std::string& name);
 
 }  // namespace ncsim::brep::test

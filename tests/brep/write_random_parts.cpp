@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // write_random_parts <folder> [--faceted] <count> [first], or <folder> [--faceted] --seeds
-// <seed>...: parts of random programs as STEP, with what ncsim_read_step is to find; says how many
-// have facets. Seeds of tilted_parts.h lean the tool or the part; --faceted: facets alone.
+// <seed>...: writes parts of random programs as STEP, with the values that ncsim_read_step is to
+// find, and prints how many parts have facets. Seeds of tilted_parts.h tilt the tool or the part.
+// With --faceted all faces are facets.
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/setup/job.h"
@@ -31,7 +32,7 @@ namespace ncsim::brep::test {
 
 namespace {
 
-// The program of a seed, on its machine.
+// Writes the program of `seed` and, if needed, its machine; returns a plan for both.
 simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) {
     const std::string name = stem.filename().string() + ".nc";
     std::ofstream out(stem.string() + ".nc");
@@ -60,7 +61,7 @@ Recognised facets_of(const simulation::Simulation& milled) {
     return solid;
 }
 
-// How many of its faces are facets.
+// Writes the part of `seed`; returns how many of its faces are facets.
 std::size_t write(const std::filesystem::path& stem, std::uint64_t seed, bool is_faceted) {
     simulation::Plan plan = plan_of(stem, seed);
     const simulation::Survey survey = simulation::survey(plan);
@@ -75,7 +76,7 @@ std::size_t write(const std::filesystem::path& stem, std::uint64_t seed, bool is
     if (!solid.is_sound) std::cout << seed << ": not sound\n";
     std::ofstream out(stem.string() + ".step", std::ios::binary);
     exporter::write_step_solid(out, solid.part, milled.provenance);
-    // What edges miss moves faces, and OpenCASCADE integrates over splines less exactly.
+    // Gaps at edges move faces, and OpenCASCADE integrates over splines less exactly.
     constexpr double kIntegrals = 1e-6;
     std::ofstream(stem.string() + ".expect") << fmt::format(
         "solids {}\nvolume {}\nmoved {}\n", -int(milled.boundary->shells), volume(solid.part),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_solids <folder>: the solids that were put together by hand, with what ncsim_read_step is to
-// find in them.
+// write_solids <folder>: writes the solids built by hand as STEP, with the values that
+// ncsim_read_step is to find.
 #include "ncsim/export/step.h"
 
 #include "brep/solids.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each origin took, booked in passing, against what is measured cut by cut.
+//
+// Compares the removed volumes that a model books per origin with volumes measured cut by cut.
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/tree.h"
 
@@ -42,7 +43,7 @@ RemovalByMotion measured(const std::vector<Cell>& cuts) {
 
 void expect_booked(const std::vector<Cell>& cuts, double tolerance = 1e-11) {
     const RemovalByMotion expected = measured(cuts);
-    // One cell at a time, some, all; in leaves that are split early or late.
+    // Inserts cells singly, in groups or all at once, into leaves that split early or late.
     for (const TreeParameters& parameters :
          {TreeParameters{12, 1, 1}, TreeParameters{12, 1, 7}, TreeParameters{12, 1, 8192},
           TreeParameters{80, 1, 25}, TreeParameters{80, 1, 8192}}) {
@@ -52,7 +53,7 @@ void expect_booked(const std::vector<Cell>& cuts, double tolerance = 1e-11) {
             const auto found = account.find(origin);
             const RemovedVolume got = found == account.end() ? RemovedVolume{} : found->second;
             EXPECT_NEAR(got.volume, taken.volume, tolerance) << static_cast<std::uint32_t>(origin);
-            // What takes nothing takes nothing at all.
+            // The entry of an origin that removes nothing is empty.
             if (taken.volume == 0.0) {
                 EXPECT_EQ(got, RemovedVolume{}) << static_cast<std::uint32_t>(origin);
             }
@@ -76,8 +77,8 @@ TEST(RemovalByMotion, OfPassesOnFloorsAndWallsOfEachOther) {
     }
 }
 
-// A lattice unit or two beside each other, in part twice: planes that are nearly parallel meet in
-// lines that doubles tell to a hundredth of a unit only.
+// Passes a lattice unit or two apart, in part repeated. Nearly parallel planes meet in lines that
+// doubles resolve only to a hundredth of a unit.
 TEST(RemovalByMotion, OfPassesNextToEachOther) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
@@ -90,7 +91,7 @@ TEST(RemovalByMotion, OfPassesNextToEachOther) {
     }
 }
 
-// An arc is many cells with one origin; a loop has the same origin again, later.
+// An arc is many cells with the same origin. In a loop, an origin returns later.
 TEST(RemovalByMotion, OfOriginsWithManyCells) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
@@ -161,7 +162,7 @@ TEST(RemovalByMotion, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one, booked(passes, {.threads = 5, .batch = 100}));
 }
 
-// Ten cells of one origin in a row, the first five through what is empty already.
+// Six cells of the same origin in a row; the first four pass through empty space.
 TEST(RemovalByMotion, IsWhereSomethingWasTaken) {
     for (const std::uint32_t batch : {1U, 3U, 8192U}) {
         TreeCda part(kStock, kLattice, {.batch = batch});
@@ -191,7 +192,7 @@ TEST(RemovalByMotion, OfTheFlatAggregateIsTheSame) {
     }
 }
 
-// What was asked in between, and what waits, changes nothing.
+// Neither queries in between nor cells that wait change the account.
 TEST(RemovalByMotion, GoesOnWhereQuestionsAreAsked) {
     const auto passes = test::passes_of_several_tools(11, 80);
     TreeCda part(kStock, kLattice);

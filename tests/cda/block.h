@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A block by itself, with boxes cut out of it.
+// A single block, with boxes cut out of it.
 #pragma once
 
 #include "support/random_shapes.h"
@@ -11,7 +11,7 @@
 
 namespace ncsim::cda {
 
-/// All of the stock in one block: a cube of `size` units, from the origin.
+/// The whole stock in a single block: a cube of `size` units, from the origin.
 class TestBlock {
 public:
     explicit TestBlock(std::int64_t size)
@@ -19,7 +19,7 @@ public:
         stock_ = box_cell({0, 0, 0}, {size, size, size}, test::kLattice).planes;
     }
 
-    /// Cuts away cells, in one batch.
+    /// Cuts `cells` away, in a single batch.
     void cut(const std::vector<Cell>& cells, std::uint32_t leaf = 80) {
         std::vector<IncomingCell> incoming;
         incoming.reserve(cells.size());
@@ -31,7 +31,7 @@ public:
         tree_.insert(pointers, table_, leaf);
     }
 
-    /// The next cell in the table, which the block itself need not take in.
+    /// Adds `cell` to the table. The block itself need not insert the cell.
     IncomingCell receive(const Cell& cell) {
         kept_.push_back(std::make_unique<Cell>(cell));
         IncomingCell here;
@@ -44,9 +44,9 @@ public:
         return here;
     }
 
-    /// Is there material in the unit cube at `p`?
+    /// True if there is material in the unit cube at `p`.
     bool has(LatticePoint p) const {
-        // Its middle, in units of 2^-15 half units.
+        // The middle of the cube, in units of 2^-15 half units.
         const auto middle = [](std::int64_t v) { return (2 * v + 1) << 15; };
         BlockTree::LeafCells cells;
         if (!tree_.find({middle(p.x), middle(p.y), middle(p.z)}, cells)) return false;
@@ -75,7 +75,7 @@ private:
     std::vector<std::unique_ptr<Cell>> kept_;
 };
 
-/// A box of whole units, the corner with the least coordinates and the other one.
+/// Box of whole units from `min` to `max`.
 struct UnitBox {
     LatticePoint min, max;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares the tree of a block with unit cubes.
 #include "tree/block_tree.h"
 
 #include "block.h"
@@ -13,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kSize = 12;
 
-// Unit cube by unit cube, for leaves and batches of any size.
+// Compares material with unit cubes, for leaves and batches of any size.
 TEST(BlockTree, HasTheMaterialThatNoCellHas) {
     test::Random random(81);
     for (int scene = 0; scene < 60; ++scene) {
@@ -55,7 +57,7 @@ TEST(BlockTree, IsEmptyForGoodWhereACellCoversIt) {
 TEST(BlockTree, ShrinksWhereACellCoversOneSide) {
     TestBlock block(kSize);
     block.cut({UnitBox{{-1, -1, 8}, {kSize + 1, kSize + 1, kSize + 1}}.cell(Origin{1})});
-    // The next odd numbers beyond.
+    // The next odd numbers beyond the cell.
     EXPECT_LE(block.tree().box().max[2], 2 * 8 + 3);
     EXPECT_EQ(block.tree().box().min[2], -1);
 }

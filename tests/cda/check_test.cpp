@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests that surfaces with gaps are detected.
 #include "ncsim/cda/check.h"
 
 #include "ncsim/cda/tree.h"
@@ -39,7 +41,7 @@ TEST(IsClosed, KnowsASurfaceFromOneWithAGap) {
     }
 }
 
-// A tetrahedron of one unit at the origin, and what is left of it without a side.
+// A tetrahedron of 1000 units at the origin, then without a side.
 TEST(Stitch, TellsThatFacesAreMissing) {
     const Plane x{-1, 0, 0, 0};
     const Plane y{0, -1, 0, 0};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests collisions of a part with convex and concave bodies.
 #include "ncsim/cda/collision.h"
 
 #include "support/random_shapes.h"
@@ -11,7 +13,7 @@ namespace {
 using test::kLattice;
 using test::mm_box;
 
-// The surface of a block less some boxes: a closed mesh of any shape.
+// Returns the surface of `block` minus the boxes `less`: a closed mesh of any shape.
 TriangleMesh mesh_of(const Cell& block, const std::vector<Cell>& less) {
     FlatCda body(block, kLattice);
     for (const Cell& cell : less)
@@ -19,13 +21,13 @@ TriangleMesh mesh_of(const Cell& block, const std::vector<Cell>& less) {
     return triangulate(body.boundary());
 }
 
-// A bridge with feet at x 0–1 and 3–4, its opening 2 high.
+// Returns a bridge with feet at x 0–1 and 3–4 and an opening 2 mm high.
 TriangleMesh bridge(std::int64_t z) {
     return mesh_of(mm_box(0, 0, z, 4, 4, z + 3), {mm_box(1, -1, z - 1, 3, 5, z + 2)});
 }
 
 FlatCda block_with_rib() {
-    // A plate at z 0–1 with a rib at x 1–3, 2 high.
+    // A plate at z 0–1 with a rib at x 1–3, 2 mm high.
     FlatCda part(mm_box(0, 0, 0, 4, 4, 3), kLattice);
     part.subtract(mm_box(-1, -1, 1, 1, 5, 4, Origin{1}));
     part.subtract(mm_box(3, -1, 1, 5, 5, 4, Origin{2}));
@@ -41,7 +43,7 @@ TEST(Collision, NeedsMaterialNotOnlyMilledSpace) {
 }
 
 TEST(Collision, OfABodyInBothMilledSpaceAndMaterialIsSeen) {
-    // What "no negative cell may meet the body" misses.
+    // The rule "no negative cell may meet the body" misses this collision.
     FlatCda part(mm_box(0, 0, 0, 4, 4, 4), kLattice);
     part.subtract(mm_box(1, 1, 2, 3, 3, 5, Origin{1}));
     const auto hit = collision(part, mm_box(1, 1, 1, 3, 3, 9));
@@ -53,7 +55,7 @@ TEST(Collision, OfABodyInBothMilledSpaceAndMaterialIsSeen) {
 TEST(Collision, OfAConcaveBodyIsNotThatOfItsHull) {
     const FlatCda part = block_with_rib();
     ASSERT_TRUE(collision(part, mm_box(0, 0, 1, 4, 4, 4)));  // the hull meets the rib
-    EXPECT_FALSE(collision(part, bridge(1)));                // the bridge stands over it, touching
+    EXPECT_FALSE(collision(part, bridge(1)));                // the bridge spans the rib, touching
     EXPECT_FALSE(collision(part, bridge(5)));
 }
 
@@ -67,7 +69,7 @@ TEST(Collision, OfAConcaveBodyHasACertificateInTheMaterial) {
 }
 
 TEST(Collision, OfAPieceOfMaterialInsideTheBodyIsToldByARay) {
-    // The part lies within the body: no surface passes through it.
+    // The part lies within the body, so no surface of the body passes through the part.
     const FlatCda part(mm_box(1, 1, 1, 2, 2, 2), kLattice);
     EXPECT_TRUE(collision(part, mesh_of(mm_box(0, 0, 0, 4, 4, 4), {})));
     // The same body with a cavity around the part.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The proof that there is nothing, against unit cubes, and what it is for: asking where cells wait.
+// Compares the proof that a window is empty with unit cubes, and tests the purpose of the proof:
+// queries while cells wait.
 #include "tree/covering.h"
 
 #include "ncsim/cda/tree.h"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::int64_t kSize = 24;
 
-// Of a window by its corners.
+// True if `window` has no material once `waiting` is cut.
 bool is_covered(const TestBlock& block, const UnitBox& window,
                 const std::vector<IncomingCell>& waiting, std::size_t most_looks = 100000) {
     const std::vector<Plane> planes = window.cell(kStockOrigin).planes;
@@ -38,7 +39,7 @@ TEST(Covering, ClaimsNothingThatAUnitCubeDenies) {
         TestBlock block(kSize);
         std::vector<UnitBox> boxes;
         const auto another = [&] {
-            // Most as high as the stock, as those of tools.
+            // Most boxes are as high as the stock, like the cells of tools.
             UnitBox box = random_unit_box(random, kSize);
             if (!random.one_in(4)) {
                 box.min.z = -1;
@@ -76,7 +77,7 @@ TEST(Covering, ClaimsNothingThatAUnitCubeDenies) {
         }
     }
     EXPECT_GT(covered, 300);
-    // Where two only touch, no box is taken by one.
+    // At a plane where two cells only touch, no single cell contains a box, so the proof may fail.
     EXPECT_GT(found, covered * 4 / 5);
 }
 
@@ -103,10 +104,10 @@ TEST(Covering, SparesCellsThatWaitFromBeingTakenIn) {
     for (std::int64_t x = 0; x < 50000; x += 1000)
         part.subtract_unmeasured(pass(x, 10000));
     EXPECT_FALSE(part.contact(pass(500, 50000)));
-    EXPECT_EQ(part.counts().spared, 1U);  // which takes them in
+    EXPECT_EQ(part.counts().spared, 1U);  // counts() inserts the waiting cells
     for (std::int64_t x = 50000; x < 60000; x += 1000)
         part.subtract_unmeasured(pass(x, 10000));
-    // A unit beyond what is cleared.
+    // A unit beyond the cleared region.
     EXPECT_TRUE(part.contact(pass(500, 68501)));
     EXPECT_FALSE(part.contact(pass(500, 68500)));
     EXPECT_EQ(part.counts().spared, 1U);

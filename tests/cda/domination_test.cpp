@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What one plane or cell implies of another in a box, against points of the box.
+// Compares implications between planes or cells within a box with points of the box.
 #include "tree/domination.h"
 
 #include "support/random_shapes.h"
@@ -18,7 +18,7 @@ constexpr std::int64_t kReach = 1 << 20;
 const HalfBox kBox{{-2 * kReach + 1, -2 * kReach + 1, -2 * kReach + 1},
                    {2 * kReach - 1, 2 * kReach - 1, 2 * kReach - 1}};
 
-// A plane that cuts the box; of few directions, so that some are parallel.
+// Returns a plane that cuts the box. Few directions occur, so some planes are parallel.
 Plane random_plane(Random& random) {
     const Plane n = test::random_normal(random, random.one_in(2) ? 2 : 1000);
     const std::int64_t size = std::abs(n.nx) + std::abs(n.ny) + std::abs(n.nz);
@@ -81,7 +81,7 @@ TEST(Implies, SeesParallelPlanesAsTheyAre) {
 }
 
 TEST(Implies, SeesWhatHoldsInTheBoxAlone) {
-    // Below x = -reach/2 in the box is below x + y/8 = 0 there, and nowhere else.
+    // Within the box, and only there, x < -reach/2 implies x + y/8 < 0.
     const BoxFrame frame(kBox);
     const Plane m{1, 0, 0, -kReach / 2};
     const Plane p{8, 1, 0, 0};
@@ -115,7 +115,7 @@ TEST(Dominated, CellsLieWithinTheOther) {
     EXPECT_EQ(dominated(some.seen, some.seen), Domination::Coplanar);
 }
 
-// A profile is there to save work: what is dominated must not be passed over, within one plane.
+// A profile serves to save work. It must not skip dominated cells, even within a single plane.
 TEST(Profile, NeverHidesAnUprightCellBelowAnother) {
     Random random(73);
     const BoxFrame frame(kBox);

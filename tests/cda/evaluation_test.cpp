@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the volume and the outlines that a block evaluates to.
 #include "tree/evaluation.h"
 
 #include "block.h"
@@ -27,7 +29,8 @@ TEST(Evaluation, OfAWholeBlockIsItsStock) {
     EXPECT_EQ(whole.leaves, 1U);
 }
 
-// What unit cubes say, for leaves of any size; what a cell has in common with the part likewise.
+// Compares the remaining volume, and the volume that a cell shares with the part, with unit cubes,
+// for leaves of any size.
 TEST(Evaluation, HasTheVolumeThatIsLeft) {
     test::Random random(91);
     for (int scene = 0; scene < 60; ++scene) {
@@ -55,7 +58,7 @@ TEST(Evaluation, HasTheVolumeThatIsLeft) {
     }
 }
 
-// A wall that two cells share from either side is no wall.
+// Two cells that touch a plane from both sides leave no wall there.
 TEST(Evaluation, LeavesNoMembraneBetweenCellsThatTouch) {
     TestBlock block(kSize);
     block.cut({UnitBox{{2, 2, 2}, {5, 8, 8}}.cell(Origin{1}),
@@ -68,7 +71,7 @@ TEST(Evaluation, LeavesNoMembraneBetweenCellsThatTouch) {
     }
 }
 
-// Of what lies twice, the first motion has the face.
+// A face that two motions leave belongs to the first motion.
 TEST(Evaluation, GivesAFaceToTheFirstOfTwo) {
     TestBlock block(kSize);
     block.cut({UnitBox{{2, 2, 4}, {6, 8, 11}}.cell(Origin{7}),
@@ -79,8 +82,8 @@ TEST(Evaluation, GivesAFaceToTheFirstOfTwo) {
         EXPECT_NE(piece.origin, Origin{7});
 }
 
-// Two passes along one wall: it is that of the deeper one, from top to bottom, although the other
-// came first; the leaf need not know that one.
+// Two passes along the same wall. The wall belongs to the deeper pass, from top to bottom, although
+// the higher pass comes first. The leaf need not store the higher pass.
 TEST(Evaluation, GivesAWallToTheLowerRank) {
     TestBlock block(kSize);
     std::vector<Cell> passes{UnitBox{{2, 2, 8}, {8, 8, 13}}.cell(Origin{3}),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons in doubles against those of polygon.h, whose corners are integers: planes that cut
-// anywhere, and planes that meet in corners of the polygon.
+// Compares polygons in doubles with the exact polygons of polygon.h. Planes cut anywhere or meet in
+// corners of the polygon.
 #include "polytope/filtered_polygon.h"
 
 #include "support/random_shapes.h"
@@ -18,11 +18,12 @@ namespace {
 
 using test::Random;
 
-// A corner of the box and what goes through it, or through others of its kind, is met often.
+// Returns a random plane. Many of the planes share lattice points and so meet in corners of the
+// polygon.
 Plane random_plane(Random& random, std::int64_t reach) {
     const std::int64_t size = random.between(0, 2) == 0 ? 2 : 1 << 24;
     Plane plane = test::random_normal(random, size);
-    // Through one of few points of the lattice, or near it.
+    // The plane passes through or near a point of a coarse grid.
     const auto coordinate = [&] { return reach / 4 * random.between(-3, 3); };
     const std::int64_t x = coordinate();
     const std::int64_t y = coordinate();
@@ -50,7 +51,8 @@ struct Scene {
         }
     }
 
-    // The section of the box, with integers: of a larger one, whose walls are made here.
+    // Returns the section of the box in integers: a quadrilateral of four walls, clipped by the
+    // remaining two walls.
     std::optional<ConvexPolygon> section(const Plane& plane) const {
         ConvexPolygon polygon;
         polygon.plane = plane;
@@ -86,7 +88,7 @@ TEST(FilteredPolygon, IsCutAsWithIntegers) {
         for (int i = 0; i < 12 && exact; ++i) {
             FilterPlane cut(random_plane(random, reach));
             if (i % 3 == 2) {
-                // Where others meet.
+                // Repeats the plane of an edge, or its opposite.
                 const auto& edges = exact->edges;
                 const Plane& a = edges[static_cast<std::size_t>(i) % edges.size()];
                 cut = FilterPlane(random.between(0, 1) == 0 ? a : a.opposite());
@@ -102,7 +104,7 @@ TEST(FilteredPolygon, IsCutAsWithIntegers) {
             }
             ASSERT_EQ(polygon.size(), exact->corners.size());
             in_corners += exact->corners.size() <= before ? 1 : 0;
-            // The same corners, perhaps from another one on.
+            // The corners are the same, perhaps in a rotated order.
             const auto is_corner = [&](const FilteredSegment& edge) {
                 return std::any_of(
                     exact->corners.begin(), exact->corners.end(), [&](const ExactPoint& p) {
@@ -119,7 +121,7 @@ TEST(FilteredPolygon, IsCutAsWithIntegers) {
     EXPECT_GT(in_corners, 100);
 }
 
-// What a look at many planes tells is what each of them tells.
+// A look at many planes gives the same results as a look at each plane.
 TEST(FilteredPolygon, LooksAtManyPlanesAsAtEach) {
     Random random(2);
     const std::int64_t reach = 1 << 22;

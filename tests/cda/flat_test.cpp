@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the flat aggregate: contacts of cells, statistics and XML.
 #include "ncsim/cda/flat.h"
 
 #include "support/random_shapes.h"

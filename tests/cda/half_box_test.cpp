@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests boxes in half units, and the sides of planes on which boxes lie.
 #include "exact/half_box.h"
 
 #include "support/random_shapes.h"
@@ -46,14 +48,14 @@ TEST(HalfBox, HasNothingInCommonWithOneBesideIt) {
     EXPECT_FALSE(intersection(box, {{3, 3, 3}, {9, 9, 9}}).is_empty());
 }
 
-// Against all eight corners, in integers.
+// Compares with all eight corners, in integers.
 TEST(Sight, TellsWhereABoxLies) {
     Random random(62);
     int touching = 0;
     for (int i = 0; i < 50000; ++i) {
         const HalfBox box = random_box(random, (1 << 24) - (1 << 20), 1 << 20);
         Plane plane = test::random_normal(random, random.one_in(2) ? 2 : 1 << kNormalBits);
-        // Through a corner or near it.
+        // The plane passes through a corner or near a corner.
         const auto corner = [&](unsigned bits, std::size_t axis) {
             return (bits >> axis & 1U) != 0 ? box.max[axis] : box.min[axis];
         };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests convex hulls, hulls within a slack, and hulls of translations.
 #include "ncsim/cda/hull.h"
 
 #include "ncsim/cda/polytope.h"
@@ -63,13 +65,13 @@ TEST(ConvexHull, OutwardHullsLoseNoPointAndInwardHullsStayInside) {
         const auto small = ConvexPolytope::of(*inner, kLattice);
         ASSERT_TRUE(big && small);
         EXPECT_LE(small->volume(), big->volume());
-        // 2^-24 of 400 mm on each of about 600,000 mm².
+        // 2^-24 of 400 mm, on each of about 600,000 mm².
         EXPECT_NEAR(small->volume(), big->volume(), 1e-6 * big->volume());
     }
 }
 
-// Two discs that lean a little from each other, as those at the ends of a tool that turns do; some
-// of them sharp cones.
+// Returns the points of a cylinder, or of a sharp cone, in two poses that differ by a small tilt,
+// like the steps of a rotary move.
 std::vector<LatticePoint> leaning_discs(Random& random) {
     std::vector<LatticePoint> points;
     const double height = random.within(1e4, 1e6), radius = random.within(1e4, 1e6);
@@ -100,8 +102,8 @@ TEST(ConvexHullWithin, ContainsTheHullAndStaysWithinTheSlack) {
         fewer += cell->planes.size();
         for (const LatticePoint& p : points)
             EXPECT_TRUE(contains(*cell, p));
-        // How much farther one of two bodies, of which it contains the other, reaches along any
-        // direction is its distance from the other.
+        // Two nested convex bodies are as far apart as the largest difference of their supports
+        // over all directions.
         const auto polytope = ConvexPolytope::of(*cell, kLattice);
         ASSERT_TRUE(polytope);
         for (int k = 0; k < 500; ++k) {
@@ -159,7 +161,7 @@ TEST(TranslationSweep, AtRestIsTheBodyItself) {
     EXPECT_EQ(body->volume(), 1e9);
 }
 
-// The analytic hull against Quickhull on both poses.
+// Compares the analytic hull with Quickhull on both poses.
 TEST(TranslationSweep, AgreesWithTheHullOfBothPoses) {
     Random random(22);
     for (int i = 0; i < 200; ++i) {
@@ -187,8 +189,8 @@ TEST(TranslationSweep, AgreesWithTheHullOfBothPoses) {
     }
 }
 
-// The sides of a tilted cylinder are four corners each that rounding has torn from their plane: two
-// facets, whose planes may be the same again once their normals are quantised.
+// Rounding moves the four corners of each side of a tilted cylinder off a common plane, so the side
+// has two facets. Their planes may coincide once the normals are quantised.
 TEST(TranslationSweep, HasNoPlaneTwice) {
     Random random(23);
     std::size_t planes = 0;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the table that numbers keys in order of first occurrence.
 #include "exact/interner.h"
 
 #include "support/random.h"
@@ -15,7 +17,7 @@ namespace {
 struct Good {
     std::uint64_t operator()(std::uint64_t key) const { return mix(key, 1); }
 };
-// Everything in one place.
+// Hash that puts all keys in the same place.
 struct Bad {
     std::uint64_t operator()(std::uint64_t) const { return 0; }
 };

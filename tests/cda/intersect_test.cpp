@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests linear programs, and intersections of convex polytopes.
 #include "ncsim/cda/intersect.h"
 
 #include "polytope/linear_program.h"
@@ -86,7 +88,7 @@ TEST(Intersect, TouchingBoxesHaveNoVolumeInCommon) {
 }
 
 TEST(Intersect, AnOverlapOfOneUnitIsFound) {
-    // 10 nm: far below any epsilon that would be safe in doubles (thesis 4.3: 1e-3 to 1e-2).
+    // 10 nm is far below any epsilon that is safe in doubles (thesis 4.3: 1e-3 to 1e-2).
     IntersectionCosts costs;
     const auto a = polytope(mm_box(0, 0, 0, 1, 1, 1));
     const auto b = polytope(box_cell({99999, 0, 0}, {200000, 100000, 100000}, kLattice));
@@ -95,7 +97,7 @@ TEST(Intersect, AnOverlapOfOneUnitIsFound) {
     EXPECT_EQ(c->volume(), 1e10);
 }
 
-// The clever way against the obvious one.
+// Compares the fast algorithm with cutting plane by plane.
 TEST(Intersect, AgreesWithCuttingPlaneByPlane) {
     Random random(11);
     int proven = 0;
@@ -115,7 +117,7 @@ TEST(Intersect, AgreesWithCuttingPlaneByPlane) {
         EXPECT_NEAR(c->volume(), d->volume(), 1e-10 * d->volume());
         if (costs.exact_fallbacks == 0) ++proven;
     }
-    // Doubles are good enough for bodies in general position: the fallback is for the rest.
+    // Doubles are good enough for bodies in general position; the fallback is for the rest.
     EXPECT_GT(proven, 200);
 }
 

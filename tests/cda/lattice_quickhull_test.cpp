@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What makes triangles a hull: they close, once around, and no point is above any of them.
+// Triangles are a hull if they close, cover each direction once, and have no point above.
 #include "polytope/lattice_quickhull.h"
 
 #include "ncsim/cda/predicates.h"
@@ -20,7 +20,7 @@ namespace {
 
 using test::Random;
 
-// Six times the volume of the tetrahedron.
+// Returns six times the signed volume of the tetrahedron.
 Int128 orientation(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
     const auto wide = [](std::int64_t v) { return static_cast<Int128>(v); };
     const LatticePoint u = b - a, v = c - a, w = d - a;
@@ -60,7 +60,7 @@ TEST(LatticeQuickhull, OfPointsAnywhereIsTheirHull) {
     }
 }
 
-// Most of them in the planes and on the edges of others, and some twice.
+// Most points are in planes and on edges of other points, and some occur twice.
 TEST(LatticeQuickhull, OfAFewCoarsePointsIsTheirHullOrNothing) {
     Random random(22);
     int found = 0;

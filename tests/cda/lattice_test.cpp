@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the choice of the lattice, rounding, and canonical planes.
 #include "ncsim/cda/lattice.h"
 
 #include "ncsim/cda/plane.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the orientation of loops, and whether a loop surrounds an edge.
 #include "surface/loops.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +11,7 @@
 namespace ncsim::cda {
 namespace {
 
-// Points of a plane z = 0 or x = 0, as multiples of 1 / w units.
+// Points of a coordinate plane, as multiples of 1 / w units.
 struct Corners {
     std::vector<ExactPoint> all;
     LoopPoints points() const {
@@ -38,7 +40,7 @@ TEST(Loops, KnowTheirOrientationFromBothSidesOfThePlane) {
     EXPECT_EQ(orientation(reversed, kUp, c.points()), -1);
     EXPECT_EQ(orientation(loop, kUp.opposite(), c.points()), -1);
     EXPECT_EQ(orientation(std::vector<std::uint32_t>{0, 1, 0, 1}, kUp, c.points()), 0);
-    // Seen along x and along y.
+    // Views along x and along y.
     Corners d;
     d.add(0, 0, 0, 1), d.add(0, 10, 0, 1), d.add(0, 10, 10, 1);
     EXPECT_EQ(orientation(std::vector<std::uint32_t>{0, 1, 2}, {1, 0, 0, 0}, d.points()), 1);
@@ -48,7 +50,7 @@ TEST(Loops, KnowTheirOrientationFromBothSidesOfThePlane) {
 }
 
 TEST(Loops, OfWhichDoublesSeeNothingAreLeftToIntegers) {
-    // 2^-40 of a unit wide, far from the origin.
+    // A loop 2^-40 of a unit wide, far from the origin.
     constexpr Int128 w = Int128{1} << 40;
     constexpr Int128 far = 30'000'000;
     Corners c;
@@ -61,7 +63,7 @@ TEST(Loops, OfWhichDoublesSeeNothingAreLeftToIntegers) {
     EXPECT_EQ(orientation(loop, kUp, c.points()), 1);
     EXPECT_EQ(orientation(std::vector<std::uint32_t>{3, 2, 1, 0}, kUp, c.points()), -1);
     EXPECT_TRUE(surrounds(loop, 0, 2, kUp, c.points()));
-    // Beside it by as little.
+    // Points as little outside the loop.
     c.add(far * w + 2, far * w, 0, w);
     c.add(far * w + 2, far * w + 1, 0, w);
     EXPECT_FALSE(surrounds(loop, 4, 5, kUp, c.points()));
@@ -69,7 +71,7 @@ TEST(Loops, OfWhichDoublesSeeNothingAreLeftToIntegers) {
 }
 
 TEST(Loops, SurroundWhatIsInside) {
-    // A C: around (15, 5) and (5, 15), not around (15, 15).
+    // A C-shaped loop: (15, 5) and (5, 15) are inside, (15, 15) is not.
     Corners c;
     c.add(0, 0, 0, 1), c.add(30, 0, 0, 1), c.add(30, 10, 0, 1), c.add(10, 10, 0, 1);
     c.add(10, 20, 0, 1), c.add(30, 20, 0, 1), c.add(30, 30, 0, 1), c.add(0, 30, 0, 1);

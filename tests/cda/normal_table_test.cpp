@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bounds in floats against the linear program that they bound, solved by looking at all corners.
+// Compares bounds in floats with the linear program that they bound, solved by evaluating all
+// corners.
 #include "tree/normal_table.h"
 
 #include "support/random_shapes.h"
@@ -17,7 +18,7 @@ namespace {
 
 using test::Random;
 
-// A plane that cuts a box: exactly, and as the table sees it.
+// A plane that cuts a box: the exact plane, and the plane as the table sees it.
 struct Seen {
     std::array<double, 3> n{};  // |x| + |y| + |z| = 1, for a box from -1 to 1
     double e = 0;
@@ -53,8 +54,8 @@ double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The largest p·x of the points of the box below m: at a corner of the box, or where an edge meets
-// m.
+// Returns the largest p·x over the points of the box below m. The maximum is at a corner of the box
+// or where an edge meets m.
 double largest_along(const Seen& p, const Seen& m) {
     double largest = -std::numeric_limits<double>::infinity();
     const auto corner = [](unsigned bits) {
@@ -91,7 +92,7 @@ TEST(NormalTable, BoundsWhatIsBelowAPlane) {
         ASSERT_GE(bound.slope, 0.0F);
         const double found = static_cast<double>(bound.slope) * m.e + bound.offset;
         const double largest = largest_along(p, m);
-        // With room to spare: the comparison is in floats, too.
+        // The bound has a margin because the comparison is in floats, too.
         ASSERT_GE(found + 0.5 * static_cast<double>(row::kMargin), largest);
         telling += largest < 0.999 ? 1 : 0;
         tight += largest < 0.999 && found < largest + 0.01 ? 1 : 0;
@@ -144,7 +145,7 @@ TEST(NormalTable, TellsInRowsWhatPairsTell) {
                 const float least = bound.slope * static_cast<float>(m.e) + bound.offset;
                 implied = implied || least + row::kMargin < static_cast<float>(p.e);
             }
-            // Sums in another order: nearly equal ones may differ.
+            // The sums differ in order, so nearly equal values may differ.
             const bool found = seen.imply(0, end, p.scaled, static_cast<float>(p.e));
             if (found != implied) {
                 EXPECT_NE(seen.imply(0, end, p.scaled, static_cast<float>(p.e) - 1e-6F),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests Plücker coordinates of the lines in which planes meet.
 #include "exact/numbering.h"
 
 #include "support/random_shapes.h"
@@ -10,7 +12,7 @@ namespace {
 
 using test::Random;
 
-// A plane through the line of s and t.
+// Returns a plane through the line of s and t.
 Plane turned_about(const Plane& s, const Plane& t, std::int64_t a, std::int64_t b) {
     return canonical(a * s.nx + b * t.nx, a * s.ny + b * t.ny, a * s.nz + b * t.nz,
                      a * s.d + b * t.d);
@@ -36,7 +38,7 @@ TEST(Pluecker, IsOneForAllPlanesThroughTheLine) {
             EXPECT_TRUE(are_same(other, line));
             EXPECT_EQ(line.hash(), other.hash());
         }
-        // Beside it by as little as there is, and turned by as little.
+        // Shifts the plane by the least amount, and turns the plane by the least amount.
         Plane beside = t;
         beside.d += 1;
         EXPECT_FALSE(are_same(line, Pluecker(s, beside)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points rounded with an estimate in doubles against divisions, and numbers of points and keys.
+// Compares points rounded with an estimate in doubles with divisions, and tests the numbers of
+// points and keys.
 #include "surface/outlines.h"
 
 #include "exact/wide.h"
@@ -20,7 +21,7 @@ TEST(FixedPoint, IsRoundedDownAsByDivision) {
     int negative = 0;
     int whole = 0;
     for (int i = 0; i < 200000; ++i) {
-        // Of all sizes, w up to 75 bits, coordinates up to 2^26 of it.
+        // Points of all sizes: w up to 75 bits, coordinates up to 2^26 units.
         const Int128 w = (static_cast<Int128>(random.between(0, (std::int64_t{1} << 61) - 1))
                               << random.between(0, 13) >>
                           random.between(0, 60)) +
@@ -79,8 +80,9 @@ TEST(Outlines, TellsPointsOfOnePageApartByTheirPlanes) {
     }
 }
 
-// Two squares of one face side by side, on pages of their own: their common edge goes if both name
-// it alike, have one owner and go opposite ways along all of it.
+// Two squares of the same face are adjacent, on separate pages. Their common edge is removed if
+// both squares name the edge alike, have the same owner, and traverse the whole edge in opposite
+// directions.
 TEST(Outlines, DropsWhatGoesThereAndBack) {
     enum class Second { ProjectionSeed, OfAnother, SameWay, Longer };
     for (const Second second :
@@ -116,7 +118,7 @@ TEST(Outlines, DropsWhatGoesThereAndBack) {
         outlines.cancel(seams);
         const bool cancels = second == Second::ProjectionSeed;
         EXPECT_EQ(outlines.pieces().size(), cancels ? 6U : 8U);
-        EXPECT_EQ(outlines.points().size(), 8U);  // others end there, still
+        EXPECT_EQ(outlines.points().size(), 8U);  // more pieces end there
         double doubled_area = 0.0;
         for (const Outlines::Piece& piece : outlines.pieces()) {
             const Vec3 tail = outlines.points()[piece.tail].fixed.approx();
@@ -129,7 +131,7 @@ TEST(Outlines, DropsWhatGoesThereAndBack) {
     }
 }
 
-// Points that only dropped pieces had are dropped, and the others named anew.
+// Points that only dropped pieces have are dropped, and the remaining points are renumbered.
 TEST(Outlines, DropsPointsOfDroppedPieces) {
     Outlines outlines;
     const std::uint32_t floor = outlines.add_plane({0, 0, 1, 0});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests background tasks and parallel sorting.
 #include "ncsim/cda/parallel.h"
 
 #include "support/random.h"
@@ -27,7 +29,7 @@ TEST(Background, DoesEachTaskOnce) {
     Background(3, 0, [](std::size_t) { FAIL(); }).finish();
 }
 
-// Waits for what only the caller can do, after the tasks have begun.
+// After the task has begun, it waits for an action of the caller.
 TEST(Background, BeginsWhileTheCallerGoesOn) {
     std::latch has_begun(1), goes_on(1);
     Background background(1, 1, [&](std::size_t) {

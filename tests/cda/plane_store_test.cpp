@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the compressed storage of cells and planes.
 #include "tree/plane_store.h"
 
 #include "../support/random.h"
@@ -14,7 +16,7 @@ TEST(PackedCells, GiveBackWhatWasWritten) {
     test::Random random(11);
     for (int i = 0; i < 2000; ++i) {
         PackedCells::Words words;
-        // Numbers near each other, and any.
+        // Numbers of a random size, so that some are near each other.
         const int bits = static_cast<int>(random.between(1, 32));
         const auto number = [&] {
             return static_cast<std::uint32_t>(random.next() >> (64 - bits));

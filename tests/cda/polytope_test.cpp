@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests convex polytopes: construction, clipping and classification.
 #include "ncsim/cda/polytope.h"
 
 #include "support/random_shapes.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests exact predicates against integers of any size and against each other.
 #include "ncsim/cda/predicates.h"
 
 #include "support/random_shapes.h"
@@ -17,7 +19,7 @@ Plane random_plane(Random& random) {
     while (true) {
         const auto p = test::random_point(random, n);
         if (p == LatticePoint{}) continue;
-        // Through a random point of the range, so that the plane meets it.
+        // The plane passes through a random point of the range, so it meets the range.
         const auto q = test::random_point(random, c);
         return canonical(p.x, p.y, p.z, p.x * q.x + p.y * q.y + p.z * q.z);
     }
@@ -40,13 +42,14 @@ TEST(Meet, PlanesThroughOneLineMeetInNoPoint) {
     EXPECT_FALSE(meet({1, 0, 0, 3}, {1, 0, 0, 4}, {0, 0, 1, 0}));
 }
 
-// Three planes that meet in a point of the range, and a fourth one.
+// Three planes that meet in a point of the range, and a fourth plane.
 struct Four {
     Plane a, b, c, h;
     ExactPoint p;
 };
 
-// Planes of any size, or of a few bits and close to one point, so that doubles cannot tell.
+// Returns planes of any size, or planes of a few bits close to a common point, where doubles cannot
+// decide.
 Four random_four(Random& random) {
     while (true) {
         Four f;
@@ -165,7 +168,7 @@ TEST(CompareCoordinate, IsAnOrderOfPoints) {
 }
 
 TEST(CompareCoordinate, TellsPointsApartThatDoublesDoNot) {
-    // 1/3 of a unit, and a billionth of a billionth of one more.
+    // 1/3 of a unit, and a slightly larger coordinate: by 2^20 / (3 · 2^80) of a unit.
     ExactPoint a;
     a.x = Int128{1} << 80;
     a.w = 3 * (Int128{1} << 80);
@@ -178,7 +181,7 @@ TEST(CompareCoordinate, TellsPointsApartThatDoublesDoNot) {
     EXPECT_EQ(compare_coordinate(a, b, 1), 0);
 }
 
-// Of parallel planes, by many units or by one.
+// Compares parallel planes at equal and different distances.
 TEST(CompareDistances, IsAnOrderOfParallelPlanes) {
     Random random(27);
     for (int i = 0; i < kMany; ++i) {
@@ -196,7 +199,7 @@ TEST(CompareDistances, IsAnOrderOfParallelPlanes) {
         if (order == compare_distances(b, c)) {
             EXPECT_EQ(compare_distances(a, c), order);
         }
-        // A point of a is below b where b is beyond a.
+        // A point of a is below b if b is beyond a.
         const std::size_t axis = n.nx != 0 ? 0 : n.ny != 0 ? 1 : 2;
         const Plane u = axis == 0 ? Plane{0, 1, 0, 0} : Plane{1, 0, 0, 0};
         const Plane v = axis == 2 ? Plane{0, 1, 0, 0} : Plane{0, 0, 1, 0};
@@ -246,7 +249,8 @@ TEST(Classify, TellsPlanesApartThatAreOneUnitOfDistanceApart) {
     }
 }
 
-// Planes of few bits, as those of tools, through a point or a few units of distance beside it.
+// Planes of few bits, like the planes of tools, through a point or a few units of distance from the
+// point.
 TEST(Classify, IsTheSameForPointsThatAreKnownToBeNear) {
     Random random(3);
     int in_64_bits = 0;
@@ -298,11 +302,11 @@ mpz_class wide(Int128 v) {
     return is_negative ? mpz_class(result - (mpz_class(1) << 128)) : result;
 }
 
-// The same determinants in integers of any size, with every bit of the budget in use.
+// Compares with the same determinants in integers of any size, with every bit of the budget in use.
 TEST(Exactness, AgreesWithWiderIntegersAtTheLimits) {
     Random random(5);
     const auto det = [](const Plane& p, const Plane& q, const Plane& r, int with_d) {
-        // Rows (nx, ny, nz), one column replaced by d.
+        // Rows (nx, ny, nz), with a column replaced by d.
         mpz_class m[3][3];
         int row = 0;
         for (const Plane& plane : {p, q, r}) {
@@ -317,7 +321,7 @@ TEST(Exactness, AgreesWithWiderIntegersAtTheLimits) {
     };
     int at_limits = 0;
     for (int i = 0; i < 200000; ++i) {
-        // Every other plane with the largest components there are.
+        // Every second plane has the largest possible components.
         const auto plane = [&] {
             Plane p = random_plane(random);
             if (random.between(0, 1) == 0) return p;
@@ -366,7 +370,7 @@ TEST(OrderAlong, IsAnOrderOfPointsOfTheLine) {
     Random random(28);
     int equal = 0;
     for (int i = 0; i < kMany; ++i) {
-        // a and b on the line of f.a and f.b: where f.c meets it and where f.h does.
+        // a and b are on the line of f.a and f.b, where f.c and f.h meet the line.
         const Four f = random_four(random);
         const auto b = meet(f.a, f.b, f.h);
         if (!b || !in_range(*b)) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contours in many depths: hulls on one way, each deeper than the last one.
+// Contours in many depths: hulls along the same path, each deeper than the preceding hull.
 #include "ncsim/cda/hull.h"
 #include "ncsim/cda/tree.h"
 
@@ -21,7 +21,7 @@ using test::Random;
 
 const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
 
-// An upright tool with a flat or a pointed end.
+// Returns an upright tool with a flat or a pointed end.
 TranslationSweep tool(bool is_pointed) {
     constexpr int kSides = 12;
     std::vector<LatticePoint> points;
@@ -36,7 +36,8 @@ TranslationSweep tool(bool is_pointed) {
     return *TranslationSweep::of(points, kLattice);
 }
 
-// A closed way of straight lines, in level passes, forwards and backwards in turn.
+// Returns the cells of a closed path of straight lines in level passes, alternately forwards and
+// backwards.
 std::vector<Cell> contour(const TranslationSweep& body, const std::vector<LatticePoint>& way,
                           int passes) {
     std::vector<Cell> cells;
@@ -73,7 +74,7 @@ TEST(SameWay, DeeperPassesForgetTheOthersAndChangeNothing) {
         for (const Cell& cell : cells) {
             part.subtract_step(std::span(&cell, 1));
             settled.subtract_unmeasured(cell);
-            settled.settle();  // nothing waits, so nothing is forgotten
+            settled.settle();  // no cell waits, so no cell is forgotten
         }
         const Boundary found = part.boundary(), expected = settled.boundary();
         EXPECT_EQ(part.counts().forgotten, cells.size() - (way.size() - 1));
@@ -87,8 +88,8 @@ TEST(SameWay, DeeperPassesForgetTheOthersAndChangeNothing) {
     }
 }
 
-// A flat end mill that rises has the floor of the deep pass, but not all of it lies within the
-// others.
+// A flat end mill that rises cuts the floor of the deep pass, but that cell is not entirely within
+// the higher cells.
 TEST(SameWay, WhatIsHigherIsNotForgotten) {
     const TranslationSweep body = tool(false);
     auto cells = contour(body, random_way(3), 2);
@@ -99,7 +100,7 @@ TEST(SameWay, WhatIsHigherIsNotForgotten) {
     EXPECT_EQ(part.counts().forgotten, 0U);
 }
 
-// A copy that is not cut any deeper keeps the cells that the original forgets.
+// A copy that is not cut deeper keeps the cells that the original forgets.
 TEST(SameWay, CopiesForgetWhatLiesWithinTheirOwnCells) {
     const auto way = random_way(5);
     const auto cells = contour(tool(false), way, 2);
@@ -115,7 +116,7 @@ TEST(SameWay, CopiesForgetWhatLiesWithinTheirOwnCells) {
     EXPECT_LT(part.volume(), copy.volume());
 }
 
-// Two tools of one shape have the same normals, though each has its own list of them.
+// Two tools of the same shape have the same normals, though each has a list of its own.
 TEST(SameWay, AToolOfTheSameShapeGoesOn) {
     const auto way = random_way(9);
     const auto cells = contour(tool(false), way, 2), others = contour(tool(false), way, 2);
@@ -129,7 +130,7 @@ TEST(SameWay, AToolOfTheSameShapeGoesOn) {
     EXPECT_EQ(part.volume(), one_tool.volume());
 }
 
-// Accounts want the share of each origin.
+// Accounts need the share of each origin.
 TEST(SameWay, NothingIsForgottenThatIsBooked) {
     const auto cells = contour(tool(false), random_way(7), 4);
     TreeCda part(kStock, kLattice);

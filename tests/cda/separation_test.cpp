@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests gaps and depths of penetration of convex bodies.
 #include "ncsim/cda/separation.h"
 
 #include "support/random_shapes.h"
@@ -25,7 +27,7 @@ Points box(LatticePoint min, LatticePoint max) {
     return corners;
 }
 
-// In units; nothing if they have no volume in common.
+// Returns the depth of penetration in units; empty if the bodies share no volume.
 std::optional<double> depth_of(const Points& a, const Points& b) {
     if (!common_point(a, b, 0)) return std::nullopt;
     std::vector<Vec3> corners[2];
@@ -75,7 +77,7 @@ TEST(Separation, AMarginIsTakenOfBoth) {
 }
 
 TEST(Separation, EdgesThatCrossAreMeasuredAcrossThem) {
-    // Two ridges at right angles, the edge of one 30 units below that of the other.
+    // Two ridges at right angles; the upper ridge's edge is 30 units below the lower ridge's edge.
     const Points below{{-1000, 0, 0},      {1000, 0, 0},       {-1000, -500, -500},
                        {1000, -500, -500}, {-1000, 500, -500}, {1000, 500, -500}};
     const Points above{{0, -1000, -30},   {0, 1000, -30},    {-500, -1000, 470},
@@ -91,7 +93,7 @@ TEST(Separation, FarAwayIsApart) {
     EXPECT_TRUE(nearness(kCube, there, std::int64_t{1} << 34).is_apart);
 }
 
-// A plane proves the one, a point the other: never both, and neither only within rounding.
+// A plane proves separation, and a point proves overlap. For each pair exactly one proof exists.
 TEST(Separation, RandomBodiesAreApartOrOverlap) {
     test::Random random(7);
     int apart = 0, meet = 0;
@@ -108,7 +110,7 @@ TEST(Separation, RandomBodiesAreApartOrOverlap) {
         EXPECT_NE(is_apart, deep.has_value());
         (is_apart ? apart : meet) += 1;
         if (!deep) continue;
-        // No shorter way leads out, whichever way that is.
+        // No shorter displacement separates the bodies, in any direction.
         const Vec3 out =
             *deep * 0.99 *
             normalized(Vec3{random.within(-1, 1), random.within(-1, 1), random.within(-1, 1)});

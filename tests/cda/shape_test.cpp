@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests stock of any shape: from meshes, in convex pieces, placed, and in files.
 #include "ncsim/cda/shape.h"
 
 #include "support/scene.h"
@@ -16,7 +18,7 @@ using test::kLattice;
 using test::mm_box;
 using test::Random;
 
-// What is left of a block after some cells: a surface that is not convex.
+// Returns a block after some cuts. Its surface is not convex.
 TreeCda cut_block(std::uint64_t seed, bool oblique) {
     Random random(seed);
     constexpr int n = test::UnitCubes::kSize;
@@ -101,7 +103,7 @@ TEST(ShapeOf, ObliqueSurfacesAreWithinTwoUnits) {
 }
 
 TEST(ShapeOf, ManyTriangles) {
-    // A ring with a round section: no plane of it has all of it on one side.
+    // A torus: none of its planes has the whole torus on one side.
     TriangleMesh ring;
     constexpr std::uint32_t kAround = 48;
     constexpr std::uint32_t kSection = 24;
@@ -129,7 +131,7 @@ TEST(ShapeOf, ManyTriangles) {
     EXPECT_FALSE(part->contains({20, 0, 6.0001}));
 }
 
-// Together they are the body: no volume twice, none missing, none beyond it.
+// The pieces together are the body, without overlap, gap or excess.
 TEST(ConvexPieces, FillTheBodyOnce) {
     std::size_t most = 0;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -177,19 +179,20 @@ TEST(ShapeOf, RefusesBodiesThatOverlap) {
     for (const auto& t : other.triangles)
         both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     EXPECT_THROW(shape_of(both, kLattice), std::invalid_argument);
-    // In pieces they may.
+    // Convex pieces of bodies that overlap are permitted.
     double volume = 0.0;
     for (const ConvexPolytope& piece : convex_pieces(both, kLattice))
         volume += piece.volume();
     const double unit = kLattice.unit_mm;
     EXPECT_NEAR(volume * unit * unit * unit, 64 + 27, 1e-9);
-    // Not if one of them is hollow: what is in the other would be there or not.
+    // If a body is hollow, no pieces are made: the volume inside the second body would be
+    // ambiguous.
     TriangleMesh inside_out = both;
     for (std::size_t t = inside_out.triangles.size() - other.triangles.size();
          t < inside_out.triangles.size(); ++t)
         std::swap(inside_out.triangles[t][0], inside_out.triangles[t][1]);
     EXPECT_THROW(convex_pieces(inside_out, kLattice), std::invalid_argument);
-    // Apart, they are two bodies of one stock.
+    // Disjoint bodies are two bodies of the same stock.
     for (std::size_t i = first; i < both.vertices.size(); ++i)
         both.vertices[i] = both.vertices[i] + Vec3{2, 2, 2};
     EXPECT_NEAR(create(TreeCda(), shape_of(both, kLattice))->volume(), 64 + 27, 1e-9);
@@ -200,9 +203,9 @@ TEST(Placement, TurnsCounterClockwiseAndMoves) {
     const Shape shape = shape_of(triangulate(block.boundary()), kLattice);
     Placement about_z = Placement{}.turned(2, 1);
     about_z.shift = kLattice.round({0, 0, 10});
-    // (x, y, z) goes to (-y, x, z + 10).
+    // Rotates by 90 degrees about z and shifts: (x, y, z) goes to (-y, x, z + 10).
     EXPECT_EQ(placed(shape, about_z).outer.bounds, (Box{{-6, 1, 13}, {-2, 4, 18}}));
-    // Then about x: (x, y, z) to (x, -z, y).
+    // A further rotation about x: (x, y, z) goes to (x, -z, y).
     const Shape twice = placed(shape, about_z.turned(0, 1));
     EXPECT_EQ(twice.outer.bounds, (Box{{-6, -18, 1}, {-2, -13, 4}}));
     EXPECT_EQ(placed(shape, about_z.turned(1, 3).turned(1, 1)).outer.bounds,
@@ -258,7 +261,7 @@ TEST(ShapeFile, KeepsTheAssumptionsOfTheRunThatWroteIt) {
     writer.end();
     EXPECT_EQ(read_back(out.str()).assumed, assumed);
     EXPECT_EQ(placed(read_back(out.str()), Placement().turned(0, 2)).assumed, assumed);
-    // Version 1 did not record them.
+    // Version 1 did not record the assumptions.
     std::string old = written(shape);
     old.replace(0, 13, "ncsim stock 1");
     EXPECT_EQ(read_back(old).assumed.size(), 1U);
@@ -275,7 +278,7 @@ TEST(ShapeFile, APlaneThatStandsTwiceCountsOnce) {
         "cell 6 500000 6 300000 6 300000\nend 1\n";
     const auto part = create(TreeCda(), read_back(text));
     EXPECT_TRUE(check(part->boundary()).is_closed());
-    // The corner below x + y + 2 z = 3: 3 * 3 * 1.5 / 6.
+    // The corner with x + y + 2 z < 3 has the volume 3 * 3 * 1.5 / 6.
     EXPECT_NEAR(part->volume(), 125.0 - 2.25, 1e-9);
 }
 
@@ -306,7 +309,7 @@ TEST(ShapeFile, RefusesWhatIsNoStock) {
         with("outer ", "normal 99999999 0 1\nouter "),
         with("outer ", "normal 2 0 0\nouter "),
         with("outer ", "normal 0 0\nouter "),
-        // Nothing keeps the cell within bounds, and nothing of it is left.
+        // The first cell is unbounded, the second empty.
         "ncsim stock 1\nunit 1e-05\nnormal 1 0 0\nouter 0 5\nend 0\n",
         "ncsim stock 1\nunit 1e-05\nnormal 1 0 0\nnormal -1 0 0\nouter 0 -5 1 -5\nend 0\n",
         good.substr(0, good.size() / 2),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests parts in tiles against the whole part: surfaces, volumes, queries and files.
 #include "ncsim/cda/tiles.h"
 
 #include "ncsim/cda/boundary.h"
@@ -31,7 +33,8 @@ using test::random_cuts;
 
 const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
 
-// Cuts, with what is wanted of each step, and on the way it is asked for the volume.
+// Subtracts `cuts`, each step only if the part wants the step's cells. Returns the volumes before,
+// during and after the cuts.
 std::vector<double> mill(WorkpieceModel& part, const std::vector<Cell>& cuts) {
     std::vector<double> volumes{part.volume()};
     for (std::size_t i = 0; i < cuts.size(); ++i) {
@@ -44,7 +47,7 @@ std::vector<double> mill(WorkpieceModel& part, const std::vector<Cell>& cuts) {
     return volumes;
 }
 
-// Few may wait: blocks are settled in the middle of it.
+// Returns parameters with a small batch, so blocks are settled between the cuts.
 TreeParameters parameters_for(std::optional<TileNumber> tile) {
     TreeParameters parameters;
     parameters.batch = 7;
@@ -87,12 +90,13 @@ TEST(Tiles, AreOnePartToTheLastBit) {
             const auto part = Tiles::model(tiles)->create(kStock, kLattice);
             EXPECT_EQ(mill(*part, cuts), volumes);
             expect_same(part->boundary(), whole.boundary());
-            EXPECT_THROW((void)part->volume(), std::logic_error);  // once more than then
+            EXPECT_THROW((void)part->volume(), std::logic_error);  // more queries than the tiles
+                                                                   // recorded
         }
     }
 }
 
-// Fewer blocks than tiles.
+// A stock with fewer blocks than tiles.
 TEST(Tiles, MayHaveNothing) {
     const Cell stock = box_cell({0, 0, 0}, {3, 3, 3}, kLattice);
     TreeCda whole(stock, kLattice, parameters_for({}));
@@ -124,7 +128,7 @@ struct Earlier {
     }
 };
 
-// What a surface encloses with the origin, closed or not.
+// Returns the signed volume between a surface and the origin; the surface may be open.
 double flux_of(const Boundary& surface) {
     double sixfold = 0.0;
     for (const BoundaryFace& face : surface.faces) {
@@ -138,7 +142,8 @@ double flux_of(const Boundary& surface) {
     return sixfold / 6.0;
 }
 
-// Surfaces of all tiles: how often each edge stands there, less how often back; area and volume.
+// Surfaces of all tiles: `net` is the number of occurrences of each edge minus occurrences of the
+// reversed edge.
 struct Together {
     std::map<DirectedEdge, int, Earlier> net;
     double area = 0.0, volume = 0.0;
@@ -171,7 +176,7 @@ struct Together {
     }
 };
 
-// Each tile has its own surface, and there is no gap between any two of them.
+// Each tile has a surface of its own, and there is no gap between any two surfaces.
 TEST(Tiles, HaveSurfacesThatFitTogether) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
@@ -191,7 +196,7 @@ TEST(Tiles, HaveSurfacesThatFitTogether) {
     }
 }
 
-// However often the stock is halved, the part is the same, and so it is in as many tiles.
+// The part does not depend on the number of halvings or tiles.
 TEST(Tiles, MayBeMany) {
     const auto cuts = random_cuts(5, 60, 60000);
     TreeCda whole(kStock, kLattice, parameters_for({}));
@@ -207,7 +212,7 @@ TEST(Tiles, MayBeMany) {
         std::ostringstream out;
         tile.write_tile(out);
         bytes.push_back(std::move(out).str());
-        // How many blocks it has.
+        // The number of the tile's blocks.
         empty += bytes.back().substr(12, 4) == std::string(4, '\0') ? 1 : 0;
     }
     EXPECT_EQ(empty, kMany - 512);
@@ -218,12 +223,12 @@ TEST(Tiles, MayBeMany) {
     EXPECT_TRUE(Together(*tiles, kLattice).is_closed());
 }
 
-// Edges that lie in the wall between two tiles, and corners that only one of them has: a valley
-// along it, of planes that are not parallel to it.
+// Edges that lie in the wall between two tiles, and corners that only one tile has: a valley along
+// the wall, of planes that are not parallel to the wall.
 TEST(Tiles, ShareEdgesThatLieInTheirWalls) {
     const Cell stock = box_cell({0, 0, 0}, {64, 64, 64}, kLattice);
-    // Valleys along y, their bottom at (x2 + 1) / 2 and z = 40 1/2; walls are at odd half units,
-    // too.
+    // Returns a valley along y with its bottom at x = (x2 + 1) / 2 and z = 40 1/2. Walls of tiles
+    // are also at odd half units.
     const auto valley = [&](std::int64_t x2, std::int32_t from, std::int32_t to, std::int32_t left,
                             std::int32_t right, std::uint32_t origin) {
         Cell cell = box_cell({0, from, 0}, {64, to, 64}, kLattice);
@@ -236,7 +241,7 @@ TEST(Tiles, ShareEdgesThatLieInTheirWalls) {
     int in_walls = 0;
     for (std::int64_t x2 = 57; x2 <= 73; x2 += 2) {
         SCOPED_TRACE(x2);
-        // What ends on one side goes on upon the other.
+        // A valley that ends on one side of the wall continues on the opposite side.
         const std::vector<Cell> cuts{valley(x2, 3, 20, 1, 1, 1), valley(x2, 20, 41, 3, 1, 2),
                                      valley(x2, 10, 50, 5, 3, 3), valley(x2, 30, 60, 1, 5, 4)};
         TreeCda whole(stock, kLattice, parameters_for({}));
@@ -247,7 +252,7 @@ TEST(Tiles, ShareEdgesThatLieInTheirWalls) {
             const Together all(tiles, kLattice);
             EXPECT_TRUE(all.is_closed());
             EXPECT_NEAR(all.volume, volume(boundary), 1e-9 * volume(boundary));
-            // Of the bottom, in planes of x and z.
+            // Counts edges along the bottom, in planes of x and z.
             for (const auto& [edge, count] : all.net) {
                 if (edge.first.x == edge.second.x && edge.first.z == edge.second.z) ++in_walls;
             }
@@ -268,7 +273,7 @@ TEST(Tiles, ThatAreNoneAreRefused) {
     refused({tiles[0], tiles[0]});
     refused({tiles[0], tiles[1], tiles[1]});
     refused({tiles[0], tiles[1] + '\0'});
-    // As many blocks, asked for their volume more often.
+    // A tile with the same blocks, but with a further query for the volume.
     TreeCda other(kStock, kLattice, parameters_for(TileNumber{1, 2}));
     mill(other, cuts);
     (void)other.volume();
@@ -279,7 +284,7 @@ TEST(Tiles, ThatAreNoneAreRefused) {
         refused({tiles[0], tiles[1].substr(0, size)});
 }
 
-// Whatever stands in a file, there is a part or an exception.
+// Any content of a file yields a part or an exception.
 TEST(Tiles, MayBeAnything) {
     test::Random random(11);
     const auto cuts = random_cuts(4, 6, 60000);
@@ -295,7 +300,7 @@ TEST(Tiles, MayBeAnything) {
             const auto part = Tiles::model(std::make_shared<const Tiles>(std::vector{bytes}))
                                   ->create(kStock, kLattice);
             (void)part->boundary();
-            ++accepted;  // a volume, an origin
+            ++accepted;  // the flipped bits are in a volume or an origin
         } catch (const std::invalid_argument&) {
         } catch (const std::runtime_error&) {
         }
@@ -303,13 +308,14 @@ TEST(Tiles, MayBeAnything) {
     EXPECT_LT(accepted, 1500);
 }
 
-// mm
+// Returns a cube; `low` and `size` are in mm.
 Cell cube(Vec3 low, double size) {
     return box_cell(kLattice.round(low), kLattice.round(low + Vec3{size, size, size}), kLattice);
 }
 
-// What is asked of a part is asked of its tiles: one of them is met where the part is, and what
-// they have in common with a body adds up. A body that meets a tile is met by what contains it.
+// Tiles answer queries as the whole part does. The part has a contact if a tile has a contact, and
+// common volumes add up. A larger body has a contact with each tile that the body inside has a
+// contact with.
 TEST(Tiles, AnswerAsTheWholePartDoes) {
     test::Random random(5);
     int met = 0, missed = 0;
@@ -361,7 +367,7 @@ TEST(Tiles, AnswerAsTheWholePartDoes) {
     EXPECT_GT(missed, 5);
 }
 
-// All of it is within the body, and none of the body's surface within it.
+// Each tile lies within the body, away from the body's surface.
 TEST(Tiles, AreMetByWhatContainsThem) {
     const Cell all = mm_box(-9, -9, -9, 9, 9, 9);
     for (std::uint32_t i = 0; i < 64; ++i) {

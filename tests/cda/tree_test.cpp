@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares the tree model with the flat aggregate, with unit cubes, and with itself for different
+// parameters.
 #include "ncsim/cda/tree.h"
 
 #include "ncsim/cda/check.h"
@@ -45,7 +48,7 @@ Boundary milled(Model part, const std::vector<Cell>& cuts) {
 
 const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
 
-// The clever way against the readable one, face for face, corner for corner.
+// Compares the tree with the simple aggregate, face by face and corner by corner.
 TEST(TreeCda, HasTheSameBoundaryAsTheFlatAggregate) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -79,14 +82,14 @@ TEST(TreeCda, DoesNotDependOnTheNumberOfThreads) {
     }
 }
 
-// Enough faces and lines for several tasks of each step of stitching.
+// Enough faces and lines for several tasks in each step of stitching.
 TEST(TreeCda, DoesNotDependOnTheNumberOfThreadsWhereThereAreManyFaces) {
     const auto milled_by = [](std::uint32_t threads) {
         TreeCda part(mm_box(0, 0, 0, 128, 128, 4), kLattice, {.threads = threads});
         std::uint32_t motion = 0;
         for (int i = 0; i < 32; ++i) {
             for (int j = 0; j < 32; ++j) {
-                // Every third meets its neighbour.
+                // Every third box meets its neighbour.
                 const int more = j % 3 == 0 ? 2 : 0;
                 part.subtract_unmeasured(mm_box(4 * i + 1, 4 * j + 1, 1 + (i + j) % 2, 4 * i + 3,
                                                 4 * j + 3 + more, 5, Origin{motion++}));
@@ -107,9 +110,8 @@ TEST(TreeCda, DoesNotDependOnTheOrderOfCuts) {
     expect_same(milled(TreeCda(kStock, kLattice), cuts), expected);
 }
 
-// A diamond-shaped top with a pocket whose tip is the leftmost corner of the diamond: on its way
-// round, the outline of the top comes by its least corner twice. Where it begins must not depend on
-// which of the cuts came first.
+// A diamond-shaped top has a pocket whose tip is the leftmost corner of the diamond. The outline of
+// the top visits its least corner twice. Its start must not depend on the order of the cuts.
 TEST(TreeCda, AnOutlineThatTouchesItselfInItsLeastCornerHasOneBeginning) {
     const auto prism = [](std::vector<LatticePoint> corners, std::int64_t bottom, Origin origin) {
         std::vector<LatticePoint> points;
@@ -137,7 +139,7 @@ TEST(TreeCda, AnOutlineThatTouchesItselfInItsLeastCornerHasOneBeginning) {
     } while (std::next_permutation(cuts.begin(), cuts.end(), by_origin));
 }
 
-// Unit cubes: every coincidence there is, volume and exposed area exactly right.
+// Unit cubes: all coincidences occur, and volume and exposed area are exact.
 TEST(TreeCda, AgreesWithUnitCubesFiveThousandTimes) {
     Random random(42);
     for (int i = 0; i < 5000; ++i) {
@@ -205,7 +207,7 @@ TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
     }
 }
 
-// Normals that cells share save work, and change nothing; nor do normals that are not theirs.
+// Shared normals save work and do not change the result. Neither do normals of a different pass.
 TEST(TreeCda, IsTheSameWhetherNormalsAreSharedOrNot) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
@@ -228,8 +230,8 @@ TEST(TreeCda, IsTheSameWhetherNormalsAreSharedOrNot) {
 }
 
 TEST(TreeCda, HasContactWhereThereIsVolumeInCommon) {
-    // Passes on, below and above each other: many lie in one that was cut before, which contact()
-    // looks at first and common_volume() does not.
+    // Passes on, below and above each other. Many lie in an earlier pass; contact() checks this
+    // case first, common_volume() does not.
     std::size_t contacts = 0;
     std::size_t inner_contacts = 0;
     std::size_t questions = 0;
@@ -276,7 +278,7 @@ TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
                               eager.contact(questions[i]).has_value());
                     break;
                 case 1:
-                    // Trees of other shapes add up in another order.
+                    // Trees of different shapes sum in different order.
                     EXPECT_NEAR(patient.common_volume(questions[i]),
                                 eager.common_volume(questions[i]), 1e-9);
                     break;
@@ -299,9 +301,7 @@ TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
     }
 }
 
-// Asking makes what waits be taken in, in whichever thread is first; copies share what they were.
-// The sanitizer of threads sees more of this than the numbers do.
-// Other threads take in what waited; questions, copies, moves and the end come in between.
+// Threads insert waiting cells while queries, copies, moves and destruction come in between.
 TEST(TreeCda, IsTheSameWhereCellsComeWhileOthersGoDown) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
@@ -341,7 +341,8 @@ TEST(TreeCda, IsTheSameWhereCellsComeWhileOthersGoDown) {
     }
 }
 
-// To the last bit: blocks go down when they would with one thread, by the number of steps.
+// The results are equal to the last bit: the number of steps decides when blocks go down, for any
+// number of threads.
 TEST(TreeCda, GoesDownWhereNobodyComesWhateverTheThreads) {
     TreeCda one(kStock, kLattice, {.threads = 1});
     TreeCda three(kStock, kLattice, {.threads = 3});
@@ -354,6 +355,8 @@ TEST(TreeCda, GoesDownWhereNobodyComesWhateverTheThreads) {
     EXPECT_EQ(one.counts().nodes, three.counts().nodes);
 }
 
+// A query inserts waiting cells, in whichever thread is first; copies share the state. The thread
+// sanitizer sees more of this than the results show.
 TEST(TreeCda, AnswersManyThreadsAtATime) {
     const auto cuts = random_cuts(5, 300, 50000);
     TreeCda part(kStock, kLattice, {.leaf = 20, .threads = 2});

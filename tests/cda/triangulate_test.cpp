@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the triangulation of faces with degenerate outlines.
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/mesh.h"
 
@@ -15,7 +17,7 @@ namespace {
 
 using Loop = std::vector<std::uint32_t>;
 
-// A plate without thickness: a face seen from above, and the same from below.
+// A plate without thickness: a face seen from above, and the same face seen from below.
 struct Plate {
     Boundary boundary;
 
@@ -37,7 +39,7 @@ struct Plate {
     }
 };
 
-// Of all triangles of the face above, whichever way they turn.
+// Returns the area of all triangles of the upper face, regardless of their orientation.
 double total_area(const TriangleMesh& mesh) {
     double sum = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -91,15 +93,15 @@ TEST(Triangulate, AFaceThatWindsAroundAPlaceTwice) {
     expect_area({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 1, 0}, {3, 1, 0}, {1, 2, 0}}}, 9.5);
 }
 
-// As simplification may leave it, where it is allowed to move corners by as much as a hole is wide.
+// Simplification may leave this outline if it may move corners by as much as a hole is wide.
 TEST(Triangulate, AHoleThatTurnsTheWrongWay) {
     expect_area({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}},
                 16.5);
 }
 
-// From a five-axis program: the crossing of two edges comes to lie on a third one.
+// Taken from a five-axis program: the crossing of two edges lies on a third edge.
 TEST(Triangulate, ACrossingOnAThirdEdge) {
-    // Seen from the side: x is dropped, for the normal is longest there.
+    // The projection drops x, because the normal is longest there.
     const Vec3 n{-0.89628945577962593, 0.43560303412979123, 0.083157730339289179};
     const double offset = 22.620627775432126;
     Boundary boundary;
@@ -129,8 +131,9 @@ TEST(Triangulate, ACrossingOnAThirdEdge) {
     EXPECT_NEAR(total_area(mesh), norm(sum), 1e-6);
 }
 
-// From a program with arcs in ZX: a face as thin as the rounding of its corners. What lies between
-// its edges and their chains are triangles there and back, which have all three edges in common.
+// Taken from a program with arcs in ZX: a face as thin as the rounding of its corners. The area
+// between edges and their chains consists of pairs of opposite triangles with all three edges in
+// common.
 TEST(Triangulate, TrianglesThereAndBack) {
     const Vec3 n{0.25342853606597437, 0.9516499203738541, 0.17359840483107628};
     const double offset = -21.009501746713184;
@@ -150,8 +153,8 @@ TEST(Triangulate, TrianglesThereAndBack) {
     EXPECT_LE(total_area(mesh), 1e-7);
 }
 
-// What cutters leave beside a path of short moves: a band narrower than the rounding of
-// its coordinates. Its edges cross many times, and no triangle may bridge its bends.
+// Cutters leave a band along a path of short moves that is narrower than the rounding of its
+// coordinates. The band's edges cross many times, and no triangle may bridge a bend.
 TEST(Triangulate, NarrowBandsStayNarrow) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> step(-3.0, 3.0);
@@ -173,7 +176,8 @@ TEST(Triangulate, NarrowBandsStayNarrow) {
     }
 }
 
-// Corners on an ellipse, and some between them: no circle around a triangle has another in it.
+// Corners on an ellipse, and some in between: no circumcircle of a triangle contains a further
+// corner.
 TEST(Triangulate, ConvexFacesAreDelaunay) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -191,7 +195,7 @@ TEST(Triangulate, ConvexFacesAreDelaunay) {
             if (i % 3 == 1) corners.push_back(0.5 * (here + next));
         }
         Plate plate({corners});
-        plate.boundary.faces.resize(1);  // both would have the same diagonals
+        plate.boundary.faces.resize(1);  // both faces would have the same diagonals
         const TriangleMesh mesh = triangulate(plate.boundary);
         ASSERT_EQ(mesh.triangles.size(), corners.size() - 2);
         for (const auto& [a, b, c] : mesh.triangles) {
@@ -203,14 +207,14 @@ TEST(Triangulate, ConvexFacesAreDelaunay) {
                     const Vec3 off = mesh.vertices[v] - d;
                     return Vec3{off.x, off.y, dot(off, off)};
                 };
-                // Positive where d is in the circle through a, b and c.
+                // Positive if d is in the circle through a, b and c.
                 EXPECT_LE(dot(row(a), cross(row(b), row(c))), 1e-9) << "trial " << trial;
             }
         }
     }
 }
 
-// Faces of all kinds, in several tasks; some take new vertices, which are numbered in order.
+// Faces of all kinds, in several tasks. Some faces get new vertices, which are numbered in order.
 TEST(Triangulate, DoesNotDependOnTheNumberOfThreads) {
     Boundary all;
     const auto add = [&](const std::vector<std::vector<Vec3>>& loops, double at) {

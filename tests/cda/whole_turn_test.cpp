@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whole turns without a core: one cell for all of it, and the cells of the steps within it.
+// Full turns without a core: a single cell for the whole turn, and the cells of the steps within
+// that cell.
 #include "ncsim/cda/hull.h"
 #include "ncsim/cda/polytope.h"
 #include "ncsim/cda/predicates.h"
@@ -22,7 +23,7 @@ using test::kLattice;
 using test::mm_box;
 using test::Random;
 
-// Of an upright tool that ends at the height 0, in units.
+// Returns the sweep of an upright tool from the height 0 to `height`, in units.
 TranslationSweep prism(double radius, int sides, std::int64_t height, double first = 0.0) {
     std::vector<LatticePoint> points;
     for (int i = 0; i < sides; ++i) {
@@ -35,7 +36,7 @@ TranslationSweep prism(double radius, int sides, std::int64_t height, double fir
     return *TranslationSweep::of(points, kLattice);
 }
 
-// Once round, down by `pitch`, clockwise or not.
+// Returns the path of a full turn that descends by `pitch` units; `sense` is 1 or -1.
 std::vector<LatticePoint> turn(LatticePoint middle, double radius, int steps, std::int64_t pitch,
                                int sense = 1, double first = 0.0) {
     std::vector<LatticePoint> way;
@@ -57,7 +58,7 @@ std::vector<Cell> steps_of(const TranslationSweep& body, const std::vector<Latti
 
 const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
 
-// To the last bit: what is taken away by the steps leaves nothing for it.
+// The steps remove the whole cell: after the steps, the cell removes exactly 0.
 TEST(WholeTurn, IsInItsSteps) {
     Random random(1);
     int helices = 0;
@@ -97,9 +98,9 @@ TEST(WholeTurn, IsInItsSteps) {
 TEST(WholeTurn, IsNothingWhereACoreMayBe) {
     const TranslationSweep body = prism(100000, 12, 500000);
     EXPECT_TRUE(body.around(turn({}, 96000, 36, 0), Origin{1}));
-    EXPECT_FALSE(body.around(turn({}, 97000, 36, 0), Origin{1}));  // beside a side of the tool
+    EXPECT_FALSE(body.around(turn({}, 97000, 36, 0), Origin{1}));  // next to a side of the tool
     EXPECT_FALSE(body.around(turn({}, 200000, 36, 0), Origin{1}));
-    // Deeper in one turn than the tool is long.
+    // A turn must descend by less than the length of the tool.
     EXPECT_TRUE(body.around(turn({}, 50000, 36, 499999), Origin{1}));
     EXPECT_FALSE(body.around(turn({}, 50000, 36, 500000), Origin{1}));
 }
@@ -118,7 +119,7 @@ TEST(WholeTurn, IsNothingIfItIsNone) {
     auto twice = round;
     twice.insert(twice.end(), round.begin() + 1, round.end());
     EXPECT_FALSE(body.around(twice, Origin{1}));
-    // A star of five points turns left everywhere, but twice.
+    // A star of five points turns left everywhere, but twice around.
     std::vector<LatticePoint> star;
     for (const int i : {0, 2, 4, 1, 3, 0})
         star.push_back(turn({}, 50000, 5, 0)[static_cast<std::size_t>(i)]);
@@ -132,7 +133,7 @@ TEST(WholeTurn, OfWhatIsNoPrismIsNothing) {
         {0, 0, 0}, {90000, 0, 90000}, {-90000, 0, 90000}, {0, 90000, 90000}, {0, -90000, 90000}};
     const auto body = TranslationSweep::of(cone, kLattice);
     EXPECT_FALSE(body->around(turn({}, 20000, 12, 0), Origin{1}));
-    // One whose axis is beside it.
+    // A prism whose axis is outside.
     std::vector<LatticePoint> beside;
     for (const std::int64_t z : {0, 500000}) {
         for (const std::int64_t y : {-100000, 100000}) {
@@ -143,7 +144,7 @@ TEST(WholeTurn, OfWhatIsNoPrismIsNothing) {
     EXPECT_FALSE(TranslationSweep::of(beside, kLattice)->around(turn({}, 20000, 12, 0), Origin{1}));
 }
 
-// What is said to be within is, corner by corner; and the steps of turns above are found.
+// Checks "lies within" corner by corner. The steps of turns above are found.
 TEST(LiesWithin, IsSoAndFindsTheStepsOfTurns) {
     const Box place = ConvexPolytope::of(kStock, kLattice)->bounds();
     Random random(2);
@@ -177,7 +178,7 @@ TEST(LiesWithin, IsSoAndFindsTheStepsOfTurns) {
     EXPECT_EQ(missed, 0);
 }
 
-// Of bodies that go straight on, the steps are within the whole.
+// The steps of a straight motion are within the whole motion.
 TEST(LiesWithin, FindsPartsOfAStraightWay) {
     const Box place = ConvexPolytope::of(kStock, kLattice)->bounds();
     Random random(3);
@@ -202,7 +203,7 @@ TEST(LiesWithin, FindsPartsOfAStraightWay) {
     }
 }
 
-// However many wait, and whoever asks between them: the part is the same.
+// The part is the same for any number of waiting cells and any queries in between.
 TEST(WholeTurn, CoversWhatWaits) {
     const TranslationSweep body = prism(100000, 16, 900000);
     TreeCda plain(kStock, kLattice), covered(kStock, kLattice), booked(kStock, kLattice),
@@ -231,7 +232,7 @@ TEST(WholeTurn, CoversWhatWaits) {
     EXPECT_NEAR(covered.volume(), plain.volume(), 1e-9);
     EXPECT_NEAR(asked.volume(), plain.volume(), 1e-9);
     EXPECT_LT(covered.counts().nodes, plain.counts().nodes);
-    // Of each turn, what it took, although the last one covers all.
+    // Each turn has the volume that it removed, although the last turn covers all turns.
     double sum = 0.0;
     for (std::uint32_t i = 1; i <= motion; ++i) {
         EXPECT_GT(booked.account().at(Origin{i}).volume, 0.1);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests functions of 128-bit integers.
 #include "exact/wide.h"
 
 #include "support/random.h"
@@ -10,7 +12,7 @@ namespace {
 
 using test::Random;
 
-// Up to `bits` bits, often far fewer.
+// Returns a number of up to `bits` bits, often far fewer.
 Int128 random_wide(Random& random, int bits) {
     const Int128 all = (static_cast<Int128>(random.next() >> 1) << 64) | random.next();
     const Int128 v = all >> (127 - random.between(1, bits));

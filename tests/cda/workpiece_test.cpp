@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every model of a workpiece must do, whatever it is made of.
+//
+// Tests that every model of a workpiece must pass.
 #include "ncsim/cda/workpiece.h"
 
 #include "ncsim/cda/check.h"
@@ -35,7 +36,7 @@ Model part_of(const Cell& stock, const std::vector<Cell>& cuts) {
     return part;
 }
 
-// Everything that must hold for any part.
+// Expects the properties that hold for any part.
 void expect_sound(const WorkpieceModel& part) {
     const Boundary boundary = part.boundary();
     const SurfaceCheck surface = check(boundary);
@@ -88,7 +89,7 @@ TYPED_TEST(Workpiece, AStockWithoutVolumeIsRefused) {
 TYPED_TEST(Workpiece, ASlotHasThreeNewFaces) {
     const TypeParam part =
         part_of<TypeParam>(mm_box(0, 0, 0, 4, 4, 4), {mm_box(-1, 1, 2, 5, 3, 5)});
-    // Six faces of the block, the top one in two; two walls and a floor.
+    // Six faces of the block, with the top face in two; two walls and a floor.
     EXPECT_EQ(part.boundary().faces.size(), 10U);
     expect_volume_and_area(part, 64.0 - 16.0, 96.0 + 16.0 - 8.0);
 }
@@ -115,7 +116,7 @@ TYPED_TEST(Workpiece, TakingTheSameCutTwiceChangesNothing) {
     EXPECT_EQ(part.subtract(mm_box(1, 1, 2, 3, 3, 5, Origin{2})), 0.0);
     EXPECT_EQ(part.subtract(mm_box(1, 1, 2, 3, 3, 5, Origin{3})), 0.0);
     expect_volume_and_area(part, 56.0, 112.0);
-    // The walls stay with the cut that made them.
+    // The walls keep the origin of the cut that made them.
     for (const BoundaryFace& face : part.boundary().faces) {
         EXPECT_LE(static_cast<std::uint32_t>(face.origin), 1U);
     }
@@ -129,14 +130,14 @@ TYPED_TEST(Workpiece, ACellInsideAnotherChangesNothing) {
 }
 
 TYPED_TEST(Workpiece, AbuttingPassesLeaveNoMembrane) {
-    // Step-over as wide as the tool: two cells that touch in a plane.
+    // A step-over as wide as the tool: two cells that touch in a plane.
     const TypeParam part = part_of<TypeParam>(mm_box(0, 0, 0, 4, 4, 4),
                                               {mm_box(1, 0, 2, 2, 4, 4), mm_box(2, 0, 2, 3, 4, 4)});
     expect_volume_and_area(part, 64.0 - 16.0, 96.0 + 16.0 - 8.0);
 }
 
 TYPED_TEST(Workpiece, DrillingInPecksIsOneHole) {
-    // Each peck starts where the last one ended, and goes through the same hole again.
+    // Each peck starts at the end of the preceding peck and passes through the same hole.
     const TypeParam part = part_of<TypeParam>(
         mm_box(0, 0, 0, 4, 4, 4),
         {mm_box(1, 1, 3, 2, 2, 5), mm_box(1, 1, 2, 2, 2, 3), mm_box(1, 1, 2, 2, 2, 5),
@@ -152,7 +153,8 @@ TYPED_TEST(Workpiece, ThreeAndMoreCoincidentCellsInAnyOrder) {
         std::vector<Cell> shuffled;
         for (const int i : order)
             shuffled.push_back(cuts[static_cast<std::size_t>(i)]);
-        // A cross of two slots, 2 wide, 2 deep, in a block of 4: 12 of the 16 squares of a layer.
+        // A cross of two slots, 2 wide and 2 deep, in a block of 4: 12 of the 16 squares of a
+        // layer.
         expect_volume_and_area(part_of<TypeParam>(mm_box(0, 0, 0, 4, 4, 4), shuffled), 64.0 - 24.0,
                                96.0 + 16.0 - 16.0);
     } while (std::next_permutation(order.begin(), order.end()));
@@ -167,7 +169,7 @@ TYPED_TEST(Workpiece, EverythingLeavesNothing) {
     EXPECT_FALSE(part.contains({2, 2, 2}));
 }
 
-// Whether the cut ends in the face of the block or goes on beyond it.
+// The cut ends in the face of the block or beyond the face.
 TYPED_TEST(Workpiece, WhereAFaceOfTheStockIsCutAwayNothingIsLeft) {
     for (const int top : {4, 5}) {
         TypeParam part(mm_box(0, 0, 0, 4, 4, 4), kLattice);
@@ -232,7 +234,7 @@ TYPED_TEST(Workpiece, DoesNotDependOnTheOrderOfCuts) {
     }
 }
 
-// Unit cubes: every coincidence there is, volume and exposed area exactly right.
+// Unit cubes: all coincidences occur, and volume and exposed area are exact.
 TYPED_TEST(Workpiece, AgreesWithUnitCubes) {
     Random random(41);
     for (int i = 0; i < 150; ++i) {
@@ -254,7 +256,8 @@ TYPED_TEST(Workpiece, AgreesWithUnitCubes) {
     }
 }
 
-// The definition itself: in the stock and in no cut. And the volume as the sum of convex pieces.
+// The definition: a point of the part is in the stock and in no cut. The volume is the sum of
+// convex pieces.
 TYPED_TEST(Workpiece, AgreesWithMembershipAndWithConvexPieces) {
     Random random(51);
     for (int i = 0; i < 20; ++i) {

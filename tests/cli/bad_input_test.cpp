@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whatever is wrong: a clear message, the right exit code, and no file that was not there before.
+// For any invalid input: a clear message, the correct exit code, and no new file.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Known findings: what is accepted, what never is, and what is said of both.
+// Known findings: findings that are accepted, findings that never are, and the reports about both.
 #include "cli/run_program.h"
 #include "support/count.h"
 
@@ -22,10 +22,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-// Through the stock at rapid: one error, in line 8.
+// Crosses the stock at rapid: one error, in line 8.
 const std::string kRapid = replaced(kSlot, "G1 X30. F500.", "G0 X30.");
 
-// A folder with that program, and a baseline that knows its error.
+// Folder with the program and a baseline that contains the error.
 struct Known : Folder {
     explicit Known(const std::string& program = kRapid) {
         write("part.nc", program);
@@ -83,7 +83,7 @@ TEST(Baseline, KnowsALineThatMoved) {
 TEST(Baseline, HidesNothingElse) {
     const Known folder;
     const std::vector<std::pair<std::string, std::string>> others{
-        {"G0 Z-2.", "G0 Z-3."},             // more is removed
+        {"G0 Z-2.", "G0 Z-3."},             // removes more
         {"Y0. Z5.", "Y5. Z5."},             // elsewhere
         {"G0 X30.", "G0 X30. (again)"},     // another block
         {"D=10.", "D=11."},                 // more, again
@@ -96,12 +96,12 @@ TEST(Baseline, HidesNothingElse) {
     }
     folder.write("other.nc", kRapid);
     EXPECT_EQ(folder.run({"check", "other.nc", "--baseline", "known.json"}).exit_code, 1);
-    // Less of the same is no news.
+    // A smaller violation of the same kind is not a new finding.
     folder.write("part.nc", replaced(kRapid, "G0 Z-2.", "G0 Z-1."));
     EXPECT_EQ(folder.check().exit_code, 0);
 }
 
-// Rapid moves in a row are one finding, of the block where they begin.
+// Consecutive rapid moves make one finding, at the block where the first begins.
 TEST(Baseline, HidesNoneOfARow) {
     const auto with = [](const std::string& moves) {
         return replaced(kSlot, "G1 X30. F500.\n", "G1 X-15. F500.\n" + moves);
@@ -113,8 +113,8 @@ TEST(Baseline, HidesNoneOfARow) {
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows[0]["count"], 3);
     const std::vector<std::pair<std::string, std::string>> others{
-        {"G0 X-15.", "G0 X-14."},                      // another block, and less
-        {"G0 Y9.\nG0 X-15.\n", "G1 Y9.\nG0 X-15.\n"},  // fewer of them
+        {"G0 X-15.", "G0 X-14."},                      // different block, removes less
+        {"G0 Y9.\nG0 X-15.\n", "G1 Y9.\nG0 X-15.\n"},  // fewer rapid moves
     };
     folder.write("part.nc", with("(moved)\n" + row));
     EXPECT_EQ(folder.check().exit_code, 0);
@@ -140,7 +140,7 @@ TEST(Baseline, AcceptsNoneOfThoseThatNobodyCanTellApart) {
     EXPECT_EQ(errors(one + one, "--write-baseline"), 2);
     EXPECT_EQ(errors(one + one, "--baseline"), 0);
     EXPECT_EQ(errors(one, "--baseline"), 0);
-    // Slower than a limit is no less of a fault.
+    // Below a minimum, a lower spindle speed is a worse violation, not a smaller one.
     folder.write("mill.toml", "[spindle]\nmin = 2000\n");
     EXPECT_EQ(errors("G1 X30. F500.\n", "--write-baseline"), 1);
     EXPECT_EQ(errors("G1 X30. F500.\n", "--baseline"), 0);
@@ -148,12 +148,12 @@ TEST(Baseline, AcceptsNoneOfThoseThatNobodyCanTellApart) {
 }
 
 TEST(Baseline, ProvesNothing) {
-    // A doubt is no finding.
+    // A doubt is not a finding.
     const Known doubtful(replaced(kRapid, "(FROM/0.,0.,100.)", ""));
     const Ran ran = doubtful.check();
     EXPECT_EQ(ran.exit_code, 4) << ran.out;
     EXPECT_TRUE(contains(ran.out, "part.nc: not proven: 0 errors")) << ran.out;
-    // What the control makes of a faulty block nobody knows, whoever accepts it.
+    // The action of a control on a faulty block is unknown, even if the finding is accepted.
     const Known faulty(replaced(kSlot, "M30", "G2 X10. Y10. F100.\nM30"));
     EXPECT_EQ(faulty.run({"check", "part.nc"}).exit_code, 1);
     const Ran not_proven = faulty.check();
@@ -186,7 +186,7 @@ TEST(Baseline, TellsWhatIsNoLongerThere) {
                          "part.nc: clean: "))
         << ran.out;
     EXPECT_EQ(folder.checked()["baseline"]["no_longer_found"][0]["line"], 8);
-    // A rule that was not asked says nothing.
+    // A rule that was not requested reports no missing finding.
     EXPECT_FALSE(contains(folder.check({"--ignore", "collision"}).out, "no longer"));
     std::filesystem::rename(folder.path() / "part.nc", folder.path() / "new.nc");
     const Ran renamed = folder.run({"check", "new.nc", "--baseline", "known.json"});
@@ -212,7 +212,7 @@ TEST(Baseline, KeepsWhatPeopleWroteThere) {
     folder.write("known.json",
                  replaced(folder.read("known.json"), "\"rule\"", "\"why\":\"soft foam\",\"rule\""));
     folder.write("other.nc", kRapid);
-    // Of one program alone, over the file that its folder names.
+    // --write-baseline with a single program updates only the findings of the program in the file.
     EXPECT_EQ(folder.run({"check", "other.nc", "--write-baseline", "known.json"}).exit_code, 1);
     const json known = json::parse(folder.read("known.json"))["findings"];
     ASSERT_EQ(known.size(), 2U);
@@ -250,7 +250,8 @@ TEST(Baseline, IsTheSameInShardsAndFromACache) {
     EXPECT_EQ(folder.read("merged-known.json"), folder.read("once-known.json"));
     for (int i = 0; i < 2; ++i)
         EXPECT_EQ(with({"--cache", "cache"}).out, once.out);
-    // What it says of other programs does not count, what it says of this one does.
+    // Baseline entries of different programs do not affect the cached verdict; entries of this
+    // program do.
     folder.write("known.json", folder.read("once-known.json"));
     EXPECT_EQ(with({"--cache", "cache"}).exit_code, 0);
     std::size_t entries = 0;
@@ -276,7 +277,7 @@ TEST(Baseline, ThatIsNoneIsRefused) {
         const Ran ran = folder.check();
         EXPECT_EQ(ran.exit_code, 2) << text;
         EXPECT_TRUE(contains(ran.err, "'known.json'")) << ran.err;
-        // Nor is it overwritten.
+        // The unreadable baseline is not overwritten.
         EXPECT_EQ(folder.run({"check", "part.nc", "--write-baseline", "known.json"}).exit_code, 2);
         EXPECT_EQ(folder.read("known.json"), text);
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim check: findings, exit codes and reports.
 #include "cli/run_program.h"
 #include "support/count.h"
 
@@ -11,7 +13,7 @@
 namespace ncsim::cli_test {
 namespace {
 
-// kSlot, but the slot is made at rapid.
+// Returns kSlot with the slot cut at rapid.
 std::string rapid_slot() {
     std::string text(kSlot);
     text.replace(text.find("G1 X30. F500."), 13, "G0 X30.");
@@ -138,7 +140,7 @@ TEST(Check, ReadsAMachine) {
 }
 
 TEST(Check, LeadsG28AndG30WhereTheMachineSays) {
-    // By way of home over the jaw, and to the place of tool change beyond the travel.
+    // Through home over the jaw, then to the tool change position beyond the travel.
     Folder folder;
     const std::string head =
         "(T1 D=10. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,20.,15.,10.) (FROM/0,0,100)\n"
@@ -168,12 +170,13 @@ TEST(Check, LeadsG28AndG30WhereTheMachineSays) {
 }
 
 TEST(Check, ReadsFixturesAsMeshes) {
-    // A part that ncsim makes is the fixture: the block with its slot, beside the next one.
+    // A part made by ncsim is the fixture: the block with the slot, next to the new block.
     Folder folder;
     folder.write("slot.nc", kSlot);
     ASSERT_EQ(folder.run({"run", "slot.nc", "-q", "--stl", "jaw.stl"}).exit_code, 0);
     folder.write("m.toml", "[[fixture]]\nname = 'jaw'\nstl = 'jaw.stl'\n");
-    // Its own way through the slot only touches; half a millimetre deeper it does not.
+    // The tool path through the slot of the fixture only touches the walls; half a millimetre
+    // deeper it cuts.
     const Ran clear = folder.run({"check", "slot.nc", "--machine", "m.toml", "-q"});
     EXPECT_EQ(clear.exit_code, 0) << clear.out << clear.err;
     std::string deeper(kSlot);
@@ -191,7 +194,7 @@ TEST(Check, ReadsFixturesAsMeshes) {
         << broken.err;
 }
 
-// kSlot with a slot of another depth.
+// Returns kSlot with a slot of the given depth.
 std::string slot_at(const std::string& depth) {
     std::string text(kSlot);
     return text.replace(text.find("G0 Z-2."), 7, "G0 Z" + depth);
@@ -221,7 +224,7 @@ TEST(Check, ComparesThePartWithItsDesign) {
             << ran.out;
         EXPECT_TRUE(contains(ran.out, "gouged in 1 place, up to 0.1 mm, 40 mm3 in all")) << ran.out;
         EXPECT_TRUE(contains(folder.read("a.json"), "\"design\": {\n    \"file\": \"design."));
-        // What the circle may be off its polygon may be what is missing.
+        // The deviation of the circle from its polygon can explain the missing material.
         const Ran near =
             folder.run({"check", "deeper.nc", "--design", design, "--design-tol", "0.06", "-q"});
         EXPECT_EQ(near.exit_code, 4) << near.out;
@@ -235,8 +238,8 @@ TEST(Check, ComparesThePartWithItsDesign) {
     }
 }
 
-// Where a circle and a slot touch, the wall between them ends in a sharp edge, from whose sides the
-// polygon around the tool takes 0.05 mm, and from its end 0.7 mm.
+// If a circle and a slot touch, the wall between them ends in a sharp edge. The polygon around
+// the tool removes 0.05 mm from the sides of the edge and 0.7 mm from the end.
 TEST(Check, SharpEdgesThatGoBackByTheErrorOfTheToolAreNotCertain) {
     Folder folder;
     const auto program = [](const std::string& last) {
@@ -259,8 +262,8 @@ TEST(Check, SharpEdgesThatGoBackByTheErrorOfTheToolAreNotCertain) {
     EXPECT_EQ(folder.run({"check", "wider.nc", "--design", "part.stl", "-q"}).exit_code, 1);
 }
 
-// A straight way in short moves, between whose ends the design has a bridge: the lines are those
-// that went through it, although a plain run tells of several of them together.
+// A straight path in short moves, with a bridge in the design between the ends. The findings name
+// the lines that cut the bridge, although a run without a design merges several lines.
 TEST(Check, NamesTheLinesOfAStraightWayThatCutIntoTheDesign) {
     Folder folder;
     const std::string head =
@@ -269,7 +272,7 @@ TEST(Check, NamesTheLinesOfAStraightWayThatCutIntoTheDesign) {
     folder.write("right.nc", head + "G1 X0.\nG0 Z5.\nG0 X50.\nG0 Z-2.\nG1 X12.\nG0 Z5.\nM30\n");
     std::string through = head;
     for (int x = -49; x <= 50; ++x)
-        through += "G1 X" + std::to_string(x) + ".\n";  // line 55 is to X0
+        through += "G1 X" + std::to_string(x) + ".\n";  // line 55 moves to X0
     folder.write("through.nc", through + "G0 Z5.\nM30\n");
     ASSERT_EQ(folder.run({"run", "right.nc", "-q", "--stl", "design.stl"}).exit_code, 0);
     const Ran ran = folder.run({"check", "through.nc", "--design", "design.stl"});
@@ -369,7 +372,7 @@ TEST(Check, WritesALedgerThatAddsUp) {
 }
 
 TEST(Check, KeepsTheBooksOfABar) {
-    // The stock is the polygon around the circle, not the box around that.
+    // The stock is the polygon around the circle, not the bounding box of the polygon.
     Folder folder;
     folder.write("slot.nc", kSlot);
     folder.run({"check", "slot.nc", "--stock", "D40x10", "--csv", "a.csv", "--json", "a.json"});
@@ -406,7 +409,8 @@ TEST(Check, MakesTheSamePageForAnyNumberOfThreads) {
 }
 
 TEST(Check, FindsTheBlockThatCutsAPieceFree) {
-    // A ring of slots through the block around a square of 10 mm; the last side, line 10, frees it.
+    // Slots through the block on the sides of a square of 10 mm; the last side, line 10, detaches
+    // the square.
     Folder folder;
     const std::string ring =
         "(T1 D=4. - flat end mill)\n(STOCK/BLOCK,40.,40.,5.,20.,20.,5.) (FROM/0,0,100)\n"
@@ -419,13 +423,13 @@ TEST(Check, FindsTheBlockThatCutsAPieceFree) {
                          "ring.nc:10:1: error: a piece of the part is cut free: left of it at the "
                          "end 500 mm3 [part-cut-free]"))
         << ran.out;
-    // Walls that a deeper pass takes over: it is the one before that frees the piece.
+    // A deeper pass removes the same walls; the earlier pass detaches the piece.
     std::string again = ring;
     again.insert(again.find("G0 Z5.\nM30"), "G1 Z-5.5\nG1 X7.\nG1 Y7.\nG1 X-7.\nG1 Y-7.\n");
     folder.write("again.nc", again);
     EXPECT_TRUE(contains(folder.run({"check", "again.nc", "--cut-free"}).out,
                          "again.nc:10:1: error: a piece of the part is cut free"));
-    // With a skin of 0.1 mm left it is not.
+    // With a skin of 0.1 mm left the piece stays attached.
     std::string skin = ring;
     skin.replace(skin.find("Z-5.\n"), 4, "Z-4.9");
     folder.write("skin.nc", skin);

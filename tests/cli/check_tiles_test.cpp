@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verdict of a part in tiles: that of one check, to the byte, or an error. What may differ is
-// where a contact is told to be, which is a point of many; the tables compare all but these.
+// Verdict of a part in tiles: byte-identical to the verdict of a single check, or an error. Only
+// the reported place of a contact may differ, because a contact has many points; the tables compare
+// all values except the place.
 #include "cli/run_program.h"
 #include "cli/verdict_table.h"
 
@@ -95,7 +96,7 @@ TEST_P(VerdictsOfTiles, AreThoseOfOneCheck) {
     Words program{row["program"]};
     for (const json& option : row["options"])
         program.push_back(option);
-    // A tile is of one program.
+    // A tile holds a single program.
     const Ran several = check_tile(folder, program, 0, 2);
     fs::remove_all(folder.path() / "tiles");
     if (contains(several.err, "the file has several programs")) {
@@ -119,8 +120,8 @@ TEST(CheckTiles, AreOneCheckOfSamples) {
         {1, 7});
 }
 
-// Limits of tools, a holder that is too low, a face mill that plunges, rapids in material, a
-// design: sums and lengths of several tiles.
+// Limits of tools, a low holder, a plunging face mill, rapids in material, a design: sums and
+// lengths over several tiles.
 TEST(CheckTiles, AddUpWhatToolsTakeAndMeet) {
     const Folder folder;
     std::string limits =
@@ -202,7 +203,7 @@ TEST(CheckTiles, ThatAreNotOfOneCheckAreRefused) {
         EXPECT_EQ(folder.run(Words{"check", "slot.nc"} + wrong).exit_code, 2);
 }
 
-// Somebody else may have written them.
+// Tile files may come from an untrusted source.
 TEST(CheckTiles, SayNeitherWhatIsWrittenNorWhatDidNotHappen) {
     const Folder folder;
     folder.write("slot.nc", kSlot);
@@ -226,7 +227,7 @@ TEST(CheckTiles, SayNeitherWhatIsWrittenNorWhatDidNotHappen) {
         changed.replace(changed.find(head), head.size(), head + ",\"" + word + "\"");
         EXPECT_EQ(merged(changed).exit_code, 2) << word;
     }
-    // What was seen begins after the first empty line.
+    // Observations begin after the first empty line.
     const std::size_t at = body.find("\n\n") + 2;
     for (const char* line : {"99 1 0 0 0 0 1\n", "7 1 3 9 0 0 1\n",
                              "7 18446744073709551615 7 0 0 0 1\n", "7 1 8 0 0 0 1\n", "what?\n"}) {

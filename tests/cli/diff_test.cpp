@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim diff: comparison of the parts of two programs.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +28,7 @@ TEST(Diff, OfAProgramWithItselfIsNothing) {
 }
 
 TEST(Diff, SeesOnlyTheResult) {
-    // The same slot from the other side and in two steps.
+    // The same slot from the opposite side and in two steps.
     Folder folder;
     folder.write("a.nc", kSlot);
     folder.write("b.nc", replaced("G1 X30. F500.", "G1 X-1. F500.\nG0 Z5.\nX30.\nZ-2.\nG1 X-1."));
@@ -52,14 +54,14 @@ TEST(Diff, OfPartsOnAMachineThatTurns) {
         return folder.run({"diff", a, b, "--machine", "m.toml"}).exit_code;
     };
     EXPECT_EQ(ends("a.nc", "b.nc"), 0);
-    EXPECT_EQ(ends("a.nc", "c.nc"), 1);  // the tip goes along X of the part
-    EXPECT_EQ(folder.run({"diff", "a.nc", "c.nc"}).exit_code, 1);  // what is M428?
+    EXPECT_EQ(ends("a.nc", "c.nc"), 1);  // the tip moves along X of the part
+    EXPECT_EQ(folder.run({"diff", "a.nc", "c.nc"}).exit_code, 1);  // M428 is unknown
 }
 
 TEST(Diff, TellsVolumesPlacesAndLines) {
     Folder folder;
     folder.write("a.nc", kSlot);
-    // Half a millimetre deeper, but only 30 of the 40 mm.
+    // Half a millimetre deeper, but only along 30 of the 40 mm.
     folder.write("b.nc", replaced("G0 Z-2.\nG1 X30. F500.", "G0 Z-2.5\nG1 X5. F500."));
     const Ran ran = folder.run({"diff", "a.nc", "b.nc", "--json", "d.json"});
     EXPECT_EQ(ran.exit_code, 1) << ran.err;
@@ -80,7 +82,8 @@ TEST(Diff, TellsVolumesPlacesAndLines) {
     EXPECT_NE(ran.out.find("cut by b.nc:8"), std::string::npos) << ran.out;
 }
 
-// An arc that removes something in one quarter alone: there is the region, not all around.
+// An arc that removes material in a single quarter: the reported region is the quarter, not the
+// circle.
 TEST(Diff, TellsWhereOfALongBlock) {
     const std::string start =
         "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,10.,30.,30.,10.)\n"
@@ -119,7 +122,7 @@ TEST(Diff, NamesFeedsSpeedsCoolantAndDwellsThatDiffer) {
     EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2. M8\n").exit_code, 1);
     EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2. M7 M8\n").exit_code, 1);
     EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2.\nG4 P1.\n").exit_code, 1);
-    // The same by other words.
+    // Equal motions in different words.
     EXPECT_EQ(differs("G1 X30. F500.", "G1 X0. F500.\nX30.").exit_code, 0);
     EXPECT_EQ(differs("G0 Z-2.\n", "G0 Z-2. M8\nM9\n").exit_code, 0);
     EXPECT_EQ(
@@ -131,7 +134,7 @@ TEST(Diff, LetsATolerancePass) {
     Folder folder;
     folder.write("a.nc", kSlot);
     folder.write("b.nc", replaced("G0 Z-2.\n", "G0 Z-2.001\n"));
-    // 40 x 10 x 0.001
+    // The difference is 40 x 10 x 0.001 mm = 0.4 mm³.
     EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--tol", "0.39"}).exit_code, 1);
     EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--tol", "0.41"}).exit_code, 0);
     EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "-q"}).out, "");

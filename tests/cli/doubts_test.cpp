@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What keeps a program from being proven, how it is told, and how somebody decides otherwise.
+// Reasons why a program is not proven, messages about the reasons, and options that accept or
+// resolve doubts.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -181,11 +182,11 @@ TEST(Holders, OfAFileAreVerified) {
     EXPECT_TRUE(contains(twice.out, "holders.toml:9:1: tool 1 is described twice")) << twice.out;
 }
 
-// --- What accuracy leaves open -----------------------------------------------------------------
+// --- Doubts from accuracy -----------------------------------------------------------------------
 
 TEST(SecondLook, DecidesWhatTheToolsLeaveOpen) {
-    // Down at rapid beside the corner of the block at 20, 15: on its diagonal, where the polygon
-    // of the cutter reaches beyond the circle.
+    // A rapid move downwards next to the corner of the block at 20, 15: on the diagonal, where the
+    // polygon of the cutter extends beyond the circle.
     const auto program = [](double distance) {
         const double aside = (5.0 + distance) / std::sqrt(2.0);
         std::string text(kSlot);
@@ -206,7 +207,7 @@ TEST(SecondLook, DecidesWhatTheToolsLeaveOpen) {
     EXPECT_TRUE(in["findings"][0]["certain"]);
 }
 
-// --- What is not simulated on ------------------------------------------------------------------
+// --- Limits that end the simulation --------------------------------------------------------------
 
 TEST(Limits, OfTimeEndARunAndSayWhere) {
     Folder folder;
@@ -316,7 +317,7 @@ TEST(Variables, ThatAreComputedFromUnknownOnesAreUnknown) {
     EXPECT_TRUE(contains(program["doubts"][0]["message"], "#500")) << program.dump(1);
 }
 
-// --- What turns --------------------------------------------------------------------------------
+// --- Rotary axes -------------------------------------------------------------------------------
 
 TEST(DerivedStock, OfAProgramThatTurnsAIsABarAboutIt) {
     Folder folder;

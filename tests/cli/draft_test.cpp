@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A first look at programs that tell little: guesses are asked for, named, and never a verdict.
+// Drafts of incomplete programs: guesses must be requested, are named, and never make a verdict.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 const std::string kHead = "G21 G90 G17 S1000 M3 F500\nT3 M6\nG0 X0 Y0 Z5\n";
 
-// What the refusal of a program that describes no tool names.
+// Returns the tool that the error message suggests for a program without tool description.
 std::string guess_for(const std::string& cuts) {
     Folder folder;
     folder.write("a.nc", cuts + "M30\n");
@@ -65,13 +65,13 @@ TEST(Draft, MakesAPictureAndSaysWhatItGuessed) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.err, "flat end mill D6")) << ran.err;
     EXPECT_TRUE(contains(ran.err, "assumed: flat:D6, a guess from its moves")) << ran.err;
-    // Below the picture the guesses are told.
+    // The picture lists the guesses below the part.
     const std::string png = folder.read("a.png");
     ASSERT_GT(png.size(), 24U);
     const auto byte = [&png](std::size_t i) { return static_cast<unsigned char>(png[i]); };
     const unsigned height = 256U * byte(22) + byte(23);
     EXPECT_GT(height, 300U);
-    // A tool that somebody describes is not guessed.
+    // A described tool is not guessed.
     const Ran specified = folder.run({"run", "a.nc", "--draft", "--tool", "T3=flat:D8"});
     EXPECT_FALSE(contains(specified.err, "a guess")) << specified.err;
     // A tool that --draft guesses is missing information for check.
@@ -88,7 +88,7 @@ TEST(Draft, OfRapidMovesAloneIsADrawing) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.err, "only rapid ones; it is drawn as a path")) << ran.err;
     EXPECT_FALSE(contains(ran.out + ran.err, "nan")) << ran.out << ran.err;
-    // Another path, as long and as large: another picture.
+    // A different path of equal length and size makes a different picture.
     const std::string before = folder.read("a.png");
     folder.write("air.nc", "G21 G90\nG0 X0 Y0 Z5\nY50\nX50 Z20\nM2\n");
     folder.run({"run", "air.nc", "--draft", "--caption", "--png", "a.png", "-q"});
@@ -96,7 +96,7 @@ TEST(Draft, OfRapidMovesAloneIsADrawing) {
     EXPECT_EQ(folder.run({"check", "air.nc", "-q"}).exit_code, 4);
 }
 
-// A curve as `count` points along 120 mm.
+// Returns a curve of `count` points along 120 mm.
 std::string curve_of(int count) {
     std::string program = kHead + "G1 Z-3\n";
     for (int i = 0; i < count; ++i) {
@@ -116,7 +116,7 @@ json report_of_run(const Folder& folder, const std::string& tool,
 
 TEST(Draft, IsCoarserTheLargerTheBlock) {
     Folder folder;
-    // One hull of a ball counts as three: 12,600 in sum, more than a short program has.
+    // A hull of a ball counts as three: 12,600 in total, more than the limit of a short program.
     folder.write("a.nc", curve_of(4200));
     const json exact = report_of_run(folder, "ball:D8", {});
     const json draft = report_of_run(folder, "ball:D8", {"--draft"});
@@ -125,7 +125,7 @@ TEST(Draft, IsCoarserTheLargerTheBlock) {
     EXPECT_EQ(exact["accuracy_mm"]["chord_tolerance"], 0.005);
     EXPECT_GT(draft["accuracy_mm"]["chord_tolerance"], 0.08);
     EXPECT_GT(draft["accuracy_mm"]["tool_tolerance"], 0.3);
-    // Its purpose is a picture, which looks the same.
+    // A draft serves for a picture, and the picture is nearly the same.
     const double one = exact["volume_mm3"]["removed"];
     const double other = draft["volume_mm3"]["removed"];
     EXPECT_NEAR(other, one, 0.05 * one);
@@ -146,7 +146,7 @@ TEST(Draft, OfAShortProgramIsExact) {
     EXPECT_EQ(draft["model"]["hulls"], exact["model"]["hulls"]);
     EXPECT_EQ(draft["accuracy_mm"], exact["accuracy_mm"]);
     EXPECT_EQ(folder.read("draft.stl"), folder.read("exact.stl"));
-    // Rays have a resolution of their own: a draft with them stays coarse.
+    // A ray model has a separate resolution, so a draft with rays stays coarse.
     const json rays = report_of_run(folder, "flat:D8", {"--draft", "--model", "dexel"});
     EXPECT_GT(rays["accuracy_mm"]["chord_tolerance"], 0.08);
 }
@@ -191,7 +191,7 @@ TEST(UnspecifiedAxis, IsTakenAsZeroAndNamed) {
     const Ran check = folder.run({"check", "wrap.nc", "--assume-tool", "flat:D6"});
     EXPECT_TRUE(contains(check.out, "doubt: the program never sets Y; taken as 0")) << check.out;
     EXPECT_NE(check.exit_code, 0);
-    // Told, it is not assumed.
+    // A specified Y is not assumed.
     const Ran specified =
         folder.run({"run", "wrap.nc", "--assume-tool", "flat:D6", "--start", "0,3,100"});
     EXPECT_FALSE(contains(specified.err, "never sets")) << specified.err;
@@ -215,7 +215,7 @@ TEST(UnspecifiedAxis, OfHeightMakesADrawing) {
     EXPECT_TRUE(contains(ran.err, "and the program is drawn as a path")) << ran.err;
     EXPECT_TRUE(folder.has("a.png"));
     EXPECT_TRUE(contains(ran.out, " 0.000 cm3 removed")) << ran.out;
-    // Another path, another picture.
+    // A different path makes a different picture.
     const std::string before = folder.read("a.png");
     folder.write("plot.nc", "G21 G90 M3 S200 F1000\nG0 X10 Y10\nG1 X50\nX10 Y40\nX50 Y40\nM2\n");
     folder.run({"run", "plot.nc", "--png", "a.png", "-q"});

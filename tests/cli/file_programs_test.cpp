@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files with several programs: each has a verdict of its own, in every report.
+// Files with several programs: each program has a separate verdict in each report.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(text.find(from), from.size(), to);
 }
 
-// The second makes the slot at rapid, in line 19.
+// The second program cuts the slot at rapid, in line 19.
 std::string two_programs() {
     return "O0100\n" + std::string(kSlot) + "O0101\n" + replaced(kSlot, "G1 X30. F500.", "G0 X30.");
 }
@@ -93,14 +93,14 @@ TEST(FileOfPrograms, HasKnownFindingsOfEach) {
             .exit_code,
         0);
     EXPECT_EQ(folder.run({"check", "two.nc", "--baseline", "known.json"}).exit_code, 0);
-    // A fault of one program is none of the other.
+    // A fault of the first program does not count for the second.
     folder.write("two.nc", "O0100\n" + bad + "O0102\n" + bad);
     EXPECT_EQ(folder.run({"check", "two.nc", "--baseline", "known.json"}).exit_code, 1);
 }
 
 TEST(FileOfPrograms, TakesToolsAndStockOfEach) {
     Folder folder;
-    // The second block is as low as the slot: nothing is left to be cut there.
+    // The second block is as low as the slot, so no material is left there.
     folder.write("two.nc",
                  "O0100\n" + std::string(kSlot) + "O0101\n" +
                      replaced(kSlot, "40.,30.,10.,20.,15.,10.", "40.,30.,10.,20.,15.,20."));
@@ -130,14 +130,14 @@ TEST(Pages, AreOneForEachProgramAndAnIndex) {
     EXPECT_TRUE(contains(folder.read("pages/all_two.nc~O0101.html"), "O0101: rapid move through"));
     EXPECT_FALSE(contains(folder.read("pages/all_two.nc~O0100.html"), "O0101: rapid move through"));
     EXPECT_TRUE(contains(folder.read("pages/all_sub_a_b.nc~1.html"), "all/sub/a b.nc: clean"));
-    // A file as index, in the folder itself; it is the same in the next run.
+    // The index is a file in the checked folder; the next run writes the same bytes.
     ASSERT_EQ(folder.run({"check", "all", "--html", "all/all.html"}).exit_code, 1);
     const std::string beside = folder.read("all/all.html");
     EXPECT_TRUE(contains(beside, "<a href=\"all-pages/all_two.nc~O0101.html\">")) << beside;
     EXPECT_TRUE(folder.has("all/all-pages/all_two.nc~O0101.html"));
     ASSERT_EQ(folder.run({"check", "all", "--html", "all/all.html"}).exit_code, 1);
     EXPECT_TRUE(folder.read("all/all.html") == beside);
-    // One file with two programs, and one program with a page that cannot be read.
+    // A file with two programs, and a program with a page that cannot be read.
     ASSERT_EQ(folder.run({"check", "all/two.nc", "--html", "two.html"}).exit_code, 1);
     EXPECT_TRUE(contains(folder.read("two.html"), "<a href=\"two-pages/all_two.nc~O0100.html\">"));
     ASSERT_EQ(folder.run({"check", "none.nc", "all/two.nc", "--html", "p/"}).exit_code, 2);
@@ -154,7 +154,7 @@ TEST(FileOfPrograms, IsReadUpToItsSecondProgramByOtherCommands) {
     const Ran ran = folder.run({"run", "two.nc", "--stl", "two.stl", "-q"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.err, "more programs from here on (O0101); only program 1")) << ran.err;
-    // The header of the second says that a program of its file was not read.
+    // The header of the second file says that a program was not read.
     constexpr std::size_t kHeader = 80;
     EXPECT_EQ(folder.read("one.stl").substr(kHeader), folder.read("two.stl").substr(kHeader));
     EXPECT_TRUE(contains(folder.run({"tools", "two.nc"}).err, "more programs from here on"));

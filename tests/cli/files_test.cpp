@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files of all kinds, under any name: inputs that never end, links, devices, "-" — and no output
-// that destroys an input.
+// Files of all kinds under any name: endless inputs, links, devices, "-". No output overwrites an
+// input.
 #include "ncsim/setup/input.h"
 
 #include "cli/run_program.h"
@@ -88,7 +88,7 @@ TEST(Input, IsWhatIsNamedAndNothingThatItNames) {
 
 constexpr const char* kTable = "T1 P1 D10 ;a flat end mill\n";
 
-// Files of all kinds beside a slot whose cut is in a subprogram.
+// Writes files of all kinds next to a slot whose cut is in a subprogram.
 void write_inputs(const Folder& folder) {
     std::string program(kSlot);
     program.replace(program.find("G1 X30. F500."), 13, "M98 P100");
@@ -118,16 +118,16 @@ TEST(Subprogram, IsFoundByItsNumberInAFileOfAnotherName) {
     folder.shell("mv O100.nc pocket.nc");
     ASSERT_EQ(folder.run({"run", "slot.nc", "--stl", "b.stl", "-q"}).exit_code, 0);
     EXPECT_EQ(folder.read("b.stl"), folder.read("a.stl"));
-    // Its number, in other spellings, among others.
+    // The subprogram number in a different spelling, among further subprograms.
     folder.write("pocket.nc", "%\nO1000\nM99\n o00100 (POCKET)\nG1 X30. F500.\nM99\n%\n");
     ASSERT_EQ(folder.run({"run", "slot.nc", "--stl", "b.stl", "-q"}).exit_code, 0);
     EXPECT_EQ(folder.read("b.stl"), folder.read("a.stl"));
-    // Not where two of them could be meant, nor in a text that is no program's.
+    // A subprogram is not found if two files match, or in a text that is not a program.
     folder.write("older.nc", "O100\nG1 X20. F500.\nM99\n");
     const Ran two = folder.run({"run", "slot.nc", "-q"});
     EXPECT_EQ(two.exit_code, 1);
     EXPECT_TRUE(contains(two.err, "nor one file alone in which it begins")) << two.err;
-    folder.write("older.nc", "o100 sub\nG1 X20. F500.\no100 endsub\n");  // no program number
+    folder.write("older.nc", "o100 sub\nG1 X20. F500.\no100 endsub\n");  // not a program number
     ASSERT_EQ(folder.run({"run", "slot.nc", "--stl", "b.stl", "-q"}).exit_code, 0);
     EXPECT_EQ(folder.read("b.stl"), folder.read("a.stl"));
     folder.shell("rm older.nc; mv pocket.nc pocket.doc");
@@ -219,7 +219,7 @@ TEST(StandardOutput, IsAnyFileAndNothingElse) {
             const Ran ran = folder.run(command + Words{name});
             EXPECT_EQ(ran.exit_code, named.exit_code) << ran.err;
             EXPECT_TRUE(ran.out == expected) << ran.out.substr(0, 500);
-            // What people read is all on the other stream.
+            // Text for readers goes to the second stream.
             EXPECT_TRUE(contains(ran.err, named.out)) << ran.err;
         }
         EXPECT_TRUE(fs::is_symlink("/dev/stdout"));
@@ -264,14 +264,14 @@ TEST(Output, IsWrittenThroughLinksAndPipes) {
         folder.shell(R"(mkfifo p; cat p >read & "$0" check other.nc --json p -q; wait; test -p p)");
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(folder.read("read"), folder.read("there/new.json"));
-    // A file that is open already grows where it is.
+    // An output file that is already open is appended in place.
     const Ran open = folder.shell(
         R"({ echo head >&3; "$0" check other.nc --json /dev/fd/3 -q; echo tail >&3; } 3>log)");
     EXPECT_EQ(open.exit_code, 0) << open.err;
     EXPECT_EQ(folder.read("log"), "head\n" + folder.read("read") + "tail\n");
 }
 
-// --- Neither overwrites the other --------------------------------------------------------------
+// --- No output overwrites an input --------------------------------------------------------------
 
 TEST(Output, DestroysNoInput) {
     Folder folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Folders and lists of programs: every file in them is judged, judged with its caller, or named.
+// Folders and lists of programs: each file is checked, checked with the program that calls the
+// file, or named in the report.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(text.find(from), from.size(), to);
 }
 
-// The values of a key in a list of objects, in order.
+// Returns the values of `key` in a list of objects, in order.
 Words values_of(const Json& list, const char* key) {
     Words values;
     for (const Json& one : list)
@@ -71,7 +72,7 @@ TEST(ProgramFolder, NamesWhatItLeavesOut) {
                          "all/pins.h",   "all/run.sh",    "all/tools.tbl"};
     const Json report = Json::parse(folder.read("all/report.json"));
     EXPECT_EQ(values_of(report["left_out"], "file"), left_out);
-    // The report of an earlier run is no entry of its own folder.
+    // The report of an earlier run is not an entry of the folder.
     ASSERT_EQ(folder.run({"check", "all", "--json", "all/report.json"}).exit_code, 0);
     EXPECT_EQ(Json::parse(folder.read("all/report.json")), report);
     for (int i = 0; i < 9; ++i)
@@ -135,7 +136,7 @@ TEST(ProgramList, NamesEntriesThatAreNoPrograms) {
     (void)checked(folder, {"--list", "list"}, 2);
 }
 
-// A slot whose cut is in O100, which nothing but slot.nc calls.
+// Writes a slot whose cut is in O100, which only slot.nc calls.
 void write_caller(const Folder& folder) {
     folder.write("all/slot.nc", replaced(kSlot, "G1 X30. F500.", "M98 P100"));
     folder.write("all/O100.nc", "O100\nM98 P101\nM99\n");
@@ -155,7 +156,7 @@ TEST(SubprogramFile, IsJudgedWithItsCaller) {
     EXPECT_EQ(values_of(report["programs"], "file"), Words{"all/slot.nc"});
     EXPECT_EQ(values_of(report["subprograms"], "file"), (Words{"all/O100.nc", "all/O101"}));
     EXPECT_EQ(values_of(report["subprograms"], "judged_with"), Words(2, "all/slot.nc"));
-    // One that is named is judged alone.
+    // A named file is checked alone.
     EXPECT_EQ(checked(folder, {"all/slot.nc", "all/O101"}, 1)["programs"].size(), 2U);
 }
 
@@ -165,10 +166,11 @@ TEST(SubprogramFile, ThatNoProgramCallsIsJudgedAlone) {
     folder.write("all/O100.nc", "O100\nG1 X30. F500.\nM99\n");
     const Json uncalled = checked(folder, {"all"}, 1);
     EXPECT_EQ(values_of(uncalled["programs"], "file"), (Words{"all/slot.nc", "all/O101"}));
-    // Called, but complete: the control can start it, too.
+    // A called but complete program is checked, too, because the control can start the program
+    // alone.
     folder.write("all/O100.nc", "O100\nG1 X30. F500.\nM30\n");
     EXPECT_EQ(checked(folder, {"all"}, 1)["programs"].size(), 3U);
-    // Its caller was not judged.
+    // The calling program was not checked.
     write_caller(folder);
     folder.write("all/slot.nc", folder.read("all/slot.nc") + std::string("\0", 1) + "X");
     EXPECT_EQ(checked(folder, {"all"}, 2)["programs"].size(), 2U);
@@ -193,7 +195,7 @@ TEST(SubprogramFile, IsTheSameFromShardsAndCaches) {
     for (const char* number : {"0/3", "1/3", "2/3"})
         ASSERT_EQ(folder.run({"check", "all", "--shard", number, "--out", "shards"}).exit_code, 0);
     EXPECT_TRUE(once == ran({"merge", "shards"}));
-    // Neither the results of shards nor the verdicts of a cache are files of the folder.
+    // Results of shards and cached verdicts are not files of the folder.
     for (const char* option : {"--cache=all/known", "--cache=all/known"})
         EXPECT_TRUE(once == ran({"check", "all", option}));
     folder.shell("rm -r all/known");

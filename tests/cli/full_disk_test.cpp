@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// No room, no leave to write, two who write the same: it is told, and nothing is lost. Disks of a
-// few kilobytes are mounted where nobody else sees them; where that is not allowed, the tests say
-// so.
+// Full disks, missing write permission, and two processes that write the same file: an error is
+// reported and no data is lost. The tests mount disks of a few kilobytes in a private namespace and
+// are skipped where mounting is not permitted.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace ncsim::cli_test {
 namespace {
 
-// Runs the script with a disk at "disk" that is mounted with `options`.
+// Runs the script with a disk that is mounted at "disk" with `options`.
 Ran with_disk(const Folder& folder, const std::string& options, const std::string& script) {
     std::filesystem::create_directories(folder.path() / "disk");
     folder.write("script", "mount -t tmpfs -o " + options + " none disk || exit 99\n" + script);
@@ -29,7 +29,7 @@ bool may_mount() {
 #define NCSIM_NEEDS_DISKS() \
     if (!may_mount()) GTEST_SKIP() << "nobody may mount a disk here (unshare -rm)"
 
-// Nothing is left but what the script lists: "ls" after what it does.
+// Only the files that the script lists with "ls" remain.
 TEST(FullDisk, IsToldOfEveryResult) {
     NCSIM_NEEDS_DISKS();
     const Folder folder;
@@ -40,7 +40,7 @@ TEST(FullDisk, IsToldOfEveryResult) {
           "run slot.nc -q --tile 0/2 --tile-out disk", "run slot.nc -q --stl disk/a.stl",
           "run slot.nc -q --gltf disk/a.glb --report disk/a.json",
           "check slot.nc --write-baseline disk/a.json"}) {
-        // Room for a page; then none.
+        // Fills the last page of the disk, so no room is left.
         const Ran ran = with_disk(folder, "size=64k",
                                   full + "head -c 4000 /dev/zero >> disk/full\n\"$1\" " + command +
                                       "; echo code $?; ls disk");
@@ -80,7 +80,7 @@ TEST(FullDisk, DoesNotMatterToACache) {
     }
 }
 
-// Who comes second puts the same there; who reads meanwhile reads one or the other.
+// A second writer stores the same bytes; a concurrent reader reads either copy.
 TEST(Cache, MayHaveManyWriters) {
     const Folder folder;
     folder.write("slot.nc", kSlot);

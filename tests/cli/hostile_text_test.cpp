@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whatever stands in programs, set-up files and names: neither a terminal nor the CI service whose
-// log it ends in obeys it, and every format stays what it is.
+// Hostile text in programs, set-up files and file names: neither a terminal nor a CI service
+// executes the text, and each output stays valid in its format.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace ncsim::cli_test {
 namespace {
 
-// Like what GitHub's runner, Azure's agent and TeamCity look for.
+// True if the line looks like a command to the runner of GitHub, the agent of Azure, or TeamCity.
 bool is_obeyed(const std::string& line) {
     const std::size_t begin = line.find_first_not_of(" \t\r\xc2\xa0");
     const std::string rest = begin == std::string::npos ? "" : line.substr(begin);
@@ -34,7 +34,7 @@ std::vector<std::string> lines_of(const Ran& ran) {
     return lines;
 }
 
-// Slots with a rapid move through material, and lines that cannot be read.
+// Returns slots with a rapid move through material, and lines that cannot be read.
 std::string hostile_program() {
     std::string text(kSlot);
     text.replace(text.find("G1 X30. F500."), 13,
@@ -120,8 +120,8 @@ TEST(HostileText, CommandsForGitHubAreOursAlone) {
     }
 }
 
-// Names of files in what ncsim writes: control characters of Latin-1, and those that turn the
-// direction of writing.
+// File names with control characters of Latin-1 and characters that change the direction of
+// writing.
 TEST(HostileText, InNamesOfFilesIsNotWrittenAsItIs) {
     const std::vector<std::string> characters{"\xc2\x85",     "\xc2\x9b",     "\xe2\x80\x8f",
                                               "\xe2\x80\xae", "\xe2\x81\xa6", "\xd8\x9c"};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parallel work with results in order.
 #include "system/in_order.h"
 
 #include "cli/run_program.h"
@@ -41,7 +43,8 @@ TEST(InOrder, WorkEndsWhenNobodyTakesItsResults) {
         ++begun;
         if (i == 0) return;
         std::unique_lock lock(mutex);
-        EXPECT_FALSE(changed.wait(lock, stop, [] { return false; }));  // for as long as it takes
+        // waits until a stop is requested
+        EXPECT_FALSE(changed.wait(lock, stop, [] { return false; }));
     };
     EXPECT_THROW(app::in_order(
                      1000, 2, work, [](std::size_t) { throw std::runtime_error("closed"); },
@@ -54,7 +57,7 @@ TEST(ClosedOutput, EndsACheckWithAnError) {
     Folder folder;
     folder.write("slot.nc", kSlot);
     const std::string check = R"("$0" check slot.nc slot.nc slot.nc --json a.json)";
-    // The reader of the pipe is gone before anything is written to it.
+    // The reader of the pipe is closed before the first write.
     const Ran pipe = folder.shell("mkfifo p; exec 3<>p; exec 4>p; exec 3<&-; rm p; " + check +
                                   " >&4 4>&-; echo code $?");
     EXPECT_EQ(pipe.out, "code 2\n");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks that do not go to their end: a program that crashes, one that takes too long, a signal.
-// And what a terminal shows meanwhile.
+// Checks that end early: a program that crashes, a program that exceeds the time limit, a signal.
+// Also the progress that a terminal shows.
 #include "cli/run_program.h"
 
 #include <fcntl.h>
@@ -31,15 +31,15 @@ Words operator+(Words words, const Words& more) {
     return words;
 }
 
-// Cuts for hours.
+// Returns a program that cuts for hours.
 std::string endless() {
     return replaced(kSlot, "G1 X30. F500.",
                     "#1 = 0\no1 while [#1 lt 300000]\nG1 X30. Z[-#1/100000] F500.\nG1 X-30.\n"
                     "#1 = [#1 + 1]\no1 endwhile");
 }
 
-// Programs of all kinds. The one in the middle is read from a pipe: it is begun when somebody can
-// write to that, and takes as long as somebody wants.
+// Programs of all kinds. The middle program, b.nc, is a pipe: the check starts when a script opens
+// the pipe for writing, and lasts until the script closes the pipe.
 struct Programs : Folder {
     Programs() {
         write("a.nc", replaced(kSlot, "G1 X30. F500.", "G0 X30."));
@@ -48,8 +48,8 @@ struct Programs : Folder {
         write("endless", endless());
         EXPECT_EQ(shell("mkfifo b.nc").exit_code, 0);
     }
-    // Checks them one by one, does `meanwhile` while b.nc is read by the process `child` of the
-    // process `pid`, and says in the last line of `out` what it ended with.
+    // Checks the programs one by one. Runs `meanwhile` while the process `child` of the process
+    // `pid` reads b.nc. The last line of `out` is the exit code of the check.
     Ran check(const std::string& options, const std::string& meanwhile) const {
         return shell("\"$0\" check a.nc b.nc c.nc d.nc -j 1 --json out.json " + options +
                      " & pid=$!\n"
@@ -99,7 +99,7 @@ TEST(Isolate, SaysTheSame) {
     EXPECT_EQ(folder.run(programs + Words{"--shard", "0/1", "--out", "out", "--isolate"}).exit_code,
               0);
     EXPECT_EQ(folder.run({"merge", "out"}).out, out);
-    // What was read in another process is no output here.
+    // A file that a child process read is an input and cannot be an output.
     const std::string cut = folder.read("cut.ngc");
     for (const Words& how : {Words{}, Words{"--isolate"}, Words{"--isolate", "--cache", "cache"}}) {
         const Ran ran = folder.run(Words{"check", "b.ngc", "--json", "cut.ngc"} + how);
@@ -142,7 +142,7 @@ TEST(Isolate, WhoDoesNotWatchTheTimeIsKilled) {
 
 TEST(Isolate, NoProcessOutlivesTheirParent) {
     const Programs folder;
-    // Would wait for ever.
+    // If the child process survived, the script would loop forever.
     const Ran ran = folder.check(
         "--isolate",
         "kill -KILL $pid; while read -r id name state rest 2>&- < /proc/$child/stat && "
@@ -186,7 +186,7 @@ TEST(Interrupted, AShardIsNotDone) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "out"));
 }
 
-// What a terminal gets that is the standard error of a check.
+// Returns the text that a terminal receives as standard error of a check.
 std::string shown_on_a_terminal(const Programs& folder, const std::string& options) {
     int ours = -1, terminal = -1;
     EXPECT_EQ(::openpty(&ours, &terminal, nullptr, nullptr, nullptr), 0);
@@ -199,7 +199,7 @@ std::string shown_on_a_terminal(const Programs& folder, const std::string& optio
         ::_exit(127);
     }
     ::close(terminal);
-    // It is at b.nc, and a.nc has been told.
+    // The check is at b.nc, and the verdict of a.nc is printed.
     const int pipe = ::open((folder.path() / "b.nc").c_str(), O_WRONLY);
     std::string shown;
     std::array<char, 4096> bytes{};

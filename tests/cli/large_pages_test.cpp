@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Long programs are begun anew with memory in large pages, once; nothing else is.
+// Long programs are restarted once with memory in large pages; short programs and further commands
+// are not.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +11,8 @@
 namespace ncsim::cli_test {
 namespace {
 
-// What GLIBC_TUNABLES is in a run that waits for its job. Before it is this program, the process is
-// the shell, which has the job open, too.
+// Returns GLIBC_TUNABLES of a run that waits for its job. Before the restart, the process with the
+// open job is the shell.
 std::string tunables(const Folder& folder, const std::string& program, const char* before = "") {
     return folder
         .shell(std::string(before) + R"sh(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ncsim machine: what it says of a file, and what it saves of it.
+// The command ncsim machine: its summary of a machine file, and the file that --save writes.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace ncsim::cli_test {
 namespace {
 
-// What it says of a machine, and that what it saves is the same one.
+// The summary of a machine; the saved file has the same summary.
 TEST(Machine, IsShownAndSaved) {
     Folder folder;
     folder.write(
@@ -41,7 +41,7 @@ TEST(Machine, IsShownAndSaved) {
     const Ran again = folder.run({"machine", "s.toml", "--save", "t.toml"});
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_EQ(folder.read("s.toml"), folder.read("t.toml"));
-    // All but the line of the pose.
+    // The output is equal except for the line of the pose.
     EXPECT_EQ(again.out, ran.out.substr(0, ran.out.find("  at X10")));
     folder.write("c.ini",
                  "[KINS]\nKINEMATICS = xyzac-trt-kins\n[HAL]\nHALCMD = setp "
@@ -55,7 +55,7 @@ TEST(Machine, IsShownAndSaved) {
     EXPECT_NE(unknown.err.find("c.ini:2: KINEMATICS"), std::string::npos) << unknown.err;
 }
 
-// A file that says less than the one it was made of would let pass what that one refuses.
+// A saved file with fewer limits than the original would accept programs that the original rejects.
 TEST(Machine, IsSavedWholeOrNotAtAll) {
     Folder folder;
     folder.write("m.toml",
@@ -84,7 +84,7 @@ TEST(Machine, IsSavedWholeOrNotAtAll) {
     }
 }
 
-// What a file of another program leaves open stays a doubt in what is saved of it.
+// Values that the file of another program leaves open stay doubts in the saved file.
 TEST(Machine, SavesWhatWasAssumedAsAssumed) {
     Folder folder;
     folder.write("m.fcm",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes of the links of machines.
+// Meshes of machine links.
 #include "cli/run_program.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace ncsim::cli_test {
 namespace {
 
-// A closed box as text.
+// Returns a closed box as ASCII STL.
 std::string box_stl(const std::array<double, 3>& low, const std::array<double, 3>& high) {
     std::string stl = "solid box\n";
     const auto corner = [&](int i) {
@@ -57,7 +57,7 @@ TEST(Machine, WithMeshesHasAPictureOfItsPose) {
     const std::string home = picture("Z60"), leaning = picture("Z60,A30");
     EXPECT_NE(home, leaning);
     EXPECT_EQ(picture("Z60,A360"), home);
-    // Around a part: the table stays under it, whatever it turns; the head does not.
+    // Around a part: the table stays below the part in all rotations; the head does not.
     folder.write("a.nc",
                  "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
                  "(FROM/0.,0.,50.)\nG21 G90 G17 T1 M6\nS5000 M3\nG0 X0 Y0 Z40\nG1 Z-2 "
@@ -89,7 +89,7 @@ TEST(Machine, WithMeshesHasAPictureOfItsPose) {
     EXPECT_EQ(folder.run({"machine", "bare.toml", "--view", "inside"}).exit_code, 2);
 }
 
-// What is behind a link that is transparent is seen, by its share; in files, too.
+// Bodies behind a transparent link are visible according to the opacity, in pictures and in files.
 TEST(Machine, LinksAreTransparentWhereThatIsAskedFor) {
     Folder folder;
     folder.write("table.stl", box_stl({-50, -50, -20}, {50, 50, 0}));
@@ -144,7 +144,7 @@ const std::string kOneLink =
     "[[link]]\nname = \"z\"\nparent = \"y\"\naxis = \"Z\"\nmoves_along = [0, 0, 1]\n"
     "[[link]]\nname = \"table\"\n";
 
-// Four corners each, the normals outwards, as CAD systems write it.
+// Returns a box of faces with four corners and outward normals, as CAD systems write boxes.
 std::string box_obj(std::array<int, 3> a, std::array<int, 3> b) {
     std::string text = "# a box\no box\n";
     for (int i = 0; i < 8; ++i) {
@@ -156,7 +156,7 @@ std::string box_obj(std::array<int, 3> a, std::array<int, 3> b) {
            "f 1 5 7 3\nf 2 4 8 6\n";
 }
 
-// The same body, whatever the file is.
+// The same body from each file format.
 TEST(Machine, ReadsTheSameMeshInEveryFormat) {
     Folder folder;
     const auto picture = [&](const std::string& mesh, const std::string& text,
@@ -169,7 +169,7 @@ TEST(Machine, ReadsTheSameMeshInEveryFormat) {
     };
     const std::string expected = picture("a.stl", box_stl({-50, -40, -20}, {50, 40, 10}));
     EXPECT_EQ(picture("b.obj", box_obj({-50, -40, -20}, {50, 40, 10})), expected);
-    // By a box, moved; by faces that look inwards, mirrored; half of it, and the other half.
+    // Box with a translation; faces with inward normals, mirrored; two half boxes.
     const std::string vrml = "#VRML V2.0 utf8\n";
     EXPECT_EQ(picture("c.wrl", vrml + "WorldInfo { title \"a } box\" info [ \"{\" ] }\n"
                                       "DEF T Transform { translation 0 0 -5 children [\n"
@@ -201,7 +201,8 @@ TEST(Machine, ReadsTheSameMeshInEveryFormat) {
     EXPECT_EQ(
         picture("h.obj", box_obj({-5000, -4000, -2000}, {5000, 4000, 1000}), "scale = 0.01\n"),
         expected);
-    // An L, whose face of six corners turns in: seen from above it is not its hull.
+    // An L, whose face with six corners is not convex: seen from above, the face differs from its
+    // hull.
     const std::string ell =
         "v 0 0 0\nv 30 0 0\nv 30 10 0\nv 10 10 0\nv 10 30 0\nv 0 30 0\nv 0 0 9\nv 30 0 9\n"
         "v 30 10 9\nv 10 10 9\nv 10 30 9\nv 0 30 9\nf 6 5 4 3 2 1\nf 7 8 9 10 11 12\n"
@@ -257,7 +258,7 @@ TEST(Machine, RefusesMeshesThatItCannotTrust) {
         const Ran ran = folder.run({"machine", "m.toml"});
         EXPECT_EQ(ran.exit_code, 2) << mesh.substr(0, 100);
         EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err << mesh.substr(0, 100);
-        // And where it is asked for.
+        // The message also names the place in the machine file.
         EXPECT_NE(ran.err.find("m.toml:19:8: "), std::string::npos) << ran.err;
     }
     folder.write("m.toml", kOneLink + "mesh = \"gone.stl\"\n");
@@ -277,7 +278,7 @@ TEST(Machine, RefusesMeshesThatItCannotTrust) {
 
 TEST(Machine, AMeshThatCrossesItselfIsRefusedOrItsHullIsTaken) {
     Folder folder;
-    // A prism over an outline like an 8, the larger loop of which is the right way round.
+    // A prism over an outline like an 8, whose larger loop has the correct orientation.
     folder.write(
         "eight.obj",
         "v 0 0 0\nv 40 0 0\nv 10 20 0\nv 20 20 0\nv 0 0 9\nv 40 0 9\nv 10 20 9\nv 20 20 9\n"

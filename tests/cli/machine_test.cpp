@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Machines that turn, told by a file: run and check.
+// Machines with rotary axes from machine files: run and check.
 #include "cli/run_program.h"
 
 #include <fmt/format.h>
@@ -28,11 +28,12 @@ const char* const kTrt =
     "[offsets]\n"
     "G54 = [0, 0, 0]\n";
 
-// A hole of 12 mm along the tool under tip control, entered from 5 mm above a block's top, at A and
-// C: the file proves its kinematics, as LinuxCNC's own demos do.
+// Returns a hole of 12 mm along the tool under tip control, entered from 5 mm above the top of the
+// block, at A and C. Moves along the tool prove the kinematics of the program, as in the demos of
+// LinuxCNC.
 std::string hole(double a, double c, const std::string& begin, const std::string& end) {
     const double ra = a * kPi / 180, rc = c * kPi / 180;
-    // Of a table that turns by the right hand: A, then C, turned back.
+    // Axis of a table that turns by the right hand: A, then C, inverted.
     const double axis[] = {std::sin(rc) * std::sin(ra), std::cos(rc) * std::sin(ra), std::cos(ra)};
     const auto at = [&](double along) {
         return fmt::format("X{:.6f} Y{:.6f} Z{:.6f}", along * axis[0], along * axis[1],
@@ -45,7 +46,7 @@ std::string hole(double a, double c, const std::string& begin, const std::string
 }
 
 const std::string kBack = "G0 A0 C0\nM429\n";
-// Without tip control the program would make another part.
+// Without tip control the program would make a different part.
 const std::vector<std::string> kTool{"--tool", "T1=flat:D6:L40"};
 
 std::vector<std::string> with(std::vector<std::string> first,
@@ -67,7 +68,7 @@ double removed(const Folder& folder, const std::string& program,
 }
 
 // A plunge along the tool makes a hole as wide as the tool: a cylinder whose axis meets the top of
-// the block at the zero, cut by it aslant, and a flat end.
+// the block at the zero, cut obliquely by the top, and a flat end.
 TEST(Machine, MovesAtFixedAnglesAlongTheToolAreHoles) {
     Folder folder;
     folder.write("m.toml", kTrt);
@@ -80,15 +81,15 @@ TEST(Machine, MovesAtFixedAnglesAlongTheToolAreHoles) {
     }
 }
 
-// The same hole with the places of the axes told, as a post without tip control writes them: for a
-// quarter turn they are known without a formula. A turns about Y0 Z-40.
+// The same hole with positions of the axes, as a post-processor without tip control writes them.
+// For a quarter turn the positions are known without a formula. A turns about Y0 Z-40.
 TEST(Machine, AxesOfAChainThatIsToldMakeTheSameHole) {
     Folder folder;
     folder.write("m.toml", kTrt);
     const std::string head =
         "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
         "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG0 X0 Y0 Z80\n";
-    // A90 lifts what is at Y30 to Z-10: a hole of 12 mm into the side, 8 mm below the top.
+    // A90 moves points at Y30 to Z-10: a hole of 12 mm into the side, 8 mm below the top.
     const std::string by_axes = "G0 A90\nG0 X0 Y-32 Z0\nG1 Z-22 F300\nG0 Z80\nG0 A0\nM30\n";
     const std::string by_tip =
         "M428\nG0 X0 Y60 Z50\nG0 Y60 Z-8 A90\nG1 Y18 F300\nG0 Y60\nM429\nM30\n";
@@ -98,14 +99,14 @@ TEST(Machine, AxesOfAChainThatIsToldMakeTheSameHole) {
     EXPECT_NEAR(axes, tip, 0.002 * tip);
 }
 
-// The same hole by a tilted plane: a cycle along its Z.
+// The same hole in a tilted working plane: a cycle along Z of the plane.
 TEST(Machine, ACycleInATiltedPlaneIsTheHoleAlongTheTool) {
     Folder folder;
     folder.write("m.toml", kTrt);
     const std::string head =
         "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
         "(FROM/0.,0.,60.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z60\n";
-    // Euler angles: about Z, then about the X that turned along.
+    // Euler angles: about Z, then about the rotated X.
     const std::string plane = head +
                               "G68.2 X0 Y0 Z0 I75 J30 K10\nG53.1\nG0 X0 Y0 Z30\n"
                               "G98 G81 Z-12 R6 F300\nG80\nG69\nG0 A0 C0\nM30\n";
@@ -122,7 +123,7 @@ TEST(Machine, ACycleInATiltedPlaneIsTheHoleAlongTheTool) {
     EXPECT_NE(cannot.err.find("no turn of its rotary axes leads there"), std::string::npos);
 }
 
-// An arc in it is the circle that it is without it, elsewhere.
+// An arc in a tilted working plane is the same circle in a different place.
 TEST(Machine, AGrooveRoundAboutInATiltedPlane) {
     Folder folder;
     folder.write("m.toml", kTrt);
@@ -144,7 +145,7 @@ TEST(Machine, AGrooveRoundAboutInATiltedPlane) {
     EXPECT_GT(aslant, upright);
 }
 
-// What is milled after a quarter turn of the table is, byte by byte, what is programmed there.
+// After a quarter turn of the table, the result equals the part programmed there, byte for byte.
 TEST(Machine, AQuarterTurnOfTheTableMovesNothing) {
     Folder folder;
     folder.write("m.toml", kTrt);
@@ -158,19 +159,20 @@ TEST(Machine, AQuarterTurnOfTheTableMovesNothing) {
         EXPECT_EQ(ran.exit_code, 0) << ran.err;
         return folder.read("p.ncstock");
     };
-    // The table turns the part by +90: what is at X of the machine then is at -Y of the part.
+    // The table turns the part by +90: points at X of the machine are then at -Y of the part.
     const std::string turned =
         bytes("G0 C90\nG0 X-40 Y5\nZ-3\nG1 X40 F900\nG2 X20 Y25 I-20 J0\nG0 Z50\nG0 C0\n");
     const std::string there = bytes("G0 X5 Y40\nZ-3\nG1 Y-40 F900\nG2 X25 Y-20 I0 J20\nG0 Z50\n");
     EXPECT_EQ(turned, there);
-    // Of both words for it.
+    // The same in a tilted working plane, with G68.2 and G53.1.
     const std::string in_plane = bytes(
         "G68.2 K-90\nG53.1\nG0 X-40 Y5 Z50\nZ-3\nG1 X40 F900\nG2 X20 Y25 I-20 J0\nG0 "
         "Z50\nG69\n");
     EXPECT_EQ(in_plane, there);
 }
 
-// The same by G54.2: the zero of the part goes with the table, as the control counts it.
+// The same with G54.2: the zero of the part follows the table, by the sign convention of the
+// control.
 TEST(Machine, AFixtureOffsetGoesWithTheTable) {
     Folder folder;
     const std::string head =
@@ -189,8 +191,8 @@ TEST(Machine, AFixtureOffsetGoesWithTheTable) {
     };
     const std::string there =
         bytes("", "G0 X0 Y0 Z50\nG0 X5 Y40\nZ-3\nG1 Y-40 F900\nG2 X25 Y-20 I0 J20\nG0 Z50\n");
-    // The part stands 100 mm to the right of the middle, or behind it, where the table is at C-90:
-    // by +90 it turns the part by the right hand.
+    // The part is 100 mm to the right of the centre, or behind the centre with the table at C-90:
+    // +90 turns the part by the right hand.
     const std::string by_x = "P3 = { offset = [100, 0, 2], at = {} }";
     const std::string by_y = "P3 = { offset = [0, -100, 2], at = { C = -90 } }";
     for (const std::string& specified : {by_x, by_y}) {
@@ -224,8 +226,8 @@ bool has(const std::vector<std::string>& ids, const std::string& id) {
     return std::ranges::find(ids, id) != ids.end();
 }
 
-// G54.4 says where the part lies. What it means is the part as it is drawn; a verdict says that the
-// axes are known of a straight part alone.
+// G54.4 specifies the position of the part. The program means the part as drawn; the verdict says
+// that axis positions are known only for an untilted part.
 TEST(Machine, ASettingErrorIsOfThePartAsItLies) {
     Folder folder;
     const std::string head =
@@ -246,7 +248,7 @@ TEST(Machine, ASettingErrorIsOfThePartAsItLies) {
         const Ran ran = folder.run(with({"run", "a.nc", "--dialect", "fanuc"},
                                         {"--machine", "m.toml", "--save-stock", "p.ncstock"}));
         EXPECT_EQ(ran.exit_code, 0) << ran.err;
-        // The cells, without the assumptions of the run.
+        // Cells of the stock file, without the assumptions of the run.
         const std::string stock = folder.read("p.ncstock");
         return stock.substr(stock.find("\nunit "));
     };
@@ -270,12 +272,12 @@ TEST(Machine, NothingIsGuessedOfTurningUnderTipControl) {
     folder.write("m.toml", kTrt);
     folder.write("a.nc", hole(-30, 75, "M428", kBack));
     EXPECT_FALSE(has(reasons(verdict(folder, {"--machine", "m.toml"})), "kinematics-guess"));
-    // A preset alone tells the directions, which is all that counts then.
+    // The preset specifies the directions of the axes, and only the directions matter here.
     folder.write("m.toml",
                  "preset = \"xyzac-trt\"\ncontrol = { m_codes = { M428 = \"tip\", "
                  "M429 = \"axes\" } }\n");
     EXPECT_FALSE(has(reasons(verdict(folder, {"--machine", "m.toml"})), "kinematics-guess"));
-    // B is none of its axes.
+    // B is not an axis of the machine.
     folder.write("a.nc", hole(-30, 75, "M428\nG0 B5", kBack));
     EXPECT_TRUE(has(reasons(verdict(folder, {"--machine", "m.toml"})), "kinematics-guess"));
 }
@@ -306,7 +308,7 @@ TEST(Machine, TheLengthOfAToolThatAHeadTurnsHasToBeTold) {
     const std::vector<std::string> machine{"--machine", "m.toml"};
     EXPECT_TRUE(has(reasons(verdict(folder, machine)), "kinematics-guess"));
     folder.write("t.tbl", "T1 P1 Z80 D6\n");
-    // What --tool tells comes before the table, and has no length.
+    // A tool of --tool has priority over the table and has no length.
     folder.run(
         {"check", "a.nc", "--machine", "m.toml", "--tool-table", "t.tbl", "--json", "v.json"});
     EXPECT_FALSE(has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess"));
@@ -317,7 +319,8 @@ const char* const kHead =
     "[offsets]\nG54 = [0, 0, 0]\n";
 const std::string kQuill = "along_tool = \"W\"\ncontrol = { at_start = \"tip\" }\n";
 
-// Into a block with the head leaning by 30 degrees to X, as LinuxCNC's 5axisgui.ngc drills.
+// Returns a hole in a block with the head inclined by 30 degrees to X, as 5axisgui.ngc of LinuxCNC
+// drills.
 std::string leaning_hole(const std::string& drill) {
     return "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
            "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z50\n"
@@ -336,12 +339,12 @@ TEST(Machine, AWordAlongTheToolDrillsAsXAndZDo) {
     const double by_x_and_z = removed(folder, leaning_hole(kByXAndZ), machine);
     EXPECT_NEAR(by_w, kPi * 9 * 12, 0.012 * kPi * 9 * 12);
     EXPECT_NEAR(by_w, by_x_and_z, 1e-6 * by_w);
-    // LinuxCNC's own kinematics, which tell the tip from the start.
+    // Kinematics of LinuxCNC with tip control from the start.
     folder.write("m.ini",
                  "[KINS]\nKINEMATICS = 5axiskins coordinates=XYZBCW\n[HAL]\n"
                  "HALCMD = setp 5axiskins.pivot-length 150\n");
     EXPECT_NEAR(removed(folder, leaning_hole(kByW), {"--machine", "m.ini"}), by_w, 1e-6 * by_w);
-    // The same file as TOML.
+    // The same machine as TOML.
     EXPECT_EQ(folder.run({"machine", "m.ini", "--save", "saved.toml"}).exit_code, 0);
     EXPECT_EQ(removed(folder, leaning_hole(kByW), {"--machine", "saved.toml"}),
               removed(folder, leaning_hole(kByW), {"--machine", "m.ini"}));
@@ -371,8 +374,8 @@ TEST(Machine, UVAndWOfAHeadThatTurnsAreADoubtWhereNobodyTellsTheirWay) {
     EXPECT_FALSE(is_guess(table, leaning_hole(kByW)));
 }
 
-// X of the machine goes by the sine, with the head, which stands 150 mm and the length of the tool
-// above the tip; and its place is told by the verdict.
+// X of the machine moves by the sine with the head, which is 150 mm plus the tool length above the
+// tip. The verdict states the position.
 TEST(Machine, TravelsHoldForWhatMovesTheToolAlongItself) {
     Folder folder;
     folder.write("t.tbl", "T1 P1 Z80 D6\n");
@@ -391,8 +394,8 @@ TEST(Machine, TravelsHoldForWhatMovesTheToolAlongItself) {
     }
 }
 
-// What a tool leaves at any angle that a machine holds it or the part at: cylinders and cones, with
-// nothing of its polygon.
+// Solids of cuts with a tilted tool or part: cylinders and cones without facets of the tool's
+// polygon.
 TEST(Machine, TheSolidOfATiltedCutHasTheSurfacesOfTheTool) {
     Folder folder;
     const auto step_of = [&](const std::string& machine, const std::string& program) {
@@ -410,7 +413,8 @@ TEST(Machine, TheSolidOfATiltedCutHasTheSurfacesOfTheTool) {
     const std::string head =
         "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
         "(FROM/0.,0.,60.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z60\n";
-    // A ring around what is left, 8.751108... mm deep in the middle: an arc in a tilted plane.
+    // A circular groove around an island, 8.751108... mm deep in the middle: an arc in a tilted
+    // plane.
     const json ring = step_of(
         kTrt, head +
                   "G68.2 X-0.878 Y-1.079 Z-0.857 I118.383 J36.188 K119.021\nG53.1\nG0 X0 Y0 Z40\n"
@@ -420,17 +424,18 @@ TEST(Machine, TheSolidOfATiltedCutHasTheSurfacesOfTheTool) {
     const double left =
         144000.0 - std::acos(-1.0) * (7.902 * 7.902 - 1.902 * 1.902) * 8.75110872382084;
     EXPECT_NEAR(ring["volume_mm3"].get<double>(), left, 1e-9 * left);
-    // Places of the axes, with the table at 30 degrees: a slot with two round ends.
+    // Positions of the axes, with the table at 30 degrees: a slot with two round ends.
     const json slot = step_of(
         "preset = \"4axis-a\"\npivot = { A = [0, 0, -20] }\n"
         "[offsets]\nG54 = [0, 0, 0]\n",
         head + "G0 A30\nG0 X-10 Y8\nG1 Z-9 F300\nG1 X10\nG0 Z60\nM30\n");
     EXPECT_EQ(counts(slot), (std::array{9, 2, 11}));
-    // A head that leans and drills by W.
+    // An inclined head that drills by W.
     EXPECT_EQ(counts(step_of(kQuill + kHead, leaning_hole(kByW))), (std::array{7, 1, 8}));
 }
 
-// Places of the tip are not those of the axes, which are looked at where they are known.
+// Positions of the tip are not positions of the axes. Travels are checked where axis positions are
+// known.
 TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
     Folder folder;
     folder.write("a.nc", hole(-30, 75, "M428", kBack));
@@ -445,8 +450,8 @@ TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
         });
     };
     EXPECT_FALSE(is_judged(v));
-    // The tip is never beside X0 by more than 17 mm, nor is X of the machine; its Y is by 20, 40 mm
-    // above the axis of A.
+    // The tip is at most 17 mm from X0, and X of the machine is, too. Y of the machine is up to 20
+    // mm from Y0, because A turns 40 mm above its axis.
     for (const auto& [travel, beyond] :
          {std::pair{"y = [-21, 21]", false}, {"y = [-19, 19]", true}, {"a = [-29, 29]", false}}) {
         folder.write("m.toml", std::string(kTrt) + "[travel]\n" + travel + "\n");
@@ -454,7 +459,8 @@ TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
         EXPECT_EQ(is_judged(known), beyond) << travel;
         EXPECT_FALSE(has(reasons(known), "setting-not-used"));
     }
-    // Nor do they count for the length of the way where G54 is not told: it is 16 mm without them.
+    // If G54 is not specified, positions of the tip do not count for the length of the travel,
+    // which is 16 mm without them.
     folder.write("a.nc", hole(-30, 75, "M428", kBack + "G0 X-16\n"));
     for (const auto& [travel, beyond] : {std::pair{"17", false}, {"15", true}}) {
         folder.write("m.toml", std::string("preset = \"xyzac-trt\"\ncontrol = { m_codes = { M428 = "
@@ -539,7 +545,7 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
         {"ignore = [[\"cradle\"]]\n" + ends + linear + cradle(about), "m.toml:1:"},
         {"ignore = [[\"cradle\", \"colum\"]]\n" + ends + linear + cradle(about),
          "there is no link or fixture 'colum'"},
-        // Where it stands, and not where the last list does.
+        // The message names the line of the wrong list, not the line of the last list.
         {"ignore = [[\"z\", \"cradle\"],\n[\"z\", \"heap\"]]\nask = [[\"x\", \"y\"]]\n" + ends +
              linear + cradle(about),
          "m.toml:2:7: there is no link or fixture 'heap'"},
@@ -569,7 +575,7 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
     }
 }
 
-// Links tell what a preset tells.
+// Links describe the same machine as a preset.
 TEST(Machine, LinksMakeTheSameMachineAsItsPreset) {
     Folder folder;
     const std::string links =
@@ -599,7 +605,7 @@ TEST(Machine, TheSampleIsMilledOnItsMachineAndOnNoOther) {
         folder.run({"run", samples + "five-axis.nc", "--machine", samples + "machines/trt.toml",
                     "--tolerance", "0.05", "--report", "r.json"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
-    // As at the default tolerance: six grooves of 36 x 6 mm, 4 to 12 mm deep.
+    // Volume at the default tolerance: six grooves of 36 x 6 mm, 4 to 12 mm deep.
     const double volume = json::parse(folder.read("r.json"))["volume_mm3"]["removed"];
     EXPECT_NEAR(volume, 11019, 0.03 * 11019);
     const Ran checked = folder.run({"check", samples + "five-axis.nc", "--no-project", "--machine",

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim measure: holes, pockets and further features of a part.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// A drilled hole, a blind one, a pocket of 20 x 30 with corners of 5.
+// A through hole, a blind hole, and a pocket of 20 x 30 mm with corner radius 5 mm.
 constexpr const char* kPlate =
     "(T1 D=10. CR=0. - flat end mill)\n"
     "(T2 D=6. CR=0. TAPER=118deg - drill)\n"

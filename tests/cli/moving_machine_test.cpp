@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sample of a machine: what `run --show-machine` writes of it moves as the program says.
+// The sample machine: files that `run --show-machine` writes move as the program says.
 #include "ncsim/machine/relative.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/trig/angles.h"
@@ -42,7 +42,7 @@ std::vector<std::string> sample_run(std::vector<std::string> more) {
     return words;
 }
 
-// A reader of its own: where each node is at any time, as the format says.
+// Independent glTF reader: pose of each node at any time, according to the format.
 class Scene {
 public:
     explicit Scene(const std::string& path) {
@@ -66,7 +66,8 @@ public:
         return 0;
     }
 
-    // In the frame of the node `machine`, which is that of the machine, mm.
+    // Returns the pose of a node in the frame of the node `machine`, which is the machine frame,
+    // mm.
     Pose pose(int node, double seconds) const {
         const auto parent = parents_.find(node);
         if (parent == parents_.end()) return {};
@@ -96,7 +97,7 @@ public:
         return values;
     }
 
-    // When the moves of a line begin, each time.
+    // Returns all times at which moves of a line begin, s.
     std::vector<double> times_of(int line) const {
         std::vector<double> times;
         const auto& extras = model_.animations.at(0).extras;
@@ -167,7 +168,7 @@ private:
     std::map<int, int> parents_;
 };
 
-// What the words of the program say, line by line; modal.
+// Returns the values of the words in effect at each line; words are modal.
 std::map<int, std::map<char, double>> positions() {
     std::ifstream in(kSamples + "five-axis.nc");
     std::map<int, std::map<char, double>> of_line;
@@ -187,8 +188,8 @@ double apart(Vec3 a, Vec3 b) {
     return norm(a - b);
 }
 
-// In the part's own frame the tip goes from end to end of each move, straight, with the direction
-// that A and C of the program say; that is what the machine is for.
+// In the frame of the part the tip moves straight from end to end of each move, with the direction
+// that A and C of the program specify.
 TEST(MovingMachine, CarriesTheTipThroughThePartAsTheProgramSays) {
     Folder folder;
     const Ran ran = folder.run(sample_run({"--gltf", "m.glb"}));
@@ -197,7 +198,7 @@ TEST(MovingMachine, CarriesTheTipThroughThePartAsTheProgramSays) {
     const double missed = scene.model().animations.at(0).extras.Get("error_mm").GetNumberAsDouble();
     EXPECT_GT(missed, 0.0);
     EXPECT_LE(missed, 0.01);
-    // The part's node stands at the middle of the block, in whole millimetres.
+    // The node of the part is at the centre of the block, in whole millimetres.
     const Vec3 centre{0, 0, -10};
     const auto at = [&](double seconds) {
         const Pose X_MW = scene.pose("part", seconds);
@@ -216,12 +217,12 @@ TEST(MovingMachine, CarriesTheTipThroughThePartAsTheProgramSays) {
         ASSERT_LT(begins[0], ends[0]);
         const auto [tip, axis] = at(ends[0]);
         const Vec3 specified{words.at('X'), words.at('Y'), words.at('Z')};
-        // Floats of places and of times.
+        // Positions and times are stored as floats.
         EXPECT_LT(apart(tip, specified), 1e-3 + missed) << line;
-        // The table turns the part by the right hand: A, then C, turned back.
+        // The table turns the part by the right hand: A, then C, inverted.
         const trig::SinCos a = trig::sin_cos(words.at('A')), c = trig::sin_cos(words.at('C'));
         EXPECT_LT(apart(axis, {c.sin * a.sin, c.cos * a.sin, a.cos}), 1e-5) << line;
-        // On the way: on the line between both ends.
+        // On the line between both ends.
         const Vec3 from = at(begins[0]).first;
         for (const double share : {0.21, 0.5, 0.83}) {
             const Vec3 there = at(begins[0] + share * (ends[0] - begins[0])).first;
@@ -232,7 +233,7 @@ TEST(MovingMachine, CarriesTheTipThroughThePartAsTheProgramSays) {
     EXPECT_GE(compared, 85);
 }
 
-// Every link where the chain of its joints brings it.
+// Each link is where the joints of its chain place it.
 TEST(MovingMachine, HasEveryLinkWhereItsJointsBringIt) {
     Folder folder;
     const Ran ran = folder.run(sample_run({"--gltf", "m.glb"}));
@@ -242,14 +243,14 @@ TEST(MovingMachine, HasEveryLinkWhereItsJointsBringIt) {
     const setup::MachineFile file =
         setup::read_machine(kSamples + "machines/trunnion.toml", inputs);
     ASSERT_EQ(file.bodies.size(), 7U);
-    // Joint values as the file's own samplers have them.
+    // Returns the joint values in the samplers of the file.
     const auto values_at = [&](double seconds) {
         machine::Values values{};
         for (const auto& [link, axis] :
              std::map<std::string, char>{{"saddle", 'Y'}, {"carriage", 'X'}, {"head", 'Z'}}) {
             const double place = scene.sampled(scene.node(link), "translation", seconds)
                                      .at(static_cast<std::size_t>(axis - 'X'));
-            // A table goes the other way.
+            // A table moves in the opposite direction.
             values[*machine::index_of(axis)] = axis == 'Y' ? -place : place;
         }
         for (const auto& [link, axis] :
@@ -289,12 +290,12 @@ TEST(MovingMachine, HasEveryLinkWhereItsJointsBringIt) {
     EXPECT_TRUE(cradle.extras.Get("turns").Get<bool>());
     EXPECT_EQ(cradle.extras.Get("through_z").GetNumberAsDouble(), -320.0);
     EXPECT_EQ(cradle.extras.Get("direction_x").GetNumberAsDouble(), 1.0);
-    // It opens in what nobody here wrote.
+    // assimp, an independent reader, opens the file.
     EXPECT_EQ(folder.shell("assimp export m.glb m.stl >out.txt && test -s m.stl").exit_code, 0)
         << folder.read("out.txt");
 }
 
-// A tool is there while it is in the spindle; a turn of more than half a circle goes all the way.
+// A tool is visible while it is in the spindle; a rotation of more than half a turn is complete.
 TEST(MovingMachine, ChangesToolsAndTurnsAllTheWay) {
     Folder folder;
     folder.write("a.nc",
@@ -317,7 +318,7 @@ TEST(MovingMachine, ChangesToolsAndTurnsAllTheWay) {
     EXPECT_EQ(shown("T2", second + 0.01), 1.0);
     EXPECT_EQ(shown("T1", third + 0.01), 1.0);
     EXPECT_EQ(shown("T2", third + 0.01), 0.0);
-    // 300 degrees at 600 in a minute: half a minute.
+    // 300 degrees at 600 degrees per minute take half a minute.
     const double from = scene.times_of(10).at(0);
     const Pose home = scene.pose("platter", from);
     for (const double degrees : {60.0, 150.0, 240.0, 299.0}) {
@@ -336,7 +337,7 @@ TEST(MovingMachine, ChangesToolsAndTurnsAllTheWay) {
     EXPECT_EQ(vrml.find("JOINT_A"), std::string::npos);
 }
 
-// The words of the page's last list of that name, little-endian.
+// Returns the little-endian words of the last list named `name` in the page.
 std::vector<std::uint32_t> words_of_page(const std::string& page, const std::string& name) {
     const std::string key = "\"" + name + "\":\"";
     const std::size_t at = page.rfind(key);
@@ -376,7 +377,7 @@ TEST(MovingMachine, TellsNoLinesOfOtherFiles) {
     EXPECT_EQ(std::ranges::count(lines, 12U) + std::ranges::count(lines, 13U), 0);
 }
 
-// The part stands still in pictures, or the machine does.
+// In pictures either the part or the machine is at rest.
 TEST(MovingMachine, StandsStillInPicturesUnlessThePartDoes) {
     Folder folder;
     const auto picture = [&](const std::string& line, const std::string& frame) {
@@ -393,7 +394,7 @@ TEST(MovingMachine, StandsStillInPicturesUnlessThePartDoes) {
     EXPECT_EQ(folder.run({"run", "a.nc", "--frame", "part"}).exit_code, 2);
 }
 
-// And is the machine that its preset is, and safe.
+// The part equals the part of the preset, and the verdict is clean.
 TEST(MovingMachine, IsTheSamePartAsOnThePresetAndClean) {
     Folder folder;
     const auto part = [&](const std::string& machine) {
@@ -411,8 +412,8 @@ TEST(MovingMachine, IsTheSamePartAsOnThePresetAndClean) {
     EXPECT_NE(checked.out.find(": clean:"), std::string::npos) << checked.out;
 }
 
-// The links are what ncsim makes of their programs, to the byte, except for the header, in which a
-// run names its assumptions.
+// The meshes of the links equal the results of their programs, byte for byte, except for the
+// header, in which a run names its assumptions.
 TEST(MovingMachine, IsMilledByItsOwnPrograms) {
     Folder folder;
     const Ran ran = folder.shell("\"" + kSamples + "machines/links/mill.sh\" \"$0\" .");
@@ -429,12 +430,12 @@ TEST(MovingMachine, IsMilledByItsOwnPrograms) {
     }
 }
 
-// A verdict that was kept knows what every mesh looked like.
+// The key of a cached verdict contains the contents of each mesh.
 TEST(MovingMachine, IsCheckedAnewWhenAMeshHasChanged) {
     Folder folder;
     std::filesystem::copy(kSamples + "machines", folder.path(),
                           std::filesystem::copy_options::recursive);
-    // The first vane, and back.
+    // Program up to the end of the first vane, with the return.
     std::ifstream in(kSamples + "five-axis.nc");
     std::string program, line, said;
     for (int number = 1; number <= 30 && std::getline(in, line); ++number)
@@ -453,7 +454,7 @@ TEST(MovingMachine, IsCheckedAnewWhenAMeshHasChanged) {
     EXPECT_EQ(check(), 1);
     folder.write("links/platter.stl", platter);
     EXPECT_EQ(check(), 0);
-    // What is between links and the tool is told by the file itself.
+    // The machine file itself specifies the clearance between links and tool.
     const std::string machine = folder.read("trunnion.toml");
     std::string wider = machine;
     wider.replace(wider.find("clearance = 5"), 13, "clearance = 500");

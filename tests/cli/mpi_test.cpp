@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ncsim-mpi makes, by however many processes, the bytes of ncsim run. Skipped where it is not
+// ncsim-mpi writes the bytes of ncsim run for any number of processes. Skipped if ncsim-mpi is not
 // built.
 #include "cli/run_program.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 #ifdef NCSIM_MPI_PROGRAM
 
-// What mpirun itself says of how ranks ended is not ours.
+// Runs ncsim-mpi with mpirun. Messages of mpirun itself about failed ranks are not output of ncsim.
 Ran with_ranks(const Folder& folder, int ranks, const std::string& arguments) {
     return folder.shell("mpirun --allow-run-as-root --oversubscribe --bind-to none -np " +
                         std::to_string(ranks) + " " NCSIM_MPI_PROGRAM " " + arguments);

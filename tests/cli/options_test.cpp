@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parsing of the command line: options, values and error messages.
 #include "commands/options.h"
 
 #include "system/progress.h"
@@ -166,7 +168,7 @@ TEST(Options, NameTheModelThatDoesNotVerifyAndThoseThatDo) {
               std::string::npos);
 }
 
-// Compared with nan nothing is too much: parts that differed by 600 mm3 were the same to it.
+// No value exceeds nan: with nan as tolerance, parts that differ by 600 mm³ would count as equal.
 TEST(Options, RefuseWhatIsNoNumber) {
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"diff", "a.nc", "b.nc", "--tol"},
@@ -184,7 +186,8 @@ TEST(Options, RefuseWhatIsNoNumber) {
     }
 }
 
-// What rays tell is never exact: who needs that is told which models do.
+// Results of rays are never exact: the error message for options that need an exact model names the
+// exact models.
 TEST(Options, RefuseRaysWhereOnlyAnExactModelWillDo) {
     for (const std::vector<std::string>& asked : {std::vector<std::string>{"--step", "a.step"},
                                                   {"--section", "z=-1", "--dxf", "a.dxf"},
@@ -205,7 +208,7 @@ TEST(Options, RefuseRaysWhereOnlyAnExactModelWillDo) {
     EXPECT_NE(refusal({"measure", "a.nc", "--model", "dexel"}).find("take cda"), std::string::npos);
 }
 
-// "$MACHINE" where nobody set it.
+// For example "$MACHINE" if the variable is not set.
 TEST(Options, RefuseEmptyNamesOfFiles) {
     for (const std::vector<std::string>& words :
          std::vector<std::vector<std::string>>{{"check", "a.nc", "--machine", ""},

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Output files that are written completely or not at all.
 #include "system/output.h"
 
 #include "cli/run_program.h"

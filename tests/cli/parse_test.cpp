@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim parse: blocks and motions of a program.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ncsim.toml: options told once for a folder of programs.
+// ncsim.toml: options for a folder of programs.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -13,11 +13,11 @@
 namespace ncsim::cli_test {
 namespace {
 
-// Its rapid moves go through a vice that no one told.
+// The rapid moves pass through a vice that only the machine file describes.
 constexpr const char* kVice =
     "[[fixture]]\nname = \"vice\"\nbox = [[-29, -30, 0], [-24, 30, 20]]\n";
 
-// A repository: programs in two folders, a machine for one of them.
+// Repository with programs in two folders and a machine for one folder.
 struct Repository : Folder {
     explicit Repository(const std::string& project) {
         for (const char* name : {"plain/deep", "clamped", "machines"})
@@ -37,7 +37,7 @@ TEST(Project, TellsProgramsBelowItTheirMachine) {
     EXPECT_TRUE(contains(all.out, "./clamped/b.nc:6:1: error: ")) << all.out;
     EXPECT_FALSE(contains(all.out, "a.nc:")) << all.out;
     EXPECT_TRUE(contains(all.out, "  settings ncsim.toml\n")) << all.out;
-    // The same from below, from elsewhere and by its whole name.
+    // The same verdict from a subfolder, from elsewhere and by the absolute path.
     const Ran below = folder.shell("cd clamped && \"$0\" check b.nc");
     EXPECT_EQ(below.exit_code, 1) << below.err;
     EXPECT_TRUE(contains(below.out, "  settings ../ncsim.toml\n")) << below.out;
@@ -45,7 +45,7 @@ TEST(Project, TellsProgramsBelowItTheirMachine) {
     EXPECT_EQ(folder.shell("cd / && \"$0\" check \"$OLDPWD/clamped/b.nc\"").exit_code, 1);
     EXPECT_EQ(folder.shell("cd clamped && \"$0\" check - < b.nc").exit_code, 1);
     EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 0);
-    // Unless somebody says otherwise.
+    // --no-project ignores the file.
     EXPECT_EQ(folder.run({"check", "clamped", "--no-project"}).exit_code, 0);
 }
 
@@ -92,7 +92,7 @@ TEST(Project, IsLookedForUpToTheRepository) {
     const Repository folder("machine = \"machines/vice.toml\"\n");
     std::filesystem::create_directories(folder.path() / "clamped/.git");
     EXPECT_EQ(folder.run({"check", "clamped"}).exit_code, 0);
-    // The nearest one holds, alone.
+    // Only the nearest ncsim.toml applies.
     std::filesystem::remove(folder.path() / "clamped/.git");
     EXPECT_EQ(folder.run({"check", "clamped"}).exit_code, 1);
     folder.write("clamped/ncsim.toml", "version = 1\n");
@@ -134,7 +134,7 @@ TEST(Project, TellsWhereItIsWrong) {
                     .err.starts_with("ncsim: ncsim.toml:1:1: expected version = 1"));
 }
 
-// What somebody told and cannot be read is no reason to go on without it.
+// A specified file that cannot be read is an error; ncsim does not continue without the file.
 TEST(Project, ThatCannotBeReadIsNotPassedOver) {
     const Repository folder("");
     const auto file = folder.path() / "ncsim.toml";
@@ -150,7 +150,7 @@ TEST(Project, ThatCannotBeReadIsNotPassedOver) {
     EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 2);
 }
 
-// A requirement for files that are not there would vanish without a trace.
+// Otherwise a requirement for missing files would vanish without a message.
 TEST(Project, WhosePatternMatchesNoProgramIsAnError) {
     Folder folder;
     folder.write("a/one.nc", kSlot);
@@ -180,7 +180,7 @@ TEST(Project, WhosePatternMatchesNoProgramIsAnError) {
     EXPECT_EQ(folder.run({"check", "a/one.nc", "--no-project"}).exit_code, 0);
 }
 
-// A FIFO that nothing writes into never answers.
+// Reading a FIFO without a writer never ends.
 TEST(Project, OrAFileThatNamesAPipeDoesNotHang) {
     for (const char* option : {"machine", "tool-table", "job", "design", "holders", "baseline"}) {
         Folder folder;
@@ -203,10 +203,10 @@ TEST(Project, OrAFileThatNamesAPipeDoesNotHang) {
         EXPECT_EQ(ran.exit_code, 2) << option << ran.out;
         EXPECT_TRUE(contains(ran.err + ran.out, "no regular file")) << ran.err << ran.out;
     }
-    // The command line may name one: mkfifo, <(…) of a shell.
+    // The command line may name a pipe: mkfifo, <(…) of a shell.
     const Ran named = folder.shell(
         R"(rm pipe; mkfifo pipe; echo 'T1 P1 D10' >pipe & "$0" check a.nc --tool-table pipe)");
-    EXPECT_EQ(named.exit_code, 4) << named.err << named.out;  // its table was read
+    EXPECT_EQ(named.exit_code, 4) << named.err << named.out;  // the table was read
 }
 
 TEST(Project, IsNotWrittenOver) {
@@ -232,7 +232,7 @@ TEST(Project, IsPartOfWhatACacheAndAShardKnow) {
     EXPECT_EQ(folder.run({"check", ".", "--shard", "1/2", "--out", "o"}).exit_code, 0);
     const Ran merged = folder.run({"merge", "o"});
     EXPECT_EQ(merged.exit_code, 1) << merged.err;
-    // Without --out its results would be files of the folder that are left out.
+    // Without --out the results would become files of the folder that are skipped.
     folder.shell("rm -r o");
     EXPECT_EQ(merged.out, folder.run({"check", "."}).out);
 }

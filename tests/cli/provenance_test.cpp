@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that one command writes and another reads: what the first assumed, the second does not take
-// for specified.
+// Files that one command writes and a second command reads: values that the first command assumed
+// are not specified values for the second.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +23,12 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text.replace(at, what.size(), by);
 }
 
-// A program in which one thing is not specified, and the reason for doubt about it.
+// Program in which a value is missing, with the expected reason for doubt.
 struct Guess {
     const char* name;
     std::string program;
     std::string reason;
-    bool in_job = true;  // a job file specifies it
+    bool in_job = true;  // a job file can specify the value
 };
 
 const std::string kNoMode = replaced(kSlot, "G21 G90", "G90");
@@ -70,7 +70,7 @@ std::set<std::string> doubts_of(const json& program) {
     return reasons;
 }
 
-// Air above the slot: clean on any stock below it.
+// A path in the air above the slot: clean on any stock below.
 const char* const kSecond =
     "(T1 D=10. CR=0. L=60. - flat end mill)\n"
     "G21 G90 G17 (FROM/0.,0.,100.)\nT1 M6\nS1000 M3\nG0 X-60. Y10. Z5.\nG0 Z-1.\n"
@@ -80,7 +80,7 @@ class Provenance : public testing::TestWithParam<std::size_t> {
 protected:
     Provenance() : guess_(guesses()[GetParam()]) { folder_.write("first.nc", guess_.program); }
 
-    // The draft of the first program, with one output; where errors are expected, too.
+    // Runs the first program as a draft with one output, also if errors are expected.
     void run_first(const std::string& option, const std::string& file) const {
         const Ran ran = folder_.run({"run", "first.nc", "--draft", "-q", option, file});
         ASSERT_TRUE(folder_.has(file)) << ran.err;
@@ -96,12 +96,12 @@ TEST_P(Provenance, OfAJobFileStaysAGuess) {
          {std::vector<std::string>{"tools", "first.nc", "--save-job", "a.toml"},
           {"run", "first.nc", "--draft", "-q", "--save-job", "b.toml"}}) {
         folder_.run(writer);
-        // `tools` guesses no tool, and asks for it.
+        // `tools` does not guess a tool but requests a description.
         if (guess_.name == std::string("tool") && writer.front() == "tools") continue;
         const json program = verdict_of(folder_, {"--job", writer.back(), "first.nc"});
         EXPECT_EQ(program["verdict"], "not-proven") << writer.front() << program.dump(1);
         EXPECT_TRUE(doubts_of(program).contains(guess_.reason)) << program.dump(1);
-        // A job file written from a job file, too.
+        // Also if a job file is written from a job file.
         folder_.run({"run", "--job", writer.back(), "-q", "--save-job", "again.toml"});
         const json again = verdict_of(folder_, {"--job", "again.toml", "first.nc"});
         EXPECT_TRUE(doubts_of(again).contains(guess_.reason)) << again.dump(1);
@@ -120,7 +120,7 @@ TEST_P(Provenance, OfAStockFileIsADoubtOfTheNextProgram) {
         EXPECT_EQ(program["verdict"], "not-proven") << file << program.dump(1);
         EXPECT_TRUE(doubts_of(program).contains("file-origin")) << file << program.dump(1);
     }
-    // What a stock file says lives on in the next one.
+    // The assumptions of a stock file persist in the next stock file.
     folder_.run({"run", "second.nc", "-q", "--stock", "a.ncstock", "--save-stock", "b.ncstock"});
     EXPECT_TRUE(doubts_of(verdict_of(folder_, {"second.nc", "--stock", "b.ncstock"}))
                     .contains("file-origin"));

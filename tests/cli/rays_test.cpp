@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays: their directions, what they say they miss, and when a draft is made of them.
+//
+// Rays: directions, stated error, and drafts that use rays.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ using nlohmann::json;
 const std::string kBlock = "(STOCK/BLOCK,20.,20.,10.,0.,0.,10.)\nG21 G90 G17\nT1 M6\nS9000 M3\n";
 const std::string kFlat = "(T1 D=6. CR=0. - flat end mill)\n" + kBlock;
 const std::string kBall = "(T1 D=6. CR=3. - ball end mill)\n" + kBlock;
-// Two slots with a rib of 0.2 mm between them.
+// Two slots with a rib of 0.2 mm between the slots.
 const std::string kRib =
     "G0 X-5. Y5. Z5.\nG1 Z-3. F300.\nX25.\nG0 Z5.\nX-5. Y11.2\nG1 Z-3.\nX25.\n"
     "G0 Z20.\nM30\n";
@@ -63,13 +64,13 @@ TEST(Rays, TellOfARibThatIsThinnerThanTheyAreApart) {
     EXPECT_NEAR(thin["thinnest"]["mm"].get<double>(), 0.2, 1e-4);
     EXPECT_NEAR(thin["thinnest"]["at"][1].get<double>(), 8.1, 1e-4);
     EXPECT_EQ(thin["thinnest"]["line"].get<int>(), 12);
-    // Half a resolution of walls.
+    // Half a resolution times the area of the walls.
     EXPECT_GT(report["volume_mm3"]["error"].get<double>(), 1.0);
     const Ran fine = folder.run({"run", "rib.nc", "--model", "dexel", "--resolution", "0.1"});
     EXPECT_FALSE(contains(fine.out, "thinner")) << fine.out;
 }
 
-// What is long enough that rays pay, and quick to cut.
+// Returns a program long enough that rays are faster, but quick to cut.
 std::string long_program() {
     std::ostringstream text;
     text << kBall << "G0 X0 Y0 Z5.\nG1 F3000.\n";
@@ -82,7 +83,7 @@ std::string long_program() {
 TEST(Rays, AreChosenByALongDraftAndByNothingElse) {
     Folder folder;
     folder.write("long.nc", long_program());
-    // As drafts go: stopped early, so that the exact model is quick, too.
+    // Options as for drafts; the run stops early, so the exact model is fast, too.
     const auto model_of = [&](std::vector<std::string> words, std::string& said) {
         words.insert(words.begin(), {"run", "long.nc", "--at-line", "20", "--report", "r.json"});
         const Ran ran = folder.run(words);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs for a fourth axis as senders of hobby machines get them: wraps without Y, flutes over
-// many turns. What is left of a bar is known by formulas.
+// Programs for a fourth axis as senders of hobby machines receive them: wraps without Y, flutes
+// over many turns. Formulas give the volume left of the bar.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ json report_of(const Folder& folder, const std::vector<std::string>& options) {
     return json::parse(folder.read("r.json"));
 }
 
-/// In the manner of Fusion's posts for Carvera: A goes on and on, here to 1735 degrees.
+/// Style of the Fusion posts for Carvera: A increases without limit, here to 1735 degrees.
 TEST(Rotary, FluteOverManyTurnsLeavesAThinnerBar) {
     Folder folder;
     folder.write("a.nc",
@@ -37,15 +37,15 @@ TEST(Rotary, FluteOverManyTurnsLeavesAThinnerBar) {
     const double bar = kPi * 20 * 20 * 24;
     const double left = kPi * 18 * 18 * 24;
     EXPECT_NEAR(report["volume_mm3"]["stock"], bar, 0.01 * bar);
-    // Turning takes up to 0.1 mm too little and 1 mm too much.
+    // Rotary moves remove up to 0.1 mm too little and 1 mm too much.
     EXPECT_LT(report["volume_mm3"]["part"], 1.012 * left);
     EXPECT_GT(report["volume_mm3"]["part"], 0.89 * left);
     EXPECT_LT(report["part"]["extents"]["max"][2], 18.1);
     EXPECT_GT(report["part"]["extents"]["max"][2], 17.0);
 }
 
-/// In the manner of Vectric's wraps, as gSender gets them: Y was wrapped around A, and nobody names
-/// it. Four flats, each a few turns on.
+/// Style of Vectric's wraps for gSender: Y is wrapped around A and does not occur. Four flats, each
+/// several turns further.
 TEST(Rotary, WrapWithoutYMillsFlats) {
     Folder folder;
     std::string program =
@@ -66,7 +66,7 @@ TEST(Rotary, WrapWithoutYMillsFlats) {
         EXPECT_NEAR(report["part"]["extents"]["max"][axis], 15.0, 1e-3);
         EXPECT_NEAR(report["part"]["extents"]["min"][axis], -15.0, 1e-3);
     }
-    // Nobody tells the bar: it is derived, about the axis that turns.
+    // The bar is not specified, so ncsim derives the bar about the rotary axis.
     const Ran derived = folder.run({"run", "a.nc", "--tool", "T1=flat:D50:L40"});
     EXPECT_NE(derived.err.find("a round bar along X"), std::string::npos) << derived.err;
     EXPECT_NE(derived.err.find("never sets Y; taken as 0"), std::string::npos) << derived.err;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Temporary folders, and processes with captured output.
 #include "cli/run_program.h"
 
 #include <fcntl.h>
@@ -67,7 +69,7 @@ Ran Folder::shell(const std::string& script) const {
 }
 
 Ran Folder::execute(std::vector<std::string> words) const {
-    // Beside the folder, not in it, so that files() shows what the program made.
+    // Next to the folder and not inside, so files() returns only files that the program made.
     const std::string out = path_.string() + ".out";
     const std::string err = path_.string() + ".err";
     const pid_t child = ::fork();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs the built ncsim as a shell would, in a folder of its own.
+// Runs the built ncsim in a temporary folder, as a shell would.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 namespace ncsim::cli_test {
 
 struct Ran {
-    int exit_code = -1;  ///< 128 + n after signal n.
+    int exit_code = -1;  ///< Exit code; 128 + n after signal n.
     std::string out, err;
 };
 
-/// A folder that disappears with it.
+/// Temporary folder, removed by the destructor.
 class Folder {
 public:
     Folder();
@@ -26,11 +26,11 @@ public:
     void write(const std::string& name, const std::string& text) const;
     std::string read(const std::string& name) const;
     bool has(const std::string& name) const;
-    /// Names of all files, sorted.
+    /// Returns the sorted names of all files.
     std::vector<std::string> files() const;
-    /// Runs `ncsim arguments…` here, with a standard input that is empty.
+    /// Runs `ncsim arguments…` in the folder with an empty standard input.
     Ran run(const std::vector<std::string>& arguments) const;
-    /// The same for a script of sh, in which "$0" is ncsim.
+    /// Runs a script of sh in the folder, in which "$0" is ncsim. Standard input is empty.
     Ran shell(const std::string& script) const;
 
 private:
@@ -39,7 +39,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// A program that cuts one slot of 10 x 2 mm across a block of 40 x 30 x 10 mm: 800 mm³.
+/// Program that cuts a slot of 10 x 2 mm across a block of 40 x 30 x 10 mm: 800 mm³.
 inline constexpr const char* kSlot =
     "(T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
     "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim run: parts, pictures, meshes, reports and exit codes.
 #include "cli/run_program.h"
 #include "support/count.h"
 #include "support/random_programs.h"
@@ -60,7 +62,7 @@ TEST(Run, WritesEveryFormat) {
     EXPECT_EQ(folder.files().size(), 11U) << "nothing but what was asked for";
 }
 
-// Width and height as the header of a PNG file tells them.
+// Returns width and height from the header of a PNG file.
 std::pair<int, int> size_of_png(const std::string& bytes) {
     const auto number = [&](std::size_t at) {
         int value = 0;
@@ -104,9 +106,9 @@ TEST(Run, TheMeshQuotesTheLinesThatCutIt) {
     EXPECT_TRUE(contains(glb, R"("lines":{"8":"G1 X30. F500."})"));
 }
 
-// A block, and a groove through it by a tool that leans: bottom, two sides, two ends, the top in
-// two, the groove's floor and its two walls. That corners of the tilted tool lie on a lattice
-// must not tear any of them apart.
+// A block with a groove that a tilted tool cuts: bottom, two sides, two ends, a divided top, and
+// the floor and two walls of the groove. Rounding the corners of the tilted tool to the lattice
+// must not split any of these faces.
 TEST(Run, TheSolidHasTheFacesThatAPersonCounts) {
     Folder folder;
     for (const char* angle : {"0.", "7.", "-3."}) {
@@ -123,7 +125,7 @@ TEST(Run, TheSolidHasTheFacesThatAPersonCounts) {
 
 TEST(Run, SimplifiesAndSaysByHowMuch) {
     Folder folder;
-    // A shallow arc: many narrow facets that lie nearly in one plane.
+    // A shallow arc: many narrow facets in nearly one plane.
     std::string text(kSlot);
     text.replace(text.find("G1 X30. F500."), 13, "G3 X30. Y0. I30. J300. F500.");
     folder.write("part.nc", text);
@@ -141,7 +143,7 @@ TEST(Run, SimplifiesAndSaysByHowMuch) {
     EXPECT_LT(folder.read("b.stl").size(), folder.read("a.stl").size());
 }
 
-// Two slots of 800 mm³ that do not meet, the second in a loop.
+// Two separate slots of 800 mm³, the second in a loop.
 constexpr const char* kTwoSlots =
     "(T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
     "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"
@@ -155,7 +157,8 @@ constexpr const char* kTwoSlots =
     "G1 X-30.\n"
     "M30\n";
 
-/// An L with a reflex corner: strokes that would cross it are lifted, and all of it is cleared.
+/// Pocket shaped like an L with a reflex corner: strokes that would cross the corner are lifted,
+/// and the whole pocket is cleared.
 TEST(Run, ClearsAPocketOfAnyShape) {
     Folder folder;
     const std::string outline = "N100 G1 X20. Y0.\nX40.\nY15.\nX20.\nY30.\nX0.\nY0.\nX20.\nM99\n";
@@ -200,7 +203,7 @@ TEST(Run, StopsAfterALine) {
 TEST(Run, ALineThatIsRepeatedIsDoneOnce) {
     Folder folder;
     std::string text(kTwoSlots);
-    // Line 7 cuts, line 8 steps over, again and again.
+    // Line 7 cuts and line 8 steps over, repeatedly.
     text.replace(text.find("G1 X30. F500.\n(between them)"), 28,
                  "o1 repeat [2]\nG1 X30. F500.\nG0 X-30. Y9.\no1 endrepeat");
     folder.write("slots.nc", text);
@@ -216,7 +219,7 @@ TEST(Run, TakesPicturesOnTheWay) {
         folder.run({"run", "slots.nc", "-q", "--frames", "film", "--gif", "a.gif", "--every", "2",
                     "--size", "80x60", "--show-tool", "--show-path", "--caption"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    // Five moves: after the second, the fourth, and the end.
+    // Five moves: pictures after the second, the fourth, and the last.
     const auto frames = folder.path() / "film";
     for (const char* name : {"frame-00001.png", "frame-00002.png", "frame-00003.png"})
         EXPECT_TRUE(std::filesystem::exists(frames / name)) << name;
@@ -240,8 +243,8 @@ TEST(Run, FramesAreOfOneSizeWhateverTheirCaptionsSay) {
     const Ran ran = folder.run({"run", "slot.nc", "-q", "--frames", "film", "--gif", "a.gif",
                                 "--every", "1", "--size", "480x360", "--caption"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
-    // Width and height: four bytes each, the highest first, in the first chunk of a PNG; two bytes
-    // each, the lowest first, in the head of a GIF.
+    // Width and height: in PNG four bytes each, big-endian, in the first chunk; in GIF two bytes
+    // each, little-endian, in the header.
     const std::string size = folder.read("film/frame-00001.png").substr(16, 8);
     for (const char* name :
          {"film/frame-00002.png", "film/frame-00003.png", "film/frame-00004.png"})
@@ -275,7 +278,7 @@ TEST(Run, TellsHowLongItCutsIfEveryFeedIsTold) {
     Folder folder;
     folder.write("slot.nc", kSlot);
     const Ran specified = folder.run({"run", "slot.nc", "--report", "a.json"});
-    // 60 mm at 500 mm/min
+    // 60 mm at 500 mm/min.
     EXPECT_TRUE(contains(specified.out, "feed 0:07 min, rapid")) << specified.out;
     EXPECT_DOUBLE_EQ(json::parse(folder.read("a.json"))["feed_seconds"], 7.2);
     std::string text(kSlot);
@@ -304,14 +307,14 @@ TEST(Run, TellsHowLongAllOfItTakesAndByWhatModel) {
     EXPECT_NEAR(time["total_seconds"].get<double>(), 7.2 + 2.5 + 8.0 + rapid, 1e-6);
     EXPECT_EQ(report["tools"][0]["time"]["feed_seconds"], 7.2);
     EXPECT_TRUE(contains(folder.run({"check", "slot.nc"}).out, "\n  time     0:18 min: feed"));
-    // With a machine its rates count.
+    // With a machine file, the rates of the machine apply.
     folder.write("m.toml",
                  "[rapid]\nx = 6000\ny = 6000\nz = 6000\n[acceleration]\nx = 1000\ny = "
                  "1000\nz = 1000\n[time]\ntool_change = 20\n");
     const Ran specified = folder.run({"check", "slot.nc", "--machine", "m.toml"});
     EXPECT_TRUE(contains(specified.out, "the rest 0:23 min; as the machine is described"))
         << specified.out;
-    // And run gives the same time as check.
+    // run prints the same time as check.
     const Ran same = folder.run({"run", "slot.nc", "--machine", "m.toml", "--report", "a.json"});
     const auto time_of = [](const std::string& of) {
         const std::size_t at = of.find("0:", of.find("time    "));
@@ -357,7 +360,8 @@ TEST(Run, GivesTheSameBytesAgainAndForAnyNumberOfThreads) {
     }
 }
 
-// Two moves of an engraver: an edge that rounding laid upon another one stood four times.
+// Two moves of an engraver. An edge that rounding moves onto a second edge must not occur four
+// times.
 TEST(Run, WritesMeshesThatAreClosedForThoseWhoHaveNothingButTheFile) {
     Folder folder;
     folder.write("two.nc",
@@ -380,7 +384,8 @@ TEST(Run, WritesMeshesThatAreClosedForThoseWhoHaveNothingButTheFile) {
     }
 }
 
-// A quick look: everything is written, the volume is near, and it is told that nothing is exact.
+// Rays as a quick preview: all outputs are written, the volume is near, and the report says that no
+// value is exact.
 TEST(Run, LooksAtTheSlotWithRays) {
     Folder folder;
     folder.write("slot.nc", kSlot);
@@ -397,7 +402,7 @@ TEST(Run, LooksAtTheSlotWithRays) {
                                   "--threads", "3", "--stl", "b.stl"});
     ASSERT_EQ(again.exit_code, 0) << again.err;
     EXPECT_TRUE(folder.read("a.stl") == folder.read("b.stl"));
-    // Two million rays are the most.
+    // At most two million rays are permitted.
     const Ran fine = folder.run({"run", "slot.nc", "--model", "dexel", "--resolution", "0.001"});
     EXPECT_EQ(fine.exit_code, 2) << fine.err;
     EXPECT_NE(fine.err.find("too fine for this stock"), std::string::npos) << fine.err;
@@ -453,7 +458,8 @@ TEST(Run, CutsARoundBarAndKeepsItInTheJob) {
     const Ran again = folder.run({"run", "slot.nc", "--job", "a.toml", "--stl", "b.stl"});
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_TRUE(contains(again.err, "a round bar in 40 x 40 x 10 mm")) << again.err;
-    // --tool and --stock against comments are another doubt than a job file against them.
+    // The header names the doubts, and --tool and --stock against comments are a different doubt
+    // than a job file against comments.
     constexpr std::size_t kHeader = 80;
     EXPECT_EQ(folder.read("a.stl").substr(kHeader), folder.read("b.stl").substr(kHeader));
 }
@@ -464,7 +470,7 @@ TEST(Run, GoesOnWithWhatAnotherProgramHasLeftTurnedOver) {
     ASSERT_EQ(folder.run({"run", "slot.nc", "--save-stock", "first.ncstock", "--stl", "first.stl"})
                   .exit_code,
               0);
-    // The same slot once more, from the other side; the surface is as good as the cells.
+    // The same slot again from the opposite side; a surface is as good as cells.
     for (const char* stock : {"first.ncstock", "first.stl"}) {
         SCOPED_TRACE(stock);
         const Ran ran =
@@ -477,7 +483,7 @@ TEST(Run, GoesOnWithWhatAnotherProgramHasLeftTurnedOver) {
         EXPECT_EQ(again.exit_code, 0) << again.err;
         EXPECT_TRUE(folder.read("b.stl") == folder.read("second.stl"));
     }
-    // From the same side there is nothing left to do.
+    // Without the turn, the same side has no material left to remove.
     const Ran same = folder.run({"run", "slot.nc", "--stock", "first.ncstock"});
     EXPECT_TRUE(contains(same.out, "11.200 cm3 of 11.200 cm3; 0.000 cm3 removed")) << same.out;
     const Ran flat =
@@ -532,7 +538,7 @@ TEST(Run, DerivesAStockThatNobodyTells) {
 }
 
 TEST(Run, DerivesAStockWithoutTheRunsOfFaceMills) {
-    // A block of 120 x 80 mm, faced by D50 from 6 mm beside it to 6 mm beyond.
+    // A block of 120 x 80 mm, faced by a D50 from 6 mm before the block to 6 mm beyond.
     Folder folder;
     folder.write("face.nc",
                  "G21 G90 G17 T1 M6 S900 M3\nG0 X-91 Y-19 Z10\nG0 Z-1\nG1 X91 F500\nG0 Z10\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The samples are programs that run with no other file, and what the thesis tells of them holds.
+// The samples run without further files, and the figures of the thesis about the samples hold.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ json report_of(const char* name, std::vector<std::string> more = {}) {
     return json::parse(folder.read("a.json"));
 }
 
-// The last line of the statistics, by column name.
+// Returns the last line of the statistics by column name.
 std::map<std::string, double> last_statistics(const char* name) {
     Folder folder;
     folder.run({"run", sample(name), "-q", "--stats", "a.csv"});
@@ -84,7 +84,7 @@ TEST(Samples, WaveIsMoreThanNineHundredShortMovesOfABall) {
     EXPECT_EQ(report["part"]["shells"], 1);
 }
 
-// With samples/ncsim.toml the first check of a newcomer is clean.
+// With samples/ncsim.toml a check of the samples is clean.
 TEST(Samples, AreCleanWithTheirSetUps) {
     Folder folder;
     const Ran ran = folder.run({"check", sample("simple.nc"), sample("complex.nc"),

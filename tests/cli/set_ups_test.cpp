@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs made up with all that has to be told of them, half of them with a fault put in: ncsim
-// check misses none, and invents none. NCSIM_SET_UPS=COUNT[,FIRST] runs others than the usual ones.
+// Generated programs with complete set-ups, half of them with an inserted fault: ncsim check must
+// report each fault and no further findings. NCSIM_SET_UPS=COUNT[,FIRST] runs different programs
+// than the default.
 #include "support/set_ups.h"
 
 #include "cli/run_program.h"
@@ -26,10 +27,10 @@ using test::Judged;
 constexpr std::uint64_t kPairs = 200;
 constexpr std::uint64_t kGroups = 10;
 
-// What is wrong with the verdict; empty: nothing.
+// Returns the error in the verdict; empty if the verdict is correct.
 std::string complaint(const Judged& judged, const Ran& ran, const json& program) {
     const std::map<std::string, int> codes{{"clean", 0}, {"failed", 1}, {"not-proven", 4}};
-    // The construction specifies no lengths, and its travels leave no room for any.
+    // The construction specifies no lengths, and the travels leave no room for lengths.
     const bool is_clean = program["verdict"] == "accepted" && judged.verdict == "clean";
     if (program["verdict"] != judged.verdict && !is_clean)
         return "it is " + judged.verdict + ", not " + program["verdict"].get<std::string>();
@@ -79,7 +80,8 @@ void expect_verdict(const Judged& judged, std::uint64_t seed) {
                   << judged.machine;
 }
 
-// Of each program the fault that was put in least before: all kinds come as often as they can.
+// Returns for each program the fault that is the least frequent so far, so all faults are as
+// frequent as possible.
 const std::vector<std::string>& usual_faults() {
     static const std::vector<std::string> chosen = [] {
         std::vector<std::string> faults;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What ncsim run writes is shaded by the surfaces that its tools leave (tests/simulation has
-// which).
+// Output of ncsim run is shaded by the surfaces that tools leave (tests/simulation checks which
+// surfaces).
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -20,12 +20,12 @@ namespace {
 
 using nlohmann::json;
 
-// Of a slot with two walls along X.
+// A slot with two walls along X.
 const std::string kSlot =
     "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,0.)\n"
     "G21 G90 T1 M6 S5000 M3\nG0 X20 Y30 Z25\nG1 Z10 F300\nX60\nG0 Z25\nM30\n";
 
-// The normals of all that tool 1 cut.
+// Returns the normals of all faces that tool 1 cut.
 std::vector<std::array<float, 3>> normals_of(const std::string& glb) {
     const auto word = [&](std::size_t at) {
         std::uint32_t value = 0;
@@ -65,13 +65,14 @@ TEST(Shading, WallsOfASlotStayFlatAndItsEndsBeginAsTheyEnd) {
                 ++touching;
             }
         }
-        // Of each wall, and of what comes after it at both ends.
+        // Each wall, and the adjacent faces at both ends of the wall.
         EXPECT_EQ(flat, 8);
         EXPECT_EQ(touching, 8);
     }
 }
 
-// Curves are often short lines: where they bend by 10°, two flat walls are shaded as one surface.
+// Curves are often chains of short lines: where two planar walls meet at 10°, the shading treats
+// both as one surface.
 TEST(Shading, WallsOfShortLinesAreOneSurface) {
     Folder folder;
     folder.write("bend.nc",
@@ -82,7 +83,7 @@ TEST(Shading, WallsOfShortLinesAreOneSurface) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     int between = 0;
     for (const auto& [x, y, z] : normals_of(folder.read("a.glb"))) {
-        // The sine of 5°, both walls being about as large.
+        // The sine of 5°, because both walls have about equal areas.
         if (std::abs(z) < 1e-6F && y < 0.0F && std::abs(std::abs(x) - 0.0872F) < 0.003F) ++between;
     }
     EXPECT_EQ(between, 4);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Many programs: lists, folders, shards that are put together again, verdicts that are known.
+// Many programs: lists, folders, merged shards, cached verdicts.
 #include "cli/run_program.h"
 #include "support/count.h"
 
@@ -18,7 +18,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(text.find(from), from.size(), to);
 }
 
-// Programs of all verdicts, and one that is none; most of them clean.
+// Writes programs of all verdicts and an unreadable file; most programs are clean.
 std::vector<std::string> many_programs(const Folder& folder) {
     std::vector<std::string> names;
     std::string list;
@@ -55,13 +55,13 @@ TEST(Shards, PutTogetherAreOneRun) {
     Folder folder;
     many_programs(folder);
     const Ran once = folder.run(with({"check", "--list", "list.txt"}, kReports));
-    EXPECT_EQ(once.exit_code, 2) << once.out;  // one cannot be read
+    EXPECT_EQ(once.exit_code, 2) << once.out;  // a program cannot be read
     std::vector<std::string> reports;
     for (const std::string& file : kFiles)
         reports.push_back(folder.read(file));
     for (const int n : {1, 2, 7, 64}) {
         const std::string out = fmt::format("out{}", n);
-        // In any order, some of them twice.
+        // Shards in any order, some twice.
         for (int k = 0; k < n + 3; ++k) {
             const int i = k * 5 % n;
             const Ran ran = folder.run({"check", "--list", "list.txt", "--shard",
@@ -100,7 +100,7 @@ TEST(Shards, AreRefusedWhereOneIsMissingForeignOrCutOff) {
     EXPECT_TRUE(contains(missing.err, "of 11 programs are in no shard")) << missing.err;
     EXPECT_FALSE(folder.has("all.json"));
     shard("1/3");
-    EXPECT_EQ(folder.run({"merge", "out"}).exit_code, 2);  // of a program, not of a shard
+    EXPECT_EQ(folder.run({"merge", "out"}).exit_code, 2);  // a result of a program, not of a shard
 
     const std::string name = "out/shard-0001-of-0003.ndjson";
     const std::string whole = folder.read(name);
@@ -108,7 +108,7 @@ TEST(Shards, AreRefusedWhereOneIsMissingForeignOrCutOff) {
     const Ran cut = folder.run({"merge", "out"});
     EXPECT_EQ(cut.exit_code, 2);
     EXPECT_TRUE(contains(cut.err, "it is cut off")) << cut.err;
-    // What is not whole is done again; what is, is not touched.
+    // Incomplete results are computed again; complete results stay untouched.
     for (const std::size_t size : {std::size_t{0}, whole.size() / 2, whole.size() - 1}) {
         folder.write(name, whole.substr(0, size));
         shard("1/3");
@@ -180,7 +180,7 @@ TEST(Check, TakesFoldersAndTellsAtTheEndWhichProgramsFailed) {
         << ran.out;
     EXPECT_TRUE(contains(ran.out, "11 programs: ")) << ran.out;
     EXPECT_TRUE(contains(ran.err, "1 left out: no NC program")) << ran.err;
-    // What was not asked is said once, and of what is clean nothing.
+    // A rule that was not requested is named once; clean programs are not listed.
     EXPECT_EQ(test::count(ran.out, "over-travel"), 1U) << ran.out;
     EXPECT_FALSE(contains(ran.out, "part 0.nc")) << ran.out;
     EXPECT_EQ(folder.run({"check", "p9"}).exit_code, 2);
@@ -209,7 +209,7 @@ TEST(Cache, KnowsWhatHasNotChanged) {
     is_same(folder.run(command));
     EXPECT_EQ(folder.run({"check", "--list", "list.txt"}).out, cold.out);
 
-    // A bit that has turned is a miss.
+    // A flipped bit in an entry is a cache miss.
     namespace fs = std::filesystem;
     std::size_t entries = 0;
     for (const auto& file : fs::recursive_directory_iterator(folder.path() / "cache")) {
@@ -220,7 +220,7 @@ TEST(Cache, KnowsWhatHasNotChanged) {
         text[text.size() / 2] ^= 1;
         folder.write(name, text);
     }
-    EXPECT_EQ(entries, 10U);  // not of the one that cannot be read
+    EXPECT_EQ(entries, 10U);  // no entry for the unreadable program
     is_same(folder.run(command));
     is_same(folder.run(command));
 
@@ -229,7 +229,7 @@ TEST(Cache, KnowsWhatHasNotChanged) {
     EXPECT_FALSE(contains(folder.run(with(command, {"--ignore", "collision"})).out, "part 0.nc"));
 }
 
-// A verdict that was copied to the name of another one is none.
+// A verdict copied to the name of a second entry is not valid.
 TEST(Cache, KnowsWhoseAVerdictIs) {
     namespace fs = std::filesystem;
     const auto entry_of = [](const Folder& folder) {
@@ -251,7 +251,8 @@ TEST(Cache, KnowsWhoseAVerdictIs) {
     EXPECT_TRUE(contains(ran.out, "bad.nc: failed: ")) << ran.out;
 }
 
-// What is known of a program is of the files that it calls, too: of those that are not there yet.
+// The cache key of a program includes the files that the program calls, also files that do not
+// exist yet.
 TEST(Cache, KnowsWhichFilesWereRead) {
     Folder folder;
     folder.write("main.ngc", replaced(kSlot, "G1 X30. F500.", "o<cut> call"));
@@ -271,7 +272,7 @@ TEST(Cache, KnowsWhichFilesWereRead) {
     EXPECT_FALSE(contains(folder.run(on_mill).out, "[spindle-limit]"));
 }
 
-// Reports name files as they are seen from here.
+// Reports name files relative to the current folder.
 TEST(Cache, KnowsFromWhereItIsAsked) {
     Folder folder;
     folder.write("part.nc", kSlot);

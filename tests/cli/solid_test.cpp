@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solids and sections that run writes.
+// Solids and sections that ncsim run writes.
 #include "cli/run_program.h"
 #include "support/count.h"
 
@@ -25,7 +25,7 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     const Ran ran =
         folder.run({"run", "drill.nc", "--step", "a.step", "--step-strict", "--report", "a.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    // 20 x 20 x 20 less a bore of 6 to where its tip starts, and that.
+    // Cube of 20 mm minus a bore of 6 mm down to the start of the tip, minus the tip.
     const double pi = std::numbers::pi, tip = 3.0 / std::tan(59.0 * pi / 180.0);
     const double left = 8000.0 - 9.0 * pi * (10.0 - tip + tip / 3.0);
     const std::string step = folder.read("a.step"), specified = "VOLUME_MEASURE(";
@@ -43,7 +43,7 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     EXPECT_GT(ncsim::test::count(folder.read("a.step"), "ADVANCED_FACE("), 20U);
 }
 
-// At the first cut: finer ones cost more than all the rest.
+// The first cut must suffice, because finer cuts cost more than the whole rest of the run.
 TEST(Run, SolidsOfTheSamplesHaveNoFacets) {
     Folder folder;
     for (const auto& [sample, tolerance] :
@@ -56,7 +56,8 @@ TEST(Run, SolidsOfTheSamplesHaveNoFacets) {
     }
 }
 
-// A ball that turns and cuts with its side: 5,605 of 5,709 faces were facets.
+// A ball-nose tool that turns and cuts with its side. Without surfaces for such motions, 5,605 of
+// 5,709 faces are facets.
 TEST(Run, SidesOfTurningToolsAreSurfaces) {
     Folder folder;
     const std::string samples = std::string(NCSIM_SOURCE_DIR) + "/samples/";
@@ -77,7 +78,7 @@ TEST(Run, CutsThePartOpenInLinesAndArcs) {
     const Ran ran = folder.run({"run", "slot.nc", "--section", "z=-2", "--section", "X=0.", "--dxf",
                                 "a.dxf", "--svg", "a.svg", "--report", "a.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    // 40 x 30 less 20 x 10 less a disc of 10.
+    // 40 x 30 minus 20 x 10 minus a disc of diameter 10 mm.
     EXPECT_TRUE(
         contains(ran.out, "section   z=-2: 2 outlines, 921.46 mm2 of material; 6 lines, 2 arcs"))
         << ran.out;
@@ -114,7 +115,7 @@ TEST(Run, RefusesDrawingsOfNoSection) {
 
 TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
     Folder folder;
-    // Half a turn of a V-cutter that goes down.
+    // Half a turn of a descending V-cutter.
     folder.write("ramp.nc",
                  "(T1 D=10. CR=0. TAPER=45deg - chamfer mill)\n"
                  "(STOCK/BLOCK,60.,40.,20.,0.,0.,20.)\nG21 G90\nT1 M6 S5000 M3\n"
@@ -130,8 +131,8 @@ TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
 
 TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
     Folder folder;
-    // At the corner X100 Y0 the pipe of the first line ends less than a facet beside the second
-    // one.
+    // At the corner X100 Y0 the cylinder of the first line ends less than a facet from the second
+    // cylinder.
     folder.write("corner.nc",
                  "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,100.,100.,40.,0.,0.,40.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X0. Y0. Z20.\nG1 X83.333 Y0. Z-4.168 F1500.\n"
@@ -146,8 +147,8 @@ TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
     EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
 }
 
-// The first finer cut has more facets than the one before, of the same places; the next one has
-// none.
+// The first finer cut has more facets than the coarse cut, in the same places; the second finer cut
+// has no facets.
 TEST(Run, CutsSmallPartsAgainThoughItDidNotHelpOnce) {
     Folder folder;
     folder.write("ring.nc",
@@ -179,7 +180,7 @@ TEST(Run, ASolidOfTooManyFacesIsRefused) {
     const Ran ran =
         folder.run({"run", "slot.nc", "-q", "--step", "a.step", "--step-max-faces", "5"});
     EXPECT_EQ(ran.exit_code, 2);
-    // A block with a slot through it: ten faces.
+    // A block with a slot through the block: ten faces.
     EXPECT_TRUE(contains(ran.err, "the part has 10 faces, more than the 5")) << ran.err;
     EXPECT_TRUE(contains(ran.err, "--step-max-faces")) << ran.err;
     EXPECT_FALSE(folder.has("a.step"));

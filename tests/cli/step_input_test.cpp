@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// STEP that is read: designs, stock, fixtures. tests/setup/write_step_cases.cpp writes what others
-// would.
+// STEP as input: designs, stock, fixtures. tests/setup/write_step_cases.cpp writes files as CAD
+// systems would.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-// Far above all stock.
+// A path far above any stock.
 constexpr const char* kAir =
     "(T1 D=10. CR=0. - flat end mill)\n"
     "G21 G90 G17\n"
@@ -29,7 +29,7 @@ constexpr const char* kAir =
     "G1 X30. F500.\n"
     "M30\n";
 
-// Written once for each run of the tests.
+// Returns the folder of the cases, which are written once per run of the tests.
 std::string cases() {
     static const Folder folder;
     if (folder.files().empty()) {
@@ -45,7 +45,7 @@ std::string read(const std::string& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Whoever reads STEP for a program that is killed ends with it.
+// A STEP reader process ends together with the ncsim process that started the reader.
 TEST(StepInput, NoReaderOutlivesItsParent) {
     const Folder folder;
     folder.write("air.nc", kAir);
@@ -53,7 +53,7 @@ TEST(StepInput, NoReaderOutlivesItsParent) {
     folder.write("ncsim-step",
                  "#!/bin/sh\necho $$ > reader.tmp; mv reader.tmp reader\n"
                  "exec sleep 100000\n");
-    // Would wait for ever.
+    // A reader that never ends.
     const Ran ran = folder.shell(
         "cp \"$0\" ncsim; chmod +x ncsim-step\n"
         "./ncsim check air.nc --design part.step & pid=$!\n"
@@ -64,7 +64,7 @@ TEST(StepInput, NoReaderOutlivesItsParent) {
     EXPECT_EQ(ran.out, "code 137\n") << ran.err;
 }
 
-// Of the stock in a file, mm³.
+// Returns the volume of the stock in a file, mm³.
 double volume_of(const std::string& path) {
     Folder folder;
     folder.write("air.nc", kAir);
@@ -80,8 +80,7 @@ TEST(StepInput, StockIsWhatTheFileMeans) {
     EXPECT_NEAR(volume_of(cases() + "assembly.step"), 12000.0, 1e-6);
 }
 
-// What is nearer to a curved surface than its triangles are is not asked: verdicts tell what they
-// are about.
+// Material closer to a curved surface than the triangles is not checked; verdicts state this limit.
 TEST(StepInput, VerdictsTellThatACastingIsItsTriangles) {
     Folder folder;
     folder.write("air.nc", kAir);
@@ -95,7 +94,7 @@ TEST(StepInput, VerdictsTellThatACastingIsItsTriangles) {
     EXPECT_TRUE(contains(folder.read("a.html"), words));
     folder.run({"run", "air.nc", "--stock", curved, "--report", "a.json"});
     EXPECT_EQ(json::parse(folder.read("a.json"))["stock"]["deflection_mm"], 0.01);
-    // A mesh is what it is.
+    // A mesh is exact as given.
     folder.run({"run", "air.nc", "--stock", curved, "--stl", "a.stl"});
     const Ran mesh = folder.run({"check", "air.nc", "--stock", "a.stl"});
     EXPECT_TRUE(contains(mesh.out, "stock    a.stl in ")) << mesh.out;
@@ -112,7 +111,8 @@ TEST(StepInput, CurvedBodiesAreWithinTheDeflection) {
     using std::numbers::pi;
     const double ball = 4000.0 / 3.0 * pi, ring = 2.0 * pi * pi * 10.0 * 9.0,
                  cone = pi * 12.0 / 3.0 * (64.0 + 24.0 + 9.0), cylinder = pi * 36.0 * 12.0;
-    // They are a quarter of that; 0.01 mm over some 240 mm2.
+    // The volumes of the file are a quarter of the formula; the error is 0.01 mm times about 240
+    // mm².
     EXPECT_NEAR(volume_of(cases() + "curved.step"), (ball + ring + cone + cylinder) / 64.0, 2.4);
 }
 
@@ -156,7 +156,7 @@ TEST(StepInput, AFileWithoutAUnitIsRefused) {
     Folder folder;
     folder.write("air.nc", kAir);
     std::string box = read(cases() + "box.step");
-    // The first of its units.
+    // The first unit of the context.
     const std::string units = "GLOBAL_UNIT_ASSIGNED_CONTEXT";
     const std::size_t at = box.find(units);
     ASSERT_NE(at, std::string::npos);
@@ -168,7 +168,7 @@ TEST(StepInput, AFileWithoutAUnitIsRefused) {
     EXPECT_TRUE(contains(ran.err, "unit")) << ran.err;
 }
 
-// Mutations of a good file: read or refused, never anything else.
+// Mutations of a valid file are read or refused; no crash, no hang.
 TEST(StepInput, DamagedFilesAreReadOrRefused) {
     Folder folder;
     folder.write("air.nc", kAir);
@@ -224,12 +224,12 @@ TEST(StepInput, AFixtureMayBeStep) {
     folder.write("machine.toml", "[[fixture]]\nname = \"clamp\"\nstl = \"box.step\"\n");
     folder.write("box.step", read(cases() + "box.step"));
     const Ran ran = folder.run({"check", "slot.nc", "--machine", "machine.toml"});
-    // The cutter runs through it.
+    // The cutter passes through the clamp.
     EXPECT_EQ(ran.exit_code, 1) << ran.err;
     EXPECT_TRUE(contains(ran.out + ran.err, "clamp")) << ran.out << ran.err;
 }
 
-// As of a build where there is no OpenCASCADE.
+// Simulates a build without OpenCASCADE.
 TEST(StepInput, WithoutItsReaderSaysWhatIsMissing) {
     Folder folder;
     folder.write("air.nc", kAir);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A part in tiles as a folder of meshes: each is open, all of them together are closed.
+// A part in tiles as a folder of meshes: each mesh is open, the union of all meshes is closed.
 #include "cli/run_program.h"
 #include "support/written_mesh.h"
 
@@ -31,7 +31,7 @@ void cut_tiles(const Folder& folder, const Words& program, int of) {
     }
 }
 
-// All of them as one, for somebody who joins equal corners.
+// Joins all meshes and merges equal corners.
 test::WrittenMesh joined(const std::vector<test::WrittenMesh>& meshes) {
     std::map<std::array<float, 3>, std::uint32_t> number;
     for (const test::WrittenMesh& mesh : meshes) {
@@ -53,8 +53,8 @@ test::WrittenMesh joined(const std::vector<test::WrittenMesh>& meshes) {
     return all;
 }
 
-// Directed edges that have no partner: surfaces that touch may pass an edge more than once, there
-// as often as back.
+// Returns the number of directed edges without partner. Touching surfaces may use an edge more than
+// once, equally often in both directions.
 std::size_t open_edges(const test::WrittenMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> net;
     for (const auto& corners : mesh.triangles) {
@@ -70,7 +70,7 @@ std::size_t open_edges(const test::WrittenMesh& mesh) {
     return open;
 }
 
-// The meshes that mold.json names, all as it says.
+// Returns the meshes that mold.json names, after checking the data in mold.json.
 std::vector<test::WrittenMesh> meshes_of(const Folder& folder) {
     std::vector<test::WrittenMesh> meshes;
     const json list = json::parse(folder.read("mold.json"));
@@ -121,7 +121,7 @@ TEST(TileMeshes, AreClosedTogether) {
         EXPECT_EQ(all.repeated, 0U) << test::to_string(all);
         EXPECT_NEAR(all.area, whole.area, 1e-4 * whole.area);
         EXPECT_NEAR(all.volume, whole.volume, 1e-4 * whole.volume);
-        // Again, and the report is that of one run.
+        // A second merge; the report equals the report of a single run.
         const std::string list = folder.read("mold.json");
         ASSERT_EQ(
             folder.run({"merge", "tiles", "-q", "--gltf", "mold", "--threads", "1"}).exit_code, 0);
@@ -140,13 +140,13 @@ TEST(TileMeshes, AreListedOnlyWhereAllAreThere) {
     cut_tiles(folder, {"slot.nc"}, 3);
     ASSERT_EQ(folder.run({"merge", "tiles", "-q", "--gltf", "mold/"}).exit_code, 0);
     ASSERT_TRUE(folder.has("mold.json"));
-    // A folder in the way of the second.
+    // A folder has the name of the second mesh.
     std::filesystem::remove(folder.path() / "mold/0001.glb");
     std::filesystem::create_directories(folder.path() / "mold/0001.glb");
     EXPECT_EQ(folder.run({"merge", "tiles", "-q", "--gltf", "mold/"}).exit_code, 2);
     EXPECT_FALSE(folder.has("mold.json"));
     EXPECT_EQ(folder.files(), (Words{"mold", "slot.nc", "tiles"}));
-    // Without tiles there is one mesh.
+    // Without tiles there is a single mesh.
     EXPECT_EQ(folder.run({"run", "slot.nc", "-q", "--gltf", "mold/"}).exit_code, 2);
 }
 

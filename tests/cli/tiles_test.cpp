@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One part in tiles: the same bytes as in one run, or an error.
+// A part in tiles: the same bytes as in a single run, or an error.
 #include "cli/run_program.h"
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ Ran cut(const Folder& folder, const Words& program, int i, int n, const Words& m
 
 const Words kFormats{"--gltf", "--stl", "--3mf", "--ply", "--vrml", "--png", "--report"};
 
-// What a command writes in all formats, and says.
+// Returns the files of a command in all formats and its output.
 std::vector<std::string> written(const Folder& folder, Words command) {
     for (const std::string& format : kFormats)
         command = command + Words{format, "out" + format};
@@ -62,7 +62,7 @@ std::vector<std::string> written(const Folder& folder, Words command) {
 void expect_one_run(const Folder& folder, const Words& program, int n) {
     SCOPED_TRACE(n);
     const std::vector<std::string> once = written(folder, Words{"run"} + program);
-    // In any order, some of them twice.
+    // Tiles in any order, some twice.
     for (int k = 0; k < n + 2; ++k) {
         const int i = (k * 5 + 3) % n;
         const Ran ran = cut(folder, program, i, n);
@@ -81,7 +81,7 @@ TEST(Tiles, AreOneRun) {
         expect_one_run(folder, {"complex.nc"}, n);
 }
 
-// A tile passes by motions that stay out of it: about an axis, under tip control, on arcs.
+// A tile skips motions that stay outside the tile: rotary moves, moves under tip control, arcs.
 TEST(Tiles, OfToolsThatTurnAreOneRun) {
     const Folder folder;
     std::string around =
@@ -116,8 +116,8 @@ TEST(Tiles, OfToolsThatTurnAreOneRun) {
     }
 }
 
-// Whole turns are known where only a part of them is: bores by helices in lines of half a turn, on
-// the walls between tiles and beside them.
+// Whole turns must be recognised in a tile that sees only a part of a turn: bores by helices in
+// lines of half a turn, on the walls between tiles and next to the walls.
 TEST(Tiles, OfBoresByHelicesAreOneRun) {
     const Folder folder;
     std::string bores =
@@ -133,14 +133,14 @@ TEST(Tiles, OfBoresByHelicesAreOneRun) {
         }
         bores += "G0 Z5.\n";
     }
-    // Half of a turn outside.
+    // Half of the turn is outside the block.
     bores += "G0 X-23. Y3. Z1.\nG1 Z-4.\nG3 Y7. J2.\nG3 Y3. J-2.\nG0 Z5.\n";
     folder.write("bores.nc", bores + "M30\n");
     for (const int n : {2, 7, 64})
         expect_one_run(folder, {"bores.nc"}, n);
 }
 
-// Straight ways in short moves, along and across the walls between tiles, level and up.
+// Straight paths in short moves, along and across the walls between tiles, horizontal and inclined.
 TEST(Tiles, OfStraightWaysInPiecesAreOneRun) {
     const Folder folder;
     std::string ways =
@@ -160,8 +160,8 @@ TEST(Tiles, OfStraightWaysInPiecesAreOneRun) {
         expect_one_run(folder, {"ways.nc"}, n);
 }
 
-// Of so many steps that blocks take in what waits at times, by their number: rows end far outside,
-// with steps that are not near, and what went straight on is told there.
+// Enough steps that blocks flush pending cells by count. Rows end far outside the block, with steps
+// that are not near the block, and a straight path is completed there.
 TEST(Tiles, OfManyStepsAreOneRun) {
     const Folder folder;
     std::string rows =
@@ -181,7 +181,7 @@ TEST(Tiles, KnowWhatWasAsked) {
     const Folder folder;
     folder.write("wave.nc", sample("wave.nc"));
     expect_one_run(folder, {"wave.nc", "--tool-tolerance", "0.3", "--at-line", "60"}, 3);
-    // A program with a subprogram, tools from the command line, in a folder.
+    // A program with a subprogram, with tools from the command line, in a folder.
     std::filesystem::create_directories(folder.path() / "a b");
     folder.write("a b/main.ngc",
                  "G21 G90\nT1 M6\nG0 X-30. Y0. Z5.\nG0 Z-2.\no<cut> call\nG0 Z5.\nM2\n");
@@ -215,7 +215,7 @@ TEST(Tiles, AreCutAgainWhereTheyAreNotWhole) {
         EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut: " + name + "\n");
         EXPECT_TRUE(folder.read(name) == whole);
     }
-    // Of another program, of another file.
+    // Tiles of a different program or a different file.
     folder.write("slot.nc", replaced(kSlot, "Z-2.", "Z-1."));
     EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut: " + name + "\n");
     EXPECT_FALSE(folder.read(name) == whole);
@@ -238,7 +238,7 @@ TEST(Tiles, ThatAreNotOfOnePartAreRefused) {
     ASSERT_EQ(cut(folder, {"slot.nc"}, 1, 3).exit_code, 0);
     EXPECT_EQ(folder.run({"merge", "tiles", "--stl", "a.stl"}).exit_code, 0);
     std::filesystem::remove(folder.path() / "a.stl");
-    // The same twice is no harm, unless it is not the same.
+    // A duplicate tile is permitted if both copies are equal.
     folder.write("tiles/copy.nctile", folder.read(tile_name(1, 3)));
     EXPECT_EQ(folder.run({"merge", "tiles"}).exit_code, 0);
     std::filesystem::remove(folder.path() / "tiles/copy.nctile");
@@ -246,7 +246,7 @@ TEST(Tiles, ThatAreNotOfOnePartAreRefused) {
     refused({}, "it is of another number of tiles");
     std::filesystem::remove(folder.path() / tile_name(0, 2));
     refused({"--json", "a.json"}, "no verdicts");
-    // What was cut is not what would be told of it.
+    // The program differs from the program that the tiles were cut with.
     folder.write("slot.nc", replaced(kSlot, "Z-2.", "Z-1."));
     refused({}, "'slot.nc' is not what it was when the tiles were cut");
     ASSERT_EQ(cut(folder, {"slot.nc"}, 1, 3).exit_code, 0);
@@ -255,7 +255,7 @@ TEST(Tiles, ThatAreNotOfOnePartAreRefused) {
     refused({}, "shards and tiles are not put together");
 }
 
-// Somebody else may have written them.
+// Tile files may come from an untrusted source.
 TEST(Tiles, DoNotSayWhatIsWritten) {
     const Folder folder;
     folder.write("slot.nc", kSlot);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim tools: tool tables, job files and kinematics.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +60,7 @@ TEST(Tools, ThatAreNotDescribedOrNotUsedAreToldAndExitWithOne) {
     EXPECT_EQ(sheet["tools"][1]["described"], false);
     EXPECT_EQ(sheet["tools"][2]["used"], false);
     EXPECT_EQ(sheet["findings"][0]["code"], "tool-unknown");
-    // A tool that is called and never moved is not used; T0 is none.
+    // A tool that is called and never moves is not used; T0 is not a tool.
     folder.write("called.nc",
                  "(T1 D=10. - flat end mill)\nG21 G90 T1 M6 S1 M3\nG0 X0 Y0 Z5\nG1 Z-1 "
                  "F100\nG0 Z5\nT7 M6\nT0 M6\nM30\n");
@@ -128,7 +130,7 @@ TEST(JobFile, RunsTheProgramAgainToTheSameBytes) {
     EXPECT_EQ(folder.read("a.stl"), folder.read("b.stl"));
     EXPECT_EQ(first.out, second.out);
     EXPECT_TRUE(contains(second.err, "from two.toml, line ")) << second.err;
-    // A job saved from a job says the same.
+    // A job saved from a job has the same content.
     const Ran third = folder.run({"tools", "--job", "two.toml", "--save-job", "three.toml"});
     ASSERT_EQ(third.exit_code, 0) << third.err;
     const Ran fourth = folder.run({"run", "--job", "three.toml", "--stl", "c.stl", "-q"});
@@ -208,8 +210,9 @@ TEST(JobFile, TellsWhereAToolCameFromWhateverBytesStandThere) {
     EXPECT_TRUE(contains(ran.out, "T1        flat end mill D6 ")) << ran.out;
 }
 
-// Two moves along the tool of a cradle A with C on it that turn the part by the right hand, from
-// the impeller that comes with LinuxCNC; a move of a millimetre tells nothing, and one elsewhere.
+// Two moves along the tool of a cradle A with C on top that turn the part by the right hand, from
+// the impeller of LinuxCNC. A move of a millimetre gives no evidence; a move in a different
+// direction is evidence against the kinematics.
 TEST(Tools, SayWhatMovesAtTiltedAnglesTellOfXYZ) {
     Folder folder;
     const std::string begin = "(T1 D=3. CR=1.5 - ball end mill)\nG21 G90 T1 M6 S1 M3 F100\n";
@@ -228,14 +231,14 @@ TEST(Tools, SayWhatMovesAtTiltedAnglesTellOfXYZ) {
     const json specified = json::parse(folder.run({"tools", "tip.nc", "--json"}).out)["plunges"];
     EXPECT_EQ(specified, json::parse(R"({"moves": 2, "along_z": 0,
                                     "tip": [{"machines": ["xyzac-trt"], "moves": 2}]})"));
-    // By G43.4, of a table that counts the other way: the part turns by -A, by -C.
+    // With G43.4, for a table of opposite direction: the part turns by -A and -C.
     folder.write("iso.nc", begin +
                                "G43.4 H1\nG0 X0 Y0 Z0 A30 C0\nG1 Y-5 Z8.6602540378\n"
                                "G0 X0 Y0 Z0\nM30\n");
     EXPECT_TRUE(
         contains(folder.run({"tools", "iso.nc"}).out,
                  "  tip     2 along the tool of xyzac-trt with other signs, xyzab-table, 4axis-a"));
-    // Places of axes: down is Z, however the table stands.
+    // Positions of axes: down is Z for any position of the table.
     folder.write("axes.nc", begin + "G0 X0 Y0 Z9 B90\nG1 Z-5\nG0 Z9\nB180\nG1 Z-5\nM30\n");
     EXPECT_TRUE(contains(folder.run({"tools", "axes.nc"}).out, "  axes    3 along Z\n"));
     folder.write("none.nc", begin + "G0 X0 Y0 Z9 B90\nG1 X-5\nY3 Z-20\nM30\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The situations of tests/verdicts/index.json.
+// Rows of tests/verdicts/index.json as parameters of tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ inline const nlohmann::json& verdict_rows() {
     return rows;
 }
 
-/// Returns the name of the test of a row: its program, with a number if it is in several rows.
+/// Returns the test name of a row: the program, with a number if several rows have the program.
 inline std::string name_of_row(const testing::TestParamInfo<std::size_t>& test) {
     const auto program = verdict_rows()[test.param]["program"].get<std::string>();
     std::string name = std::filesystem::path(program).stem().string();

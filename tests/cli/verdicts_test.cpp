@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Small programs that crash a machine in ways that really happen, and some that are fine: each has
-// the verdict of a machinist, and stands in docs/verification.md.
+// Small programs that crash a machine in realistic ways, and programs that are safe: each has the
+// verdict that a machinist would give, and is listed in docs/verification.md.
 #include "cli/run_program.h"
 #include "cli/verdict_table.h"
 
@@ -46,14 +46,14 @@ json check(const json& row, int& exit_code) {
     const Ran ran = folder.run(arguments);
     exit_code = ran.exit_code;
     const json programs = json::parse(folder.read("verdict.json"))["programs"];
-    // Of a file with several programs the one that the row is about.
+    // For a file with several programs, returns the program of the row.
     for (const json& program : programs) {
         if (program["verdict"] == row["verdict"]) return program;
     }
     return programs[0];
 }
 
-// Rules with errors, and reasons for doubt.
+// Returns rules with errors and reasons for doubt.
 std::set<std::string> found(const json& program) {
     std::set<std::string> ids;
     for (const json& f : program["findings"]) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // compare_volumes PATH [--largest BYTES] [--seconds N] [--only TEXT] [--quiet] [--job FILE]
-// [--machine FILE]: is the volume that rays tell (--model dexel) as near to that of the exact model
-// as they say? Of a program, or of every program of a folder, each in a process of its own with N
-// seconds of processor time (60) and 4 GB; a table at the end. What programs do not tell is
-// guessed, as in a draft. Exit code 1 if a volume is farther off than is told, or a program makes
-// either model fail.
+// [--machine FILE]: tests whether the volume by rays (--model dexel) is as near to the volume of
+// the exact model as reported. PATH is a program, or a folder of programs. Each program runs in a
+// separate process with N seconds of processor time (60) and 4 GB. Unspecified values are guessed,
+// as in a draft. A table follows at the end. Exit code 1 if a volume is farther off than reported,
+// if a model fails on a program, or if there is no program.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/job.h"
@@ -45,9 +45,9 @@ constexpr std::array kVerdicts{"within",        "BEYOND", "nothing cut",
 
 struct Comparison {
     Verdict verdict = Verdict::Failed;
-    double exact = 0.0, off = 0.0;  ///< mm³; by how much rays have more.
-    /// What rays tell; and what round tools may leave that those of the exact model, which are
-    /// polygons, do not.
+    double exact = 0.0, off = 0.0;  ///< mm³; `off` is the excess of the volume by rays.
+    /// Error that rays report, and volume that round tools may leave but the polygons of the exact
+    /// model do not (mm³).
     double specified = 0.0, polygons = 0.0;
     std::array<char, 200> why{};
 
@@ -57,7 +57,7 @@ struct Comparison {
         why[length] = '\0';
         std::ranges::replace(why, '\n', ' ');
     }
-    /// The share of what is allowed.
+    /// Returns the share of the permitted difference that is needed.
     double share() const { return std::abs(off) / std::max(specified + polygons, 1e-300); }
 };
 
@@ -65,7 +65,7 @@ double longest_side(const cda::Box& box) {
     return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
 }
 
-// Of what tools left.
+// Returns the area (mm²) of the faces that tools cut.
 double cut_area(cda::Boundary boundary) {
     std::erase_if(boundary.faces,
                   [](const cda::BoundaryFace& face) { return face.origin == cda::kStockOrigin; });
@@ -73,7 +73,7 @@ double cut_area(cda::Boundary boundary) {
 }
 
 struct Specified {
-    std::string job, machine;  ///< Files; empty: none.
+    std::string job, machine;  ///< Paths of files; empty if there is none.
 };
 
 Comparison compare(const std::string& path, const Specified& files) {
@@ -95,7 +95,7 @@ Comparison compare(const std::string& path, const Specified& files) {
         result.say(simulation::reason_against(survey));
         return result;
     }
-    // Polygons so fine that they do not hide what rays miss.
+    // Chooses polygons that are too fine to hide the errors of rays.
     plan.tool_tolerance = std::max(0.01, longest_side(survey.stock->box) / 20'000.0);
     const simulation::Simulation exact = simulation::simulate(plan, survey, {}, {});
     double tool_error = 0.0;
@@ -110,7 +110,7 @@ Comparison compare(const std::string& path, const Specified& files) {
     result.exact = exact.part_volume;
     result.off = rays.part_volume - exact.part_volume;
     result.specified = rays.part_volume_error;
-    // A millionth of a millionth is what sums of doubles may be off by.
+    // Sums of doubles may be off by 1e-12.
     const double rounding = 1e-12 * exact.stock_volume;
     result.verdict = !(std::abs(result.off) <= result.specified + result.polygons + rounding)
                          ? Verdict::Beyond
@@ -124,7 +124,7 @@ void limit(int what, rlim_t most) {
     ::setrlimit(what, &limits);
 }
 
-// In a process of its own.
+// Compares in a separate process.
 Comparison compare_apart(const std::string& path, const Specified& files, unsigned seconds) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
@@ -155,7 +155,7 @@ Comparison compare_apart(const std::string& path, const Specified& files, unsign
     if (!is_there) {
         result = {};
         const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-        // The limit of processor time is the hard one, too: either signal.
+        // The hard limit of processor time equals the soft limit, so either signal is possible.
         if (signal == SIGXCPU || signal == SIGKILL) result.verdict = Verdict::TooSlow;
         result.say("signal " + std::to_string(signal));
     }
@@ -200,7 +200,8 @@ int main(int argc, char** argv) {
     }
     try {
         std::map<std::string, std::array<int, kVerdicts.size()>> table;
-        // Of what is allowed, how much was needed: up to a tenth, a quarter, a half, all of it.
+        // Counts programs by the share of the permitted difference that is needed: up to a tenth, a
+        // quarter, a half, the whole.
         constexpr std::array kShares{0.1, 0.25, 0.5, 1.0};
         std::array<int, kShares.size()> shares{};
         bool is_clean = true;
@@ -243,7 +244,7 @@ int main(int argc, char** argv) {
         for (std::size_t i = 0; i < shares.size(); ++i)
             std::printf("%s at most %g of it: %d", i == 0 ? "" : ",", kShares[i], shares[i]);
         std::printf("\n");
-        // Nothing was compared: nothing was found.
+        // Without a comparison the result is not clean.
         if (programs == 0) is_clean = false;
         return is_clean ? 0 : 1;
     } catch (const std::exception& e) {

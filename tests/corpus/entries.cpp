@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads INDEX.tsv, or searches a folder for programs.
 #include "entries.h"
 
 #include <algorithm>

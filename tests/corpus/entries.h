@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The programs of a folder: those that DIR/INDEX.tsv names, or every file that looks like one.
+// Programs of a folder: the programs in DIR/INDEX.tsv, or every file that looks like a program.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,16 @@ struct Entry {
     std::filesystem::path path;
     std::string name;
     std::string kind = "?";
-    std::string status = "none";      ///< What the reference interpreter said.
-    std::filesystem::path reference;  ///< What it made of it; empty if nothing.
+    std::string status = "none";      ///< Verdict of the reference interpreter.
+    std::filesystem::path reference;  ///< Output of the reference interpreter; empty if there is
+                                      ///< none.
 };
 
-/// By name where there is no index, else as it has them. A program is the only one of itself.
+/// Returns the programs in the order of the index, or sorted by name if there is no index. For the
+/// path of a program, returns only that program.
 std::vector<Entry> entries_of(const std::filesystem::path& directory);
 
-/// Empty if it cannot be read.
+/// Returns the content of a file; empty if the file cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
 }  // namespace ncsim::corpus

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--solid-seconds N] [--only
-// TEXT] [--draft]: what the solids for CAD come to, of a program, or of every program of a folder
-// that leaves one. A line each: whether all its feed moves are lines along Z, level lines and level
-// arcs ("simple"); faces and bytes of the STEP of facets and of that of true surfaces; facets that
-// were kept; seconds of processor time that the cut took, and the solid with cuts made for it; and
-// what ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with 4 GB
-// and --seconds of processor time (60) until it is cut, and twice as many, or --solid-seconds, for
-// the solid, the judge with as many; cut as `ncsim run` does by default, with what a draft would
-// guess if it refuses them, as the message against them tells one to; or as drafts, if --draft is
-// told. Exit code 1 if a solid is not valid, or a program makes ncsim fail.
+// TEXT] [--draft]: makes the solid for CAD of a program, or of every program of a folder, and
+// prints a line per program that leaves a solid, then sums. A line has the verdict of
+// ncsim_read_step (OpenCASCADE); whether all feed moves are lines along Z, level lines and level
+// arcs ("simple"); faces and bytes of the STEP of true surfaces and of the STEP of facets; the
+// facets that are kept; and the seconds of processor time for the cut and for the solid, with the
+// cuts that refine the solid.
+//
+// Each program runs in a separate process with 4 GB. Processor time is limited to --seconds (60)
+// for the cut, and to --solid-seconds (twice as much) each for the solid and for the judge.
+// Programs are cut like `ncsim run` by default. If ncsim refuses a program, values are guessed as
+// in a draft; with --draft all programs are cut as drafts. Exit code 1 if a solid is not valid, if
+// ncsim fails on a program, or if there is no solid.
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/gcode/interpreter.h"
@@ -52,10 +55,10 @@ enum class Outcome : std::uint8_t { Solid, Nothing, Refused, TooSlow, Failed };
 struct Made {
     Outcome outcome = Outcome::Failed;
     bool is_simple = true;
-    std::uint64_t facet_faces = 0, facet_bytes = 0;  ///< Of the solid of facets alone.
+    std::uint64_t facet_faces = 0, facet_bytes = 0;  ///< For the solid of facets alone.
     std::uint64_t faces = 0, bytes = 0;
     std::uint64_t facets_kept = 0;
-    double cut_s = 0.0, solid_s = 0.0;  ///< Of processor time.
+    double cut_s = 0.0, solid_s = 0.0;  ///< Processor time.
     std::array<char, 200> why{};
 
     void say(const std::string& text) {
@@ -78,7 +81,7 @@ bool is_turned(const gcode::Position& p) {
     return p.a != gcode::Angle{} || p.b != gcode::Angle{} || p.c != gcode::Angle{};
 }
 
-// Along Z, or level, with rotary axes at 0?
+// True if the motion is no feed move, or has rotary axes at 0 and is level or along Z.
 bool is_simple(const gcode::Motion& motion) {
     if (motion.kind != gcode::MoveKind::Feed) return true;
     const gcode::Position *from = gcode::start_of(motion), *to = gcode::end_of(motion);
@@ -102,8 +105,8 @@ double seconds_used() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// Writes the solid to `step`, and what the judge is to find beside it. What is known of it as soon
-// as it is cut goes to `has_cut`.
+// Writes the solid to `step` and the values that the judge is to find to an adjacent file. Passes
+// the result so far to `has_cut` as soon as the part is cut.
 template <typename HasCut>
 Made make(const std::string& path, const std::filesystem::path& step, bool is_draft,
           const HasCut& has_cut) {
@@ -181,7 +184,7 @@ void limit(int what, rlim_t now, rlim_t later) {
     ::setrlimit(what, &limits);
 }
 
-// Of processor time as many seconds now, and as many later.
+// Limits processor time to `now` seconds, at most raised to `later` seconds, and limits memory.
 void limit_all(unsigned now, unsigned later) {
     constexpr rlim_t kMemory = 4'000'000'000;
     limit(RLIMIT_CPU, now, later);
@@ -189,12 +192,13 @@ void limit_all(unsigned now, unsigned later) {
     limit(RLIMIT_CORE, 0, 0);
 }
 
-// Where both limits of processor time are equal, either signal.
+// True if the limit of processor time ended the process. If both limits are equal, either signal is
+// possible.
 bool took_too_long(int status) {
     return WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
 }
 
-// In a process of its own.
+// Makes the solid in a separate process.
 Made make_apart(const std::string& path, const std::filesystem::path& step, const Options& o) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
@@ -222,7 +226,7 @@ Made make_apart(const std::string& path, const std::filesystem::path& step, cons
         ::_exit(tell(made) ? 0 : 1);
     }
     ::close(ends[1]);
-    // The last one that it told.
+    // The last result that the process sent counts.
     Made made, specified;
     bool is_there = false;
     while (::read(ends[0], &specified, sizeof specified) ==
@@ -242,7 +246,7 @@ Made make_apart(const std::string& path, const std::filesystem::path& step, cons
     return made;
 }
 
-// What it says against the file: nothing, if it is valid.
+// Returns the message of the judge about the file; empty if the solid is valid.
 std::string judged(const std::string& judge, const std::filesystem::path& step, unsigned seconds,
                    bool& has_judged) {
     const std::filesystem::path said = std::filesystem::path(step).replace_extension(".said");
@@ -268,7 +272,7 @@ std::string judged(const std::string& judge, const std::filesystem::path& step, 
     return text.empty() ? "the judge came down" : text;
 }
 
-// Of a kind of programs.
+// Sums over a kind of programs.
 struct Sum {
     int solids = 0, whole = 0;
     double cut_s = 0.0, solid_s = 0.0;
@@ -295,7 +299,8 @@ std::uint64_t median_of(const std::vector<Made>& all, const Of& of) {
     return values[values.size() / 2];
 }
 
-// Of each a line, then the sums. Is nothing wrong?
+// Prints a line per program, then the sums. Returns true if all solids are valid, ncsim never
+// fails, and there is a solid.
 bool judge_all(const Options& o, const std::filesystem::path& folder) {
     const std::filesystem::path step = folder / "part.step";
     std::vector<Made> all;

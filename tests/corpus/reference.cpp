@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parses the canonical functions of a reference, and compares events.
 #include "reference.h"
 
 #include "ncsim/gcode/print.h"
@@ -278,7 +280,8 @@ void put_into_machine(std::vector<Event>& events, const gcode::WorkOffset& workp
 
 namespace {
 
-/// 1e-5 in the units of the program, and what nine printed digits leave of large numbers.
+/// True if `a` and `b` differ by at most 1e-5 in the units of the program, plus the rounding of
+/// large numbers to nine printed digits.
 bool near(double a, double b, double unit) {
     return std::abs(a - b) <= 1e-5 * unit + 1e-9 * std::max(std::abs(a), std::abs(b));
 }
@@ -321,9 +324,9 @@ const char* difference(const Event& a, const Event& b, bool geometry_only) {
     const double unit = b.inches ? 25.4 : 1.0;
     if (a.call != b.call) return "call";
     if (a.call == Call::Dwell || a.call == Call::ToolChange || a.call == Call::Spline) {
-        // The reference prints a spline as the number of its points, those of G6.2 as the number of
-        // its knots, without where it ends.
-        const double knots = std::max(a.knots, b.knots);  // only ours has them
+        // The reference prints a spline as the number of its points, for G6.2 as the number of its
+        // knots, without the spline's end.
+        const double knots = std::max(a.knots, b.knots);  // only events of ncsim have knots
         if (knots != 0.0 && (near(knots, a.value, 1.0) || near(knots, b.value, 1.0)))
             return nullptr;
         return near(a.value, b.value, 1.0) ? nullptr : "value";

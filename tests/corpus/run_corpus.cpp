@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// run_corpus DIR [--only TEXT] [--quiet] — runs the programs of a folder and says of each whether
-// it was read, refused, agrees with its reference or differs from it; a table at the end.
+// run_corpus DIR [--only TEXT] [--quiet]: runs the programs of a folder and prints whether each was
+// read, was refused, agrees with its reference or differs. A table follows at the end.
 //
-// DIR/INDEX.tsv, if there, names the programs (below DIR/programs), their kind, and what the
-// reference interpreter said of them ("ok": strict rules must agree; "ok-lenient": the default must
-// agree in geometry; "error": the default should run them). Else every file below DIR that looks
-// like a program is run by the default rules. Exit code 1 if anything differs or takes too long.
+// DIR/INDEX.tsv, if present, lists the programs (below DIR/programs), their kind, and the verdict
+// of the reference interpreter ("ok": strict rules must agree; "ok-lenient": default rules must
+// agree in geometry; "error": default rules should run the program). Otherwise default rules run
+// every file below DIR that looks like a program. Exit code 1 if a program differs or takes too
+// long.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/subprogram_file.h"
 
@@ -29,8 +30,8 @@ namespace {
 
 constexpr double kMostSeconds = 10.0;
 
-/// O-files beside the program, below it, or beside one of its parent folders, under the names that
-/// controls look for.
+/// Returns an O-file, under the names that controls look for, from the folder of the program, from
+/// a folder below, or likewise from up to two parent folders.
 std::optional<gcode::SourceFile> find_file(fs::path directory, const fs::path& top,
                                            std::string_view name) {
     const std::vector<std::string> tries = gcode::subprogram_files(name);
@@ -78,8 +79,8 @@ int main(int argc, char** argv) {
         const gcode::SourceFile file{entry.name, read_file(entry.path)};
         gcode::InterpreterOptions options;
         options.strict = entry.status == "ok";
-        options.work_offsets_specified.fill(true);  // all of them in the machine's zero
-        // What the reference machine was configured with.
+        options.work_offsets_specified.fill(true);  // all work offsets are 0
+        // Settings of the reference machine.
         if (!entry.reference.empty()) {
             options.peck_clearance = 1.0;
             options.starts_with_g99 = true;
@@ -120,13 +121,13 @@ int main(int argc, char** argv) {
             ++(difference ? tally.differ : tally.agree);
             clean = clean && !difference;
         } else {
-            // Ran to its end with some blocks left out, or not to its end at all.
+            // The program ran to its end with some blocks omitted, or stopped before its end.
             const bool stopped = has_error && (result.stopped || result.motions == 0);
             verdict = stopped ? "stopped" : has_error ? "errors" : "read";
             ++(stopped ? tally.stopped : has_error ? tally.with_errors : tally.read);
         }
         if (entry.status == "error") {
-            // The reference refused it: so should the strict rules.
+            // Strict rules should also refuse a program that the reference refused.
             options.strict = true;
             if (!gcode::has_errors(gcode::interpret(file, options, {}).diagnostics)) {
                 ++tally.lax;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays along z alone, with a closed surface of their own.
+//
+// Tests models with rays along Z alone, which build a closed surface of their own.
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/dexel/dexel.h"
@@ -51,7 +52,7 @@ TEST(AlongZ, ABlockIsItself) {
     EXPECT_NEAR(cda::volume(boundary), 600.0, 0.05);
 }
 
-// Slopes are as near as with rays along all axes.
+// Slopes are as accurate as with rays along all axes.
 TEST(AlongZ, ABallLeavesAGrooveOfItsOwnRadius) {
     const auto part = block(0.2);
     part->subtract_sweep(ball(2, {-3, 5, 4}, {13, 5, 4}, 1));
@@ -61,7 +62,7 @@ TEST(AlongZ, ABallLeavesAGrooveOfItsOwnRadius) {
     int found = 0;
     for (const Vec3& v : boundary.vertices) {
         if (v.z > 5.5 || v.z < 0.01 || v.x < 0.3 || v.x > 9.7 || v.y < 0.3 || v.y > 9.7) continue;
-        // Where it is steep, to half a pitch.
+        // Steep slopes are accurate to half a pitch.
         EXPECT_NEAR(std::hypot(v.y - 5, v.z - 6), 2.0, v.z < 4.8 ? 0.015 : 0.1)
             << v.y << ' ' << v.z;
         ++found;
@@ -86,7 +87,7 @@ TEST(AlongZ, AWallIsWithinHalfAPitchAndAPlaneIsFlat) {
     }
 }
 
-// Undercuts, too: what is on a ray is on it.
+// Cuts include undercuts, because a ray stores every interval on it.
 TEST(AlongZ, IsClosedWhateverIsCutAndTheVolumeIsAsNearAsItIsTold) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -131,7 +132,7 @@ TEST(AlongZ, DoesNotDependOnThreads) {
     }
 }
 
-// Of a tool with a short flute among others, with a part looked at after each cut.
+// Some sweeps are of a tool with short flutes. With `looks`, the volume is computed after each cut.
 TEST(AlongZ, DoesNotDependOnWhatElseWaits) {
     const auto cut = [](bool looks) {
         auto part = block(0.25);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the components and polygons of the 256 kinds of grid cells.
 #include "cell_components.h"
 
 #include <gtest/gtest.h>
@@ -31,13 +33,14 @@ TEST(CellComponents, ASingleCornerIsOnePieceAndCornersAtADiagonalAreTwo) {
     EXPECT_EQ(components_of(0).count, 0);
     EXPECT_EQ(components_of(255).count, 0);
     EXPECT_EQ(components_of(0b00000001).count, 1);
-    EXPECT_EQ(components_of(0b00001001).count, 2);  // of a face
-    EXPECT_EQ(components_of(0b10000001).count, 2);  // of the cell
-    EXPECT_EQ(components_of(0b01101001).count, 4);  // every other one
+    EXPECT_EQ(components_of(0b00001001).count, 2);  // diagonal of a face
+    EXPECT_EQ(components_of(0b10000001).count, 2);  // diagonal of the cell
+    EXPECT_EQ(components_of(0b01101001).count, 4);  // every second corner
     EXPECT_EQ(components_of(0b00001111).count, 1);
 }
 
-// Every crossed edge is in one polygon, and each has three edges or more of one piece.
+// Each crossed edge is in exactly one polygon. Each polygon has at least three edges, all of the
+// same piece.
 TEST(CellComponents, PolygonsHaveEachCrossedEdgeOnce) {
     for (int inside = 0; inside < 256; ++inside) {
         SCOPED_TRACE(inside);
@@ -57,7 +60,7 @@ TEST(CellComponents, PolygonsHaveEachCrossedEdgeOnce) {
     }
 }
 
-// What is turned with its cell stays as it is: no axis is special.
+// The number of pieces does not change when the cell is rotated: no axis is special.
 TEST(CellComponents, DoNotDependOnHowTheCellLies) {
     const auto turned = [](int corner) {
         return (corner >> 2 & 1) | (corner & 1) << 1 | (corner >> 1 & 1) << 2;

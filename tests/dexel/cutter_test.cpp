@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows at a time, with rays left out that have nothing there, against each ray by itself.
+//
+// Compares cutting by rows, which skips rays without contact, with cutting each ray separately.
 #include "cutter.h"
 
 #include "support/random.h"
@@ -50,7 +51,7 @@ Rays stock_rays(const Grid& grid, std::size_t axis) {
     return rays;
 }
 
-// Each ray, wherever it is, with nothing left out.
+// Cuts each ray separately, without skipping.
 void cut_slowly(const Grid& grid, Rays& rays, const SweptTool& tool) {
     RowMeeting met;
     for (std::size_t v = 0; v < rays.rows(); ++v) {
@@ -106,7 +107,7 @@ TEST(Cutter, CutsWhatEachRayByItselfLoses) {
                 bodies.emplace_back(tool);
                 cut_slowly(grid, slow, tool);
             }
-            // What is pending is taken away wherever a call ends.
+            // Pending cuts are completed at the end of each call.
             const std::vector<const Body*> all = pointers_to(bodies);
             const auto half = all.begin() + 12;
             Cutter(grid, fast).cut({all.begin(), half}, 0, fast.rows());
@@ -116,7 +117,7 @@ TEST(Cutter, CutsWhatEachRayByItselfLoses) {
     }
 }
 
-// Boxes whose faces are in the same planes: the first that has an end there names it.
+// Boxes have faces in common planes. The first box with an end in a plane names the end.
 TEST(Cutter, TheFirstOfSeveralNamesAnEnd) {
     const Grid grid = grid_of(0.4);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

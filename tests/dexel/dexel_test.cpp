@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the dexel model with rays along all axes.
 #include "ncsim/dexel/dexel.h"
 
 #include "ncsim/cda/check.h"
@@ -39,7 +41,7 @@ TEST(Dexel, ABlockIsItself) {
     const Boundary boundary = part->boundary();
     expect_closed(boundary);
     EXPECT_EQ(boundary.shells, 1U);
-    // Normals are off by 1e-4, so corners by that share of a cell.
+    // Normals are off by 1e-4, so corners are off by that share of a cell.
     EXPECT_NEAR(cda::volume(boundary), 600.0, 0.05);
     const cda::Box bounds = cda::bounds(boundary);
     for (int axis = 0; axis < 3; ++axis) {
@@ -48,8 +50,8 @@ TEST(Dexel, ABlockIsItself) {
     }
 }
 
-// A facing cut that is shallower than the rays are apart: those along X and Y may not see it, and
-// the mean of all directions then lacks two thirds of it.
+// A facing cut is shallower than the pitch. Rays along X and Y may miss the cut; the mean of all
+// directions then lacks two thirds of the removed volume.
 TEST(Dexel, TellsByHowMuchAShallowCutIsMissed) {
     for (const double depth : {0.02, 0.05, 0.1}) {
         const auto part = block(0.5);
@@ -76,8 +78,7 @@ TEST(Dexel, ASlotHasItsWallsAndItsEdges) {
     }
 }
 
-// Walls and slots of a third of a pitch to three, and bodies that lie anyhow: some are missed, and
-// the surface is closed.
+// Boxes of 2 to 8 pitches and random hulls. Thin places are missed, but the surface is closed.
 TEST(Dexel, IsClosedWhateverIsCut) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
@@ -106,8 +107,8 @@ TEST(Dexel, IsClosedWhateverIsCut) {
     }
 }
 
-// Every other one of cells as large as the grid's: corners of the grid at all diagonals, where
-// surfaces touch in edges.
+// Removes random cells as large as the cells of the grid. Corners of the grid then lie on all
+// diagonals, where surfaces touch in edges.
 TEST(Dexel, IsClosedWhereCellsMeetInEdgesAndCorners) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -125,8 +126,8 @@ TEST(Dexel, IsClosedWhereCellsMeetInEdgesAndCorners) {
     }
 }
 
-// The exact model knows better: how much there is, and what is farther than a pitch from where they
-// may differ.
+// Compares with the exact model: the volume, and points farther than a pitch from places where both
+// models may differ.
 TEST(Dexel, HasWhatTheExactPartHas) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
@@ -153,7 +154,7 @@ TEST(Dexel, HasWhatTheExactPartHas) {
         for (int i = 0; i < 500; ++i) {
             const Vec3 p{random.within(0, 10), random.within(0, 10), random.within(0, 6)};
             const bool expected = exact.contains(p);
-            // Where the exact part is the same as far as the nearest ray is, so is this one.
+            // If the exact part is uniform as far as the nearest ray, the dexel part agrees.
             bool is_near = false;
             for (int x = -6; x <= 6; ++x) {
                 for (int y = -6; y <= 6; ++y)
@@ -167,7 +168,7 @@ TEST(Dexel, HasWhatTheExactPartHas) {
     }
 }
 
-// As the thesis has it: with the ends of rays for corners, edges are cut off.
+// Vertices are ends of rays, as in the thesis, so edges are cut off.
 TEST(Dexel, MarchingCubesHaveTheEndsOfRaysAndNoEdges) {
     const auto part = Dexel({1, 0.3, Directions::Three, Mesher::MarchingCubes})
                           .create(mm_box(0, 0, 0, 10, 10, 6), kLattice);
@@ -176,7 +177,7 @@ TEST(Dexel, MarchingCubesHaveTheEndsOfRaysAndNoEdges) {
     const double volume = cda::volume(boundary);
     EXPECT_LT(volume, 540.0 - 0.5);
     EXPECT_GT(volume, 540.0 - 5.0);
-    // Each edge of a triangle has another one along it the other way, but where polygons touch.
+    // Each edge of a triangle has an opposite edge, except where polygons touch.
     expect_closed(boundary);
     for (const Vec3& v : boundary.vertices) {
         EXPECT_GT(v.x, -1e-9);
@@ -241,7 +242,8 @@ TEST(Dexel, RefusesWhatItCannotDo) {
     EXPECT_THROW(static_cast<void>(block(1)->account()), cda::CannotAnswer);
 }
 
-// A ball over a plane, round as it is: the groove's bottom to a unit.
+// A ball moves over a plane as an exact round sweep. Vertices of the groove are within 0.01 mm of
+// the ball.
 TEST(Dexel, ABallLeavesAGrooveOfItsOwnRadius) {
     const auto part = block(0.2);
     cda::RoundSweep sweep;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks of rays with tools left out that are known to stay above, against each ray by itself.
+//
+// Compares cutting by blocks of rays, which skips tools that are known to stay above, with cutting
+// each ray separately.
 #include "open_cutter.h"
 
 #include "cutter.h"
@@ -68,7 +70,7 @@ void expect_same(const Rays& found, const Rays& expected) {
     }
 }
 
-// The lowest that each tool reaches on each ray, one after the other.
+// Cuts each ray at the lowest point that a tool reaches, tool by tool.
 Rays cut_slowly(const Grid& grid, const std::vector<SweptTool>& tools) {
     Rays rays = stock_rays(grid);
     RowMeeting met;
@@ -117,7 +119,8 @@ TEST(OpenCutter, CutsWhatEachRayByItselfLoses) {
     }
 }
 
-// A raster, in pieces of any size: what is left is lower before each of them, and known to be.
+// A raster in pieces of any size. The remaining surface becomes lower with each piece, and the
+// bound is known.
 TEST(OpenCutter, DoesNotDependOnHowManyComeAtOnce) {
     const Grid grid = grid_of(0.2);
     std::vector<SweptTool> tools;
@@ -150,7 +153,7 @@ TEST(OpenCutter, DoesNotDependOnHowManyComeAtOnce) {
         for (std::size_t begin = 0; begin < all.size(); begin += size) {
             const std::span piece =
                 std::span(all).subspan(begin, std::min(size, all.size() - begin));
-            // Bands in any order.
+            // Bands come in any order.
             OpenCutter(grid, rays).cut(piece, 2, rays.bands());
             OpenCutter(grid, rays).cut(piece, 0, 2);
         }
@@ -158,7 +161,7 @@ TEST(OpenCutter, DoesNotDependOnHowManyComeAtOnce) {
     }
 }
 
-// Equal tools, and flat ones at one depth.
+// Equal tools, and flat tools at the same depth.
 TEST(OpenCutter, TheFirstOfSeveralNamesAnEnd) {
     const Grid grid = grid_of(0.2);
     test::Random random(9);

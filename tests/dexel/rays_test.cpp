@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests intervals of rays, packed normals and axes of the grid.
 #include "rays.h"
 
 #include "support/random.h"
@@ -21,7 +23,7 @@ End end_at(std::int32_t at, std::uint32_t motion) {
     return end;
 }
 
-// The slow way: every unit of a short ray by itself, with the motion that left each of its ends.
+// Slow oracle: stores each unit of a short ray separately.
 class UnitByUnit {
 public:
     static constexpr std::int32_t kLength = 60;
@@ -71,7 +73,7 @@ TEST(Ray, HasWhatIsLeftUnitByUnit) {
                 length += expected[i][1] - expected[i][0];
             }
             EXPECT_EQ(ray.length(), length);
-            // The gap has the cut, and ends at material.
+            // The gap contains the cut and ends at material.
             EXPECT_LE(gap.low, low);
             EXPECT_GE(gap.high, high);
             for (std::int32_t i = std::max(gap.low, -1); i < std::min(gap.high, 61); ++i)
@@ -95,7 +97,7 @@ TEST(Ray, NamesTheMotionsThatLeftItsEnds) {
     cut(90, 120, 1);
     cut(40, 50, 2);
     cut(45, 60, 3);
-    cut(92, 95, 4);  // nothing is there
+    cut(92, 95, 4);  // there is no material
     ASSERT_EQ(ray.intervals().size(), 2U);
     EXPECT_EQ(ray.intervals()[0].high.origin, cda::Origin{2});
     EXPECT_EQ(ray.intervals()[1].low.origin, cda::Origin{3});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares exact sweeps of round tools with the tool at many positions.
 #include "round_sweep.h"
 
 #include "support/random.h"
@@ -19,7 +21,8 @@ using cda::Vec3;
 
 constexpr cda::Lattice kLattice{1e-5};
 
-// Of the tool's profile, written apart from what is tested.
+// Returns the radius of the tool's profile at `height` (mm). The code is independent of the tested
+// code.
 double profile_radius(const cda::RoundSweep& tool, double height) {
     if (height >= tool.tip_height) return tool.radius;
     if (tool.is_cone)
@@ -43,7 +46,7 @@ struct Range {
     double high = -std::numeric_limits<double>::infinity();
 };
 
-// Of the tool at rest with its lowest point there.
+// Adds the range of a ray within the tool at rest, with the lowest point of the tool at `tip`.
 void add_at(const cda::RoundSweep& tool, Vec3 tip, std::size_t axis, Vec3 on_ray, Range& range) {
     const auto add = [&](double low, double high) {
         range.low = std::min(range.low, low);
@@ -83,7 +86,7 @@ cda::RoundSweep random_sweep(test::Random& random) {
     if (sweep.height == 0.0) sweep.height = 1.0;
     sweep.from = {random.within(-5, 5), random.within(-5, 5), random.within(-5, 5)};
     sweep.to = sweep.from;
-    // Straight down, level, along an axis, or anyhow.
+    // Motions are straight down, level, along an axis, or arbitrary.
     for (int axis = 0; axis < 3; ++axis) {
         if (!random.one_in(3)) sweep.to[axis] += random.within(-6, 6);
     }
@@ -128,30 +131,30 @@ TEST(SweptTool, MeetsRaysWhereTheToolComesBy) {
         const auto found = meet(tool, axis, coordinate(axis + 1), coordinate(axis + 2));
         SCOPED_TRACE(testing::Message() << trial << " axis " << axis);
         if (expected.low > expected.high) {
-            // Between two steps it may just touch.
+            // Between two steps the tool may just touch the ray.
             if (found) {
                 EXPECT_LT((found->high - found->low) * 1e-5, 0.5);
             }
             continue;
         }
-        // And it may just touch at one.
+        // At a step the tool may just touch the ray.
         if (!found) {
             EXPECT_LT(expected.high - expected.low, 0.01);
             continue;
         }
         ++met;
-        // Steps never reach as far, and where the surface is steep far less.
+        // The range of sampled steps is smaller than the exact range, by far on steep surfaces.
         EXPECT_LE(found->low * 1e-5, expected.low + 1e-7);
         EXPECT_GE(found->high * 1e-5, expected.high - 1e-7);
         EXPECT_NEAR(found->low * 1e-5, expected.low, 0.25);
         EXPECT_NEAR(found->high * 1e-5, expected.high, 0.25);
-        // There the tool is when it is said to be.
+        // At the reported time, the tool is at the reported place.
         for (const auto& [at, s] :
              {std::pair{found->low, found->s_low}, {found->high, found->s_high}}) {
             Range there;
             Vec3 nudged = ray;
             add_at(sweep, sweep.from + s * (sweep.to - sweep.from), axis, nudged, there);
-            if (there.low > there.high) continue;  // on its very rim
+            if (there.low > there.high) continue;  // on the rim
             EXPECT_NEAR(std::min(std::abs(there.low - at * 1e-5), std::abs(there.high - at * 1e-5)),
                         0.0, 1e-4);
         }
@@ -159,7 +162,7 @@ TEST(SweptTool, MeetsRaysWhereTheToolComesBy) {
     EXPECT_GT(met, 400);
 }
 
-// Wherever the surface is smooth, its normal is across what neighbouring rays find.
+// If the surface is smooth, its normal is perpendicular to the slopes between neighbouring rays.
 TEST(SweptTool, NormalsAreAcrossTheSurface) {
     test::Random random(12);
     int smooth = 0;
@@ -174,7 +177,7 @@ TEST(SweptTool, NormalsAreAcrossTheSurface) {
             };
             const double here = at(0, 0);
             if (std::isnan(here)) continue;
-            // By both neighbours at two distances: where these differ, there is an edge between.
+            // Uses both neighbours. If their slopes differ, there is an edge in between.
             const auto slope = [&](double du, double dv) {
                 const double step = du + dv;
                 const double there = (at(du, dv) - here) / step;
@@ -184,7 +187,7 @@ TEST(SweptTool, NormalsAreAcrossTheSurface) {
             };
             const double along_u = slope(50, 0), along_v = slope(0, 50);
             if (std::isnan(along_u) || std::isnan(along_v)) continue;
-            // Steeper than that, ten units are no neighbours.
+            // On a steeper surface, rays 50 units apart are no neighbours.
             if (std::abs(along_u) > 10 || std::abs(along_v) > 10) continue;
             const auto found = meet(tool, axis, u, v);
             const Vec3 n = normalized(
@@ -201,7 +204,8 @@ TEST(SweptTool, NormalsAreAcrossTheSurface) {
     EXPECT_GT(smooth, 5000);
 }
 
-// Two at a time, or as many as this machine can: to the last bit.
+// Results for two rays at a time, and for as many as this machine can process, are equal to the
+// last bit.
 TEST(SweptTool, DoesNotDependOnHowManyRaysAreLookedAtTogether) {
     test::Random random(13);
     std::vector<double> u;
@@ -221,7 +225,7 @@ TEST(SweptTool, DoesNotDependOnHowManyRaysAreLookedAtTogether) {
     }
 }
 
-// On no ray of a block it is below its plane and parabola, nor below the least of them.
+// On no ray of a block is the tool below its plane and parabola, or below the least bound.
 TEST(SweptTool, GetsNoLowerInABlockThanItsBound) {
     test::Random random(15);
     BlockBounds bounds;
@@ -265,7 +269,8 @@ TEST(SweptTool, GetsNoLowerInABlockThanItsBound) {
     EXPECT_GT(near, met / 2);
 }
 
-// One after the other, or the lowest of all; left out where the bound allows it.
+// Compares cutting tool by tool with taking the lowest tool, which skips tools if the bound
+// permits.
 TEST(SweptTool, IsTheLowestOfSeveralWhereItIsLowest) {
     test::Random random(15);
     std::array<double, kBlock> x{}, y{};

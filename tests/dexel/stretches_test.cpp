@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which bodies of a batch go together.
+//
+// Tests which bodies of a batch are cut together.
 #include "stretches.h"
 
 #include <gtest/gtest.h>

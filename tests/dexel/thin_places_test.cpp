@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rays tell about their own limits.
+//
+// Tests the reports of places that are too thin for the rays.
 #include "ncsim/cda/check.h"
 #include "ncsim/dexel/dexel.h"
 
@@ -38,15 +39,15 @@ TEST(ThinPlaces, APlainBlockHasNone) {
     EXPECT_FALSE(found->is_seen_along_z_alone);
 }
 
-// Three pockets with ribs of 0.2 mm between them: of those between rays of 0.4 mm, one has corners
-// of the grid in it and is in the surface, the other is not.
+// Three pockets with two ribs of 0.2 mm in between, and rays of 0.4 mm pitch. Exactly one rib
+// contains corners of the grid and is in the surface.
 TEST(ThinPlaces, ARibBetweenRaysIsTold) {
     const auto part = block(0.4);
     part->subtract_unmeasured(box({1, 1, 2}, {2.7, 9, 7}, 1));
     part->subtract_unmeasured(box({2.9, 1, 2}, {4.9, 9, 7}, 2));
     part->subtract_unmeasured(box({5.1, 1, 2}, {9, 9, 7}, 3));
     const auto found = part->aliasing();
-    // Rays along x, 0.4 mm apart, through 8 × 4 mm of each.
+    // Rays along X, 0.4 mm apart, through 8 × 4 mm of each rib.
     EXPECT_EQ(found->material.count, 400U);
     EXPECT_EQ(found->material.missing, 200U);
     EXPECT_NEAR(found->material.missing_mm3, 0.2 * 8 * 4, 1e-6);
@@ -57,8 +58,8 @@ TEST(ThinPlaces, ARibBetweenRaysIsTold) {
     EXPECT_NEAR(cda::volume(part->boundary()), 600 - 8 * 8 * 4 + 0.2 * 8 * 4, 0.3);
 }
 
-// Wherever the grid lies: a slot wider than the pitch is in the surface, and one of half of it is
-// told.
+// For any position of the grid, a slot wider than the pitch is in the surface, and a slot of half a
+// pitch is reported.
 TEST(ThinPlaces, ASlotIsShownOrTold) {
     for (int i = 0; i < 100; ++i) {
         SCOPED_TRACE(i);
@@ -83,7 +84,7 @@ TEST(ThinPlaces, AlongZAloneWallsAreNotLookedForAndThatIsTold) {
     part->subtract_unmeasured(box({5.1, 1, 2}, {9, 9, 7}, 2));
     EXPECT_TRUE(part->aliasing()->is_seen_along_z_alone);
     EXPECT_EQ(part->aliasing()->material.count, 0U);
-    // But a floor is.
+    // A thin floor is reported.
     part->subtract_unmeasured(box({1, 1, 0.1}, {4, 4, 3}, 3));
     EXPECT_GT(part->aliasing()->material.count, 40U);
     EXPECT_NEAR(part->aliasing()->material.thinnest_mm, 0.1, 1e-9);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boundaries and facets with masks of parts made of boxes.
 #include "box_part.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 
 using cda::Vec3;
 
-// One side of a box: perpendicular to `axis`, at `at`, `outwards` +1 or -1.
+// Side of a box, perpendicular to `axis` at `at`; `outwards` is +1 or -1.
 struct Side {
     std::size_t axis;
     int outwards;
@@ -22,7 +24,7 @@ Side side_of(const GridBox& box, std::size_t axis, int outwards) {
     return {axis, outwards, outwards > 0 ? box.max[axis] : box.min[axis]};
 }
 
-// The corners of `box` on `side`, counter-clockwise seen from where the side's normal points.
+// Returns the corners of `box` on `side`, counter-clockwise seen from the tip of the side's normal.
 std::vector<Vec3> rectangle(const BoxPart& part, const GridBox& box, const Side& side,
                             bool reversed) {
     const std::size_t u = (side.axis + 1) % 3;
@@ -43,7 +45,7 @@ std::vector<Vec3> rectangle(const BoxPart& part, const GridBox& box, const Side&
     return corners;
 }
 
-// The part of `box` that lies in `other`, ignoring the direction `axis`; false if there is none.
+// Clips `box` to `other`, except along `axis`. Returns false if the result is empty.
 bool clip_to(GridBox& box, const GridBox& other, std::size_t axis) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (i == axis) continue;
@@ -54,7 +56,8 @@ bool clip_to(GridBox& box, const GridBox& other, std::size_t axis) {
     return true;
 }
 
-// Does box j take away what it covers of this side of box i? (The facet rule; the stock is i < 0.)
+// True if box j removes the area that it covers on this side of box i, by the facet rule. The stock
+// has i < 0.
 bool masks_side(const Side& side, int i, const GridBox& j_box, int j) {
     if (j_box.min[side.axis] < side.at && side.at < j_box.max[side.axis]) return true;
     const bool same = side_of(j_box, side.axis, side.outwards).at == side.at;
@@ -98,7 +101,8 @@ void draw_box(cda::FacetCanvas& canvas, const BoxPart& part, int i) {
 constexpr int kOutside = -2;
 constexpr int kMaterial = -1;
 
-// Faces that share a vertex are of one shell: parts that only touch do not occur here.
+// Numbers the shells. Faces that share a vertex belong to the same shell, because parts that only
+// touch do not occur here.
 void number_shells(cda::Boundary& boundary) {
     constexpr std::uint32_t kNone = 0xFFFFFFFF;
     std::vector<std::vector<std::size_t>> faces_at(boundary.vertices.size());
@@ -127,7 +131,8 @@ void number_shells(cda::Boundary& boundary) {
     }
 }
 
-// What is in a cell: material, nothing (the cut that took it), or not even stock.
+// Returns the state of a cell: the number of the cut that removed its material, `kMaterial`, or
+// `kOutside` of the stock.
 int state_of(const BoxPart& part, std::array<int, 3> cell) {
     if (!part.stock.contains_cell(cell)) return kOutside;
     for (std::size_t i = 0; i < part.cuts.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts made of boxes on an integer grid, tilted as a whole: everything about them can be said
-// without the geometry kernel, so they are what the renderers and writers are tested with.
+// Parts made of boxes on an integer grid, tilted as a whole. Tests of renderers and writers use the
+// parts because all properties are known without the geometry kernel.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -20,8 +20,8 @@ struct GridBox {
     bool contains_cell(std::array<int, 3> cell) const;
 };
 
-/// A stock box and the boxes that were cut from it, in this order; box i has Origin{i + 1}. `X_WG`
-/// is columns of a rotation followed by a shift: it takes the grid to the workpiece.
+/// A stock box and the boxes that are cut from the stock, in this order; box i has Origin{i + 1}.
+/// `axes` (the columns of a rotation), `cell_mm` and `shift` map the grid to the workpiece.
 struct BoxPart {
     GridBox stock;
     std::vector<GridBox> cuts;
@@ -30,15 +30,15 @@ struct BoxPart {
     cda::Vec3 shift;
 
     cda::Vec3 to_W(cda::Vec3 p_G) const;
-    /// Rotated by rational angles (no sine): 3-4-5 about z, then 5-12-13 about x.
+    /// Returns the part, rotated by rational angles (no sine): 3-4-5 about Z, then 5-12-13 about X.
     BoxPart tilted() const;
 };
 
-/// The surface of the part, a square face for each side of a cell that shows. Cells that touch
-/// in an edge only have no place in a Boundary and must not occur.
+/// Returns the surface of the part: a square face for each exposed side of a cell.
+/// Requires: no two cells touch only in an edge, because a Boundary cannot represent that contact.
 cda::Boundary boundary_of(const BoxPart& part);
 
-/// Facets with masks, by the facet rule for axis-parallel boxes.
+/// Model that renders facets with masks, by the facet rule for axis-parallel boxes.
 class BoxModel : public cda::WorkpieceModel {
 public:
     explicit BoxModel(BoxPart part) : part_(std::move(part)) {}
@@ -60,21 +60,23 @@ private:
     cda::Lattice lattice_;
 };
 
-/// 60 × 40 × 20 with a groove in three abutting passes, a slot across it and a blind pocket.
+/// Returns 60 × 40 × 20 mm with a groove in three abutting passes, a slot across the groove and a
+/// blind pocket.
 BoxPart grooved_part();
-/// Six times eight passes of a raster, abutting and crossing.
+/// Returns a part cut by six times eight passes of a raster, which abut and cross.
 BoxPart raster_part();
-/// With a void inside that no tool could have reached: two shells, one solid.
+/// Returns a part with a void inside that no tool could reach: two shells, one solid.
 BoxPart hollow_part();
-/// Cut in two: two shells, two solids.
+/// Returns a part that is cut in two: two shells, two solids.
 BoxPart halved_part();
-/// Nothing is left of it.
+/// Returns a part that is removed entirely.
 BoxPart vanished_part();
 
-/// Line 10 (i + 1) for cut i; tools 1 and 7 by turns.
+/// Returns line 10 (i + 1) for cut i, with the tools 1 and 7 in turn.
 Provenance provenance_of(const BoxPart& part);
 
-/// A plate with a hole through it: two of its faces have a hole. Lines 0 (outside) and 20.
+/// Returns a plate with a through hole, so two faces have a hole. The outside is stock; Origin{1}
+/// cut the hole.
 cda::Boundary plate_with_hole();
 
 }  // namespace ncsim::exporter::test

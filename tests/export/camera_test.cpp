@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the frames and the extents of cameras.
 #include "ncsim/export/camera.h"
 
 #include "render/visibility.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests sections as DXF and SVG.
 #include "ncsim/export/drawing.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +17,8 @@ using brep::FlatEllipse;
 using brep::FlatLine;
 using brep::Section;
 
-// A half disc of radius 5 on the line from (-5, 0), cut by T3, on stock; in it a hole.
+// Returns a half disc of radius 5: the line from (-5, 0) is stock, and T3 cut the arc. The disc has
+// a hole.
 Section half_disc() {
     Section section;
     section.plane = {2, -4.0};
@@ -62,7 +65,7 @@ TEST(Dxf, NamesOtherAlphabetsByNumber) {
     EXPECT_NE(out.str().find("z=-4 of M\\U+00FCller?.nc\n"), std::string::npos) << out.str();
 }
 
-// DXF knows arcs counter-clockwise only.
+// DXF has counter-clockwise arcs only.
 TEST(Dxf, TurnsAnArcAroundThatGoesClockwise) {
     Section section;
     section.outlines = {{{{0, 5}, {5, 0}, FlatArc{{0, 0}, 5.0, false}, cda::Origin{1}},
@@ -85,7 +88,7 @@ TEST(Dxf, DrawsSectionsBesideEachOther) {
     const Section section = half_disc();
     const Provenance from = provenance();
     const std::vector<DrawnSection> two{{&section, &from}, {&section, &from}};
-    // To -5 + 30 = 25, which is 20 from the right end of the first.
+    // The start is at -5 + 30 = 25, which is 20 from the right end of the first section.
     EXPECT_EQ(places_of(two), (std::vector<double>{0.0, 30.0}));
     const std::string text = dxf(two);
     EXPECT_NE(text.find("8\n2-STOCK\n10\n25\n"), std::string::npos);
@@ -97,7 +100,7 @@ TEST(Svg, HasArcsWithUpDown) {
     const Provenance from = provenance();
     const std::string text = svg({{&section, &from}});
     EXPECT_NE(text.find("M-5 0L5 0A5 5 0 0 0 -5 0Z"), std::string::npos) << text;
-    // A whole circle is two halves.
+    // A full circle is written as two halves.
     EXPECT_NE(text.find("M1 -2A1 1 0 1 1 -1 -2A1 1 0 1 1 1 -2Z"), std::string::npos) << text;
     EXPECT_NE(text.find("a&amp;b.nc"), std::string::npos);
 }

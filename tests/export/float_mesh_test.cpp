@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests that meshes stay closed when coordinates are rounded to floats.
 #include "mesh/float_mesh.h"
 
 #include "ncsim/cda/check.h"
@@ -36,7 +38,7 @@ TriangleMesh placed(TriangleMesh mesh, double scale, Vec3 shift) {
     return mesh;
 }
 
-// Both, with what stands in `same` of the second being vertices of the first.
+// Returns both meshes. `same` lists vertices of `b` with the vertices of `a` that replace them.
 TriangleMesh united(TriangleMesh a, const TriangleMesh& b,
                     const std::vector<std::array<std::uint32_t, 2>>& same = {}) {
     const auto first = static_cast<std::uint32_t>(a.vertices.size());
@@ -61,7 +63,7 @@ Soundness written(const TriangleMesh& mesh) {
     return ncsim::test::soundness(ncsim::test::read_stl(out.str()));
 }
 
-// The distance between floats just below the largest coordinate.
+// Returns the distance between floats just below the largest coordinate.
 double step_of(const TriangleMesh& mesh) {
     double largest = 0.0;
     for (const Vec3& v : mesh.vertices)
@@ -69,7 +71,7 @@ double step_of(const TriangleMesh& mesh) {
     return std::ldexp(1.0, std::ilogb(largest) - 23);
 }
 
-// How many steps a corner is from the float that is nearest to where it should be.
+// Returns how many steps a corner is at most from the float nearest to its exact place.
 int farthest_moved(const TriangleMesh& mesh) {
     const FloatMesh rounded = round_to_floats(mesh);
     const double step = step_of(mesh);
@@ -99,8 +101,8 @@ TEST(FloatMesh, NothingHappensToAMeshThatFloatsCanTell) {
     }
 }
 
-// Enough for several tasks of each step: cubes of which every second one touches the next in a
-// corner, every fifth has a needle and every seventh is too small for floats.
+// Enough cubes for several tasks of each step. Every second cube touches the next in a corner,
+// every fifth has a needle, and every seventh is too small for floats.
 TEST(FloatMesh, DoesNotDependOnTheNumberOfThreads) {
     TriangleMesh mesh;
     for (int i = 0; i < 3000; ++i) {
@@ -118,7 +120,7 @@ TEST(FloatMesh, DoesNotDependOnTheNumberOfThreads) {
         const std::size_t triangles = mesh.triangles.size();
         mesh = united(std::move(mesh), next);
         if (i % 2 == 0 || i % 7 == 3 || i % 7 == 4) continue;
-        // Its first corner is one of the cube before.
+        // The first corner is the last corner of the preceding cube.
         for (std::size_t t = triangles; t < mesh.triangles.size(); ++t)
             std::ranges::replace(mesh.triangles[t], count, count - 1);
     }
@@ -141,7 +143,7 @@ TEST(FloatMesh, CoordinatesAreSeenFromTheOrigin) {
 
 TEST(FloatMesh, AnEdgeWithoutLengthInFloatsIsContracted) {
     TriangleMesh mesh = placed(cube(), 10.0, {100, 0, 0});
-    // Beside the corner 5, on the edge to 4: a needle on the top and one on the first side.
+    // Next to the corner 5, on the edge to 4: a needle on the top and a needle on the first side.
     mesh.vertices.push_back({110.0 - 1e-7, 0.0, 10.0});
     mesh.triangles[2] = {4, 8, 6};
     mesh.triangles.push_back({8, 5, 6});
@@ -158,7 +160,7 @@ TEST(FloatMesh, AnEdgeWithoutLengthInFloatsIsContracted) {
 
 TEST(FloatMesh, ATriangleWithoutHeightInFloatsIsCutIntoItsNeighbour) {
     TriangleMesh mesh = placed(cube(), 10.0, {100, 0, 0});
-    // Beside the edge between the top and the first side, on the side.
+    // Next to the edge between the top and the first side, on the side.
     mesh.vertices.push_back({104.0, 0.0, 10.0 - 1e-8});
     mesh.triangles[5] = {0, 5, 8};
     mesh.triangles.push_back({0, 8, 4});
@@ -177,7 +179,8 @@ TEST(FloatMesh, ATriangleWithoutHeightInFloatsIsCutIntoItsNeighbour) {
 }
 
 TEST(FloatMesh, SurfacesThatTouchGetCornersOfTheirOwn) {
-    // Along an edge, with vertices of their own there or with the same ones; in a corner.
+    // Contact along an edge, with separate vertices or with common vertices, and contact in a
+    // corner.
     const TriangleMesh beside = placed(cube(), 1.0, {1, 1, 0});
     const TriangleMesh apart = united(cube(), beside);
     const TriangleMesh at_a_corner = united(cube(), placed(cube(), 1.0, {1, 1, 1}), {{0, 6}});
@@ -193,7 +196,7 @@ TEST(FloatMesh, SurfacesThatTouchGetCornersOfTheirOwn) {
 }
 
 TEST(FloatMesh, AWallThatFloatsCannotTellKeepsBothSides) {
-    // A frame around a hole, 1 nm thick: its two sides cannot become one without a hole in them.
+    // A frame around a hole, 1 nm thick. Its two sides cannot merge without a hole in the surface.
     const cda::Lattice lattice;
     const auto box = [&](cda::LatticePoint min, cda::LatticePoint max) {
         return cda::box_cell(min, max, lattice, cda::Origin{1});
@@ -220,8 +223,8 @@ TEST(FloatMesh, ShellsTooSmallForFloatsVanish) {
     EXPECT_TRUE(round_to_floats({}).triangles.empty());
 }
 
-// As many tetrahedra as a cube of five steps has places, all with a corner in one place: none needs
-// to go farther than the proof says.
+// 100 tetrahedra have a corner in the same place, where a cube of five steps has 125 places. No
+// corner moves farther than the proof states.
 TEST(FloatMesh, CornersInOnePlaceMoveNoFartherThanTheyMust) {
     TriangleMesh mesh;
     ncsim::test::Random random(3);
@@ -266,8 +269,8 @@ TEST(FloatMesh, WhatIsNotClosedIsRefused) {
     EXPECT_THROW(round_to_floats(placed(cube(), std::nan(""), {})), std::runtime_error);
 }
 
-// Parts that are not much larger than the distance between floats: most of what they have falls
-// together, and what holds it together must not.
+// Parts not much larger than the distance between floats. Most corners coincide, but the part must
+// stay connected.
 TEST(FloatMesh, PartsAsSmallAsAFewFloatsStaySound) {
     const TriangleMesh part = cda::triangulate(test::polytope_part().boundary());
     cda::Box box;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is written is read back by giflib's decoder and laid frame over frame, as players do.
+// Reads GIF files back with giflib's decoder and lays frame over frame, as players do.
 #include "ncsim/export/gif.h"
 
 #include <gif_lib.h>
@@ -85,7 +85,7 @@ TEST(GifWriter, FewColoursAreKeptExactly) {
     EXPECT_EQ(film.frames[1], second);
     EXPECT_EQ(film.frames[2], second);
     EXPECT_EQ(film.hundredths[0], 8);
-    // Only what differs is stored: two pixels, then one for a frame without any.
+    // Only differences are stored: two pixels, then a single pixel for a frame without differences.
     EXPECT_EQ(film.pixels[1], 2U);
     EXPECT_EQ(film.pixels[2], 1U);
 }
@@ -105,7 +105,7 @@ TEST(GifWriter, ManyColoursComeNear) {
         const Rgba8 b = seen.pixels[i];
         worst = std::max({worst, std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
     }
-    EXPECT_LE(worst, 16);  // 255 boxes of 16384 colours in a plane: 8 by 8 of them each
+    EXPECT_LE(worst, 16);  // 255 boxes of 16384 colours in a plane: 8 by 8 colours each
 }
 
 TEST(GifWriter, RepeatsForEverAndIsTheSameEachTime) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// That the files are valid is for the Khronos validator to say (gltf/validate.mjs).
+// Tests glTF files. The Khronos validator checks that the files are valid (gltf/validate.mjs).
 #include "ncsim/export/gltf.h"
 
 #include "ncsim/cda/mesh.h"
@@ -48,7 +48,7 @@ TEST(WriteGltf, HasAPrimitiveForEachToolAndTheNameOfTheProgram) {
 }
 
 TEST(WriteGltf, TheNodeMovesTheCentreBackAndTurnsItUpright) {
-    auto part = test::grooved_part();  // 60 × 40 × 20, so its centre is at 30 20 10
+    auto part = test::grooved_part();  // 60 × 40 × 20 mm, with the centre at 30 20 10
     part.shift = {100, 0, 0};
     const std::string glb = written(test::boundary_of(part), test::provenance_of(part));
     EXPECT_TRUE(has(glb, R"("scale":[0.001,0.001,0.001])"));
@@ -67,14 +67,14 @@ struct ReadPrimitive {
     std::vector<std::uint32_t> indices;
 };
 
-// The primitives of the only mesh of a file.
+// Returns the primitives of the only mesh of a file.
 std::vector<ReadPrimitive> primitives_of(const std::string& glb) {
     constexpr std::size_t kHeader = 12, kChunkHeader = 8;
     std::uint32_t length = 0;
     std::memcpy(&length, &glb[kHeader], sizeof length);
     const auto json = nlohmann::json::parse(glb.substr(kHeader + kChunkHeader, length));
     const std::size_t buffer = kHeader + kChunkHeader + length + kChunkHeader;
-    // Copies what an accessor of `size` bytes an element refers to.
+    // Passes each element of an accessor, of `size` bytes, to `put`.
     const auto read = [&](int accessor, std::size_t size, const auto& put) {
         const auto& a = json["accessors"][accessor];
         const auto& view = json["bufferViews"][a["bufferView"].get<int>()];
@@ -96,7 +96,7 @@ std::vector<ReadPrimitive> primitives_of(const std::string& glb) {
         read(attributes["_NC_LINE"], 4, [&](std::size_t i, const char* bytes) {
             std::memcpy(&to.vertices.at(i).line, bytes, 4);
         });
-        // Little-endian, in two bytes or four.
+        // Indices are little-endian, in two bytes or four.
         constexpr int kUnsignedShort = 5123;
         const bool is_short =
             json["accessors"][from["indices"].get<int>()]["componentType"] == kUnsignedShort;
@@ -107,7 +107,7 @@ std::vector<ReadPrimitive> primitives_of(const std::string& glb) {
     return all;
 }
 
-// A roof of two slopes that meet at `rise` over 1, cut by `tool`; the normals written for it.
+// Returns the normals that are written for a roof of two slopes with `rise` over 1, cut by `tool`.
 std::vector<std::array<float, 3>> roof_normals(double rise, std::uint32_t tool) {
     cda::Boundary b;
     b.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {1, 0, rise}, {1, 3, rise}};
@@ -119,7 +119,7 @@ std::vector<std::array<float, 3>> roof_normals(double rise, std::uint32_t tool) 
                {{-rise * s, 0, s}, 0, cut, 0, {{0, 4, 5, 3}}},
                {{rise * s, 0, s}, 2 * rise * s, cut, 0, {{1, 2, 5, 4}}}};
     b.shells = 1;
-    // The last primitive is the tool's.
+    // The last primitive belongs to the tool.
     std::vector<std::array<float, 3>> normals;
     for (const Corner& corner : primitives_of(written(b, {{{}, {5, tool}}, ""})).back().vertices)
         normals.push_back(corner.normal);
@@ -127,8 +127,8 @@ std::vector<std::array<float, 3>> roof_normals(double rise, std::uint32_t tool) 
 }
 
 TEST(WriteGltf, ShadesGentleBendsOfOneToolAsRound) {
-    // At the ridge the two normals of 2 × 10° average to straight up, so both slopes share its two
-    // vertices; at the eaves they stay.
+    // At the ridge the two normals, 2 × 10° apart, average to the vertical, so both slopes share
+    // the ridge's two vertices. At the eaves the normals stay.
     const auto normals = roof_normals(0.176, 3);
     EXPECT_EQ(normals.size(), 6U);
     EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 2);
@@ -156,7 +156,7 @@ TEST(WriteGltf, KeepsSharpEdges) {
     EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 0);
 }
 
-// Equal corners are one vertex, and each triangle has the corners that it had.
+// Equal corners are a single vertex, and each triangle keeps its corners.
 TEST(WriteGltf, CornersWithOneNormalAndOneLineAreOneVertex) {
     for (const auto& part : {test::grooved_part(), test::raster_part().tilted()}) {
         const cda::Boundary boundary = test::boundary_of(part);
@@ -170,7 +170,7 @@ TEST(WriteGltf, CornersWithOneNormalAndOneLineAreOneVertex) {
             triangles += primitive.indices.size() / 3;
             for (const Corner& corner : different)
                 lines.insert(corner.line);
-            // All corners of a triangle are of one face.
+            // All corners of a triangle are of the same face.
             for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {
                 const Corner& first = primitive.vertices.at(primitive.indices[i]);
                 for (std::size_t k = 1; k < 3; ++k) {

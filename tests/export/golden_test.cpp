@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whole pictures against those in golden/.
+// Compares whole pictures with the pictures in golden/.
 #include "support/golden.h"
 
 #include "ncsim/export/render.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Without a tolerance simplify() merges faces, and does nothing else.
+// Tests simplify() without a tolerance, which only merges faces.
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/simplify.h"
@@ -51,8 +51,8 @@ TEST(MergeFaces, APocketIsAHoleInTheFaceAroundIt) {
     EXPECT_EQ(pierced, 1U);
 }
 
-// A block of 4 × 4 × 3 whose top is fourteen squares and two pits, pyramids upside down, that meet
-// in one point in the middle of it.
+// Returns a block of 4 × 4 × 3. Its top is fourteen squares and two pits, inverted pyramids that
+// meet in a point in the middle of the top.
 cda::Boundary block_with_touching_pits() {
     cda::Boundary b;
     const auto top = [](std::uint32_t x, std::uint32_t y) { return 5 * y + x; };
@@ -120,7 +120,7 @@ TEST(MergeFaces, KeepsTheSurfaceClosedAndTheVolume) {
 TEST(MergeFaces, RemembersWhoCutAFace) {
     const Simplified merged = simplify(test::boundary_of(test::grooved_part()), 0.0);
     ASSERT_EQ(merged.origins.size(), merged.boundary.faces.size());
-    // The floor of the groove was cut by three passes.
+    // Three passes cut the floor of the groove.
     const bool found = std::any_of(merged.origins.begin(), merged.origins.end(), [](const auto& o) {
         return o == std::vector{cda::Origin{1}, cda::Origin{2}, cda::Origin{3}};
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rasteriser against OpenGL: OSMesa, and EGL (Mesa's, if no other is installed).
+// Compares the rasteriser with OpenGL: OSMesa, and EGL (Mesa's, unless a different EGL is
+// installed).
 #include "opengl/offscreen_egl.h"
 #include "render/opengl_buffer.h"
 #include "render/visibility.h"
@@ -19,8 +20,8 @@ namespace {
 
 constexpr std::uint32_t kWidth = 320, kHeight = 240;
 
-// A convex polygon in a plane that is not seen edge-on; some reach out of the picture. In
-// perspective, w is linear over the picture, too.
+// Returns a convex polygon in a plane that is not seen edge-on. Some polygons extend beyond the
+// picture. In perspective, w is linear over the picture, too.
 std::vector<ScreenPoint> random_polygon(std::mt19937& random, bool in_perspective) {
     const auto between = [&](double a, double b) {
         return a + (b - a) * (static_cast<double>(random() % 100001) / 100000.0);
@@ -41,7 +42,7 @@ std::vector<ScreenPoint> random_polygon(std::mt19937& random, bool in_perspectiv
     return polygon;
 }
 
-// Samples without an edge in their neighbourhood must see the same; of the others, all but a few.
+// Expects equal samples away from edges, and few differences in total.
 void expect_same(std::span<const SurfaceId> found, std::span<const SurfaceId> expected) {
     ASSERT_EQ(found.size(), expected.size());
     std::size_t different = 0, inside = 0;
@@ -105,7 +106,7 @@ TEST_P(Rasteriser, MasksAsOpenGlDoes) {
     }
 }
 
-// All samples are equal, wherever the rectangle begins and ends.
+// Each sample sees the same surface, whatever the position and the size of the rectangle.
 TEST(RasteriserAlone, WhatASampleSeesDoesNotDependOnTheRectangle) {
     std::mt19937 random(7);
     std::vector<std::vector<ScreenPoint>> polygons;
@@ -132,7 +133,8 @@ TEST(RasteriserAlone, WhatASampleSeesDoesNotDependOnTheRectangle) {
     }
 }
 
-// Triangles of a fan about random points cover each sample once: no gaps, no overlaps.
+// Three triangles around the middle of a random triangle cover each of its samples once: no gaps,
+// no overlaps.
 TEST(RasteriserAlone, NeighboursShareNoSampleAndLeaveNone) {
     std::mt19937 random(11);
     for (int round = 0; round < 50; ++round) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the colours of stock and tools.
 #include "render/palette.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +38,7 @@ TEST(Palette, Tool0ChangesTheColourOfNoOtherTool) {
         EXPECT_EQ(without.colour(entry), with.colour(entry));
 }
 
-// The curve of the standard, which the tests may compute with the C library.
+// The curve of the sRGB standard. Tests may use the C library.
 TEST(Palette, LinearSharesAreThoseOfSrgb) {
     for (int channel = 0; channel < 256; ++channel) {
         const double c = channel / 255.0;

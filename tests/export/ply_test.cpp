@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests PLY files byte by byte.
 #include "ncsim/export/ply.h"
 
 #include "box_part.h"

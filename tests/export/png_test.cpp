@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests PNG files by reading them with libpng.
 #include "ncsim/export/png.h"
 
 #include "support/read_png.h"
@@ -31,7 +33,7 @@ std::string written(const Image& image) {
     return out.str();
 }
 
-// Takes so many bytes, then no more, as a full disk does.
+// Stream buffer that accepts `room` bytes and then fails, like a full disk.
 class FullDisk : public std::streambuf {
 public:
     explicit FullDisk(std::streamsize room) : room_(room) {}

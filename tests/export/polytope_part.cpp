@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuts random polytopes from a block.
 #include "polytope_part.h"
 
 #include <random>
@@ -9,7 +11,8 @@ namespace {
 
 constexpr std::uint32_t kCuts = 40;
 
-// A convex body of 12 random planes 2 to 6 mm from a random point of the upper half of the stock.
+// Returns a convex body of 12 random planes, 2 to 6 mm from a random point in or above the upper
+// half of the stock.
 cda::Cell random_cell(std::mt19937& random, const cda::Lattice& lattice, cda::Origin origin) {
     std::uniform_int_distribution<std::int64_t> component(-1000, 1000);
     const auto between = [&](double a, double b) {
@@ -24,7 +27,8 @@ cda::Cell random_cell(std::mt19937& random, const cda::Lattice& lattice, cda::Or
         cell.planes.push_back(
             cda::canonical(x, y, z, static_cast<std::int64_t>(d / lattice.unit_mm)));
     };
-    // Six about along the axes, so that it is bounded; six anyhow.
+    // Six planes are nearly perpendicular to the axes, so the body is bounded; six more are
+    // arbitrary.
     for (const std::int64_t sign : {-1, 1}) {
         add_plane(sign * 1000, component(random) / 5, component(random) / 5);
         add_plane(component(random) / 5, sign * 1000, component(random) / 5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A part from which convex bodies at random were cut: no two of its planes are parallel, nothing is
-// where a person would have put it.
+// A part from which random convex bodies are cut: no two of its planes are parallel, and no
+// position is regular.
 #pragma once
 
 #include "ncsim/cda/flat.h"
@@ -9,9 +9,9 @@
 
 namespace ncsim::exporter::test {
 
-/// 40 × 30 × 10 less forty polytopes of up to twelve faces each. Always the same.
+/// Returns 40 × 30 × 10 mm less forty polytopes of up to twelve faces each, the same in every call.
 cda::FlatCda polytope_part();
-/// Line i for the i-th of them, five tools by turns.
+/// Returns line i for polytope i, with five tools in turn.
 Provenance provenance_of_polytope_part();
 
 }  // namespace ncsim::exporter::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whatever the program did: what is written is a closed surface for those who have nothing but the
-// file, and the same for both models.
+// Random programs: the surface in the written file is closed, whatever the program does, and the
+// same for both models.
 #include "support/random_programs.h"
 
 #include "ncsim/cda/flat.h"
@@ -52,7 +52,7 @@ std::string vrml_of(const MilledPart& part) {
 void expect_sound(const ncsim::test::WrittenMesh& mesh, const MilledPart& part) {
     const Soundness found = ncsim::test::soundness(mesh);
     EXPECT_TRUE(found.is_sound()) << to_string(found);
-    // No corner is farther than half a float and a step from where it should be.
+    // Each corner is within half a float and a step of its exact place.
     const double step = std::ldexp(1.0, std::ilogb(found.largest) - 23);
     EXPECT_NEAR(found.volume, part.volume, 2.0 * step * found.area);
 }
@@ -66,7 +66,8 @@ TEST(RandomPrograms, LeaveAClosedSurfaceInFloats) {
     }
 }
 
-// Two moves of an engraver: an edge that rounding laid upon another one stood four times.
+// Two moves of an engraver. Rounding lays an edge upon a second edge, which must not occur four
+// times in the file.
 TEST(RandomPrograms, TwoMovesOfAnEngraverLeaveAClosedSurface) {
     const NcProgram program{.text =
                                 "G21 G90 G17\n"
@@ -85,7 +86,7 @@ TEST(RandomPrograms, TwoMovesOfAnEngraverLeaveAClosedSurface) {
     expect_sound(ncsim::test::read_glb(glb_of(part)), part);
 }
 
-// Hulls of a turning tool have corners that are the same but for the last bits.
+// Hulls of a rotating tool have corners that are equal except for the last bits.
 TEST(RandomPrograms, OfTurningToolsAreTheSameForBothModels) {
     for (const std::uint64_t seed : {14, 30, 75, 97}) {
         SCOPED_TRACE(seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_3mf <folder>: every .3mf in the folder is read by lib3mf without warnings, as one closed and
-// oriented mesh with the volume that the .expect file beside it names.
+// read_3mf <folder>: reads every .3mf in the folder with lib3mf. Each file must be read without
+// warnings, as a closed and oriented mesh with the volume in the adjacent .expect file.
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ double volume_of(PLib3MFModelMeshObject* mesh) {
     for (DWORD i = 0; i < vertex_count; ++i) {
         ask(lib3mf_meshobject_getvertex(mesh, i, &vertices[i]), "vertex");
     }
-    // About the first vertex: lib3mf has floats.
+    // Subtracts the first vertex because lib3mf has floats.
     const auto coordinate = [&](DWORD vertex, int axis) {
         return static_cast<double>(vertices[vertex].m_fPosition[axis]) -
                static_cast<double>(vertices[0].m_fPosition[axis]);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_step <folder or file> [--fine]: it, or every .step in the folder, is read by OpenCASCADE as
-// valid closed solids, in millimetres, with the volume (of "solid", where other formats have
-// another one) and the number of faces that the .expect file beside it names. Each face becomes
-// triangles, as programs draw it, and these have the volume, too; one that is hardly wider than
-// chords may be off its arcs becomes triangles by finer chords. --fine: each face has triangles at
-// deflections of 0.1, 0.02 and 0.003 mm, too.
+// read_step <folder or file> [--fine]: reads the file, or every .step in the folder, with
+// OpenCASCADE. The result must be valid closed solids, in millimetres, with the number of faces and
+// the volume in the adjacent .expect file. The volume there is called "solid" if the volume in
+// different formats differs. Each face must become triangles, as programs draw faces, and the
+// triangles must have the volume, too. A face hardly wider than the distance of chords from arcs is
+// triangulated by finer chords. With --fine, each face must also have triangles at deflections of
+// 0.1, 0.02 and 0.003 mm.
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -32,8 +33,8 @@ namespace {
 struct Expectation {
     double volume = 0.0;
     int faces = 0;
-    int solids = 0;      // less than none: so many shells, nobody knows which of them are voids
-    double moved = 0.0;  // mm, by simplification: that times the area may be missing
+    int solids = 0;      // negative: the number of shells, if voids are unknown
+    double moved = 0.0;  // mm, by simplification: the volume may be off by `moved` times the area
 };
 
 Expectation read_expectation(const std::filesystem::path& path) {
@@ -61,11 +62,12 @@ bool all_shells_are_closed(const TopoDS_Shape& shape) {
     return true;
 }
 
-// What is drawn of it: how many faces have no triangles, and what volume is within those of all.
+// The drawing of a shape: the number of faces without triangles, and the volume within all
+// triangles.
 struct Drawn {
     int without = 0;
-    int finer = 0;      // narrow ones, only by finer chords
-    std::string where;  // one of these
+    int finer = 0;      // narrow faces that need finer chords
+    std::string where;  // middle of a face without triangles
     double volume = 0.0;
 };
 
@@ -83,7 +85,7 @@ Handle(Poly_Triangulation) mesh_of(const TopoDS_Shape& face) {
     return BRep_Tool::Triangulation(TopoDS::Face(face), at);
 }
 
-// The chords of two of its edges may cross.
+// True if chords of two edges of the face may cross.
 bool is_narrow(const TopoDS_Shape& face) {
     GProp_GProps surface, edges;
     BRepGProp::SurfaceProperties(face, surface);
@@ -127,7 +129,7 @@ Drawn draw(const TopoDS_Shape& shape) {
     return drawn;
 }
 
-// Number of faces that have no triangles at a deflection.
+// Returns the number of faces that have no triangles at a deflection.
 int undrawn(const TopoDS_Shape& shape, double deflection_mm) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape);
     BRepMesh_IncrementalMesh(copy, deflection_mm, false, kAngleOfChords);
@@ -158,8 +160,8 @@ bool check(const std::filesystem::path& path, bool is_fine) {
     if (shape.IsNull()) return expect(false, "there is nothing in it"), false;
     GProp_GProps properties;
     BRepGProp::VolumeProperties(shape, properties);
-    // Faces with splines around them are integrated roughly, unless it is told how well; that takes
-    // its time.
+    // Integrals over faces with spline edges are rough unless a tolerance is specified, which is
+    // slow.
     if (std::abs(properties.Mass() - expected.volume) > 1e-9 * expected.volume) {
         GProp_GProps better;
         BRepGProp::VolumeProperties(shape, better, 1e-9);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_step_properties <solid.step> <schema> <face name> …: OpenCASCADE's document of the file has
-// the volume, the area and the centroid that it measures itself, a name for the part, and, on the
-// faces, colours and the names that are given.
+// read_step_properties <solid.step> <schema> <face name> …: reads the file as a document of
+// OpenCASCADE. The document must have the volume, the area and the centroid that OpenCASCADE
+// measures, a name for the part, colours on the faces, and a face of each specified name.
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
         TDF_Label label;
         if (shapes->FindSubShape(part, face.Current(), label)) names.insert(name_of(label));
     }
-    // Where all have one, the part may have it.
+    // If all faces have the same colour, the part may have the colour.
     Quantity_Color all;
     expect(coloured == faces || colours->GetColor(shape, XCAFDoc_ColorSurf, all),
            std::to_string(coloured) + " of " + std::to_string(faces) + " faces have a colour");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_vrml <folder>: every .wrl in the folder is read by Coin, encloses the volume that the
-// .expect file beside it names, and has a group for each of its program lines.
+// read_vrml <folder>: reads every .wrl in the folder with Coin. Each file must enclose the volume
+// in the adjacent .expect file, and have a group for each program line and the motions listed
+// there.
 #include <Inventor/SoDB.h>
 #include <Inventor/SoPrimitiveVertex.h>
 #include <Inventor/VRMLnodes/SoVRMLGroup.h>
@@ -22,7 +23,7 @@
 
 namespace {
 
-// What an interpolator drives, at a time.
+// Expected place of a node that an interpolator drives, at a fraction of the cycle.
 struct Moved {
     bool turns = false;
     std::string interpolator, node;
@@ -58,8 +59,8 @@ Expectation read_expectation(const std::filesystem::path& path) {
 
 bool reported_error = false;
 
-// Sums up volumes of tetrahedra over the first point met: far from the origin, floats leave nothing
-// of volumes over the origin.
+// Sums the volumes of tetrahedra over the first vertex. Far from the origin, floats are too coarse
+// for tetrahedra over the origin.
 struct VolumeSum {
     bool has_apex = false;
     SbVec3f apex;
@@ -77,7 +78,7 @@ void add_triangle(void* data, SoCallbackAction*, const SoPrimitiveVertex* a,
     sum->sixfold += static_cast<double>(p.dot(q.cross(r)));
 }
 
-// Through its routes, as when the clock runs.
+// True if the interpolator moves the node through its routes, as when the clock runs.
 bool is_moved(const Moved& moved) {
     SoNode* interpolator = SoNode::getByName(SbName(moved.interpolator.c_str()));
     SoNode* node = SoNode::getByName(SbName(moved.node.c_str()));

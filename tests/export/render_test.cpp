@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares the renderers of models and boundaries, and tests overlays and sampling.
 #include "ncsim/export/render.h"
 
 #include "ncsim/export/png.h"
@@ -29,7 +31,7 @@ int difference(Rgba8 a, Rgba8 b) {
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-// Is there nothing but one colour within two pixels?
+// True if all pixels within two pixels have the same colour.
 bool is_flat(const Image& image, std::uint32_t x, std::uint32_t y) {
     for (std::uint32_t v = y < 2 ? 0 : y - 2; v < std::min(y + 3, image.height); ++v) {
         for (std::uint32_t u = x < 2 ? 0 : x - 2; u < std::min(x + 3, image.width); ++u) {
@@ -41,7 +43,7 @@ bool is_flat(const Image& image, std::uint32_t x, std::uint32_t y) {
 
 struct Comparison {
     std::size_t flat = 0;            // pixels away from edges
-    std::size_t flat_different = 0;  // of these, different ones
+    std::size_t flat_different = 0;  // flat pixels that differ
     std::size_t edge = 0;
     std::size_t edge_different = 0;
 };
@@ -137,7 +139,7 @@ TEST(Render, TellsStockAndToolsApart) {
         const std::array colour{int{p.r}, int{p.g}, int{p.b}};
         if (std::count(colours.begin(), colours.end(), colour) == 0) colours.push_back(colour);
     }
-    // White, stock, two tools; between them only averages.
+    // White, stock and two tools; all further colours are averages.
     std::size_t plain = 0;
     for (const auto& colour : colours) {
         const auto count = std::count_if(image.pixels.begin(), image.pixels.end(), [&](Rgba8 p) {
@@ -148,7 +150,7 @@ TEST(Render, TellsStockAndToolsApart) {
     EXPECT_EQ(plain, 4U);
 }
 
-// The ink of a path, on white.
+// Returns the number of pixels that clearly differ: the ink of a path, on white.
 std::size_t path_pixels(const Image& with, const Image& without) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < with.pixels.size(); ++i)
@@ -188,7 +190,7 @@ cda::Cell box(cda::Vec3 min, cda::Vec3 max, std::uint32_t origin) {
     return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{origin});
 }
 
-// A plate of 40 × 30 × 10 with two slots: few edges, large faces.
+// Returns a plate of 40 × 30 × 10 mm with two slots: few edges, large faces.
 cda::FlatCda slotted_plate() {
     cda::FlatCda part(box({0, 0, 0}, {40, 30, 10}, 0), kLattice);
     part.subtract(box({5, -1, 6}, {14, 31, 11}, 1));
@@ -237,7 +239,7 @@ TEST(Render, OnlyTilesWithEdgesAreSampledAndNoByteShowsIt) {
                             options_for(test::boundary_of(raster), View::Iso));
 }
 
-// Lines, a body that crosses the part, and one through which the part is seen.
+// Lines, and a body that crosses the part, opaque or transparent.
 TEST(Render, OverlaysAndColoursByDepthAreSampledWhereTheyHaveEdges) {
     const cda::FlatCda plate = slotted_plate();
     RenderOptions options = options_for(plate.boundary(), View::Iso, Projection::Perspective);
@@ -260,7 +262,7 @@ TEST(Render, OverlaysAndColoursByDepthAreSampledWhereTheyHaveEdges) {
     }
 }
 
-// A body whose faces cross those of the part where no edge is drawn.
+// The faces of a body cross faces of the part where no edge is drawn.
 TEST(Render, FacesThatCrossEachOtherAreSampled) {
     const cda::FlatCda plate = slotted_plate();
     const RenderOptions options = options_for(plate.boundary(), View::Iso);
@@ -274,7 +276,7 @@ TEST(Render, FacesThatCrossEachOtherAreSampled) {
     expect_same_in_all_ways(plate, kTwoSlots, options, overlay);
 }
 
-// A groove that lies between the middles of pixels is found by its edges.
+// A groove between the middles of pixels is found by its edges.
 TEST(Render, AGrooveNarrowerThanAPixelIsSampled) {
     const cda::FlatCda plain(box({0, 0, 0}, {40, 30, 10}, 0), kLattice);
     const RenderOptions options = options_for(plain.boundary(), View::Top);
@@ -289,7 +291,7 @@ TEST(Render, AGrooveNarrowerThanAPixelIsSampled) {
     }
 }
 
-// 4096 samples at most are drawn at once: 2500 pixels are two by two blocks.
+// At most 4096 samples per side are drawn at once, so 2500 pixels are two by two blocks.
 TEST(Render, TilesHaveNoSeams) {
     const auto part = test::grooved_part().tilted();
     const cda::Boundary boundary = test::boundary_of(part);
@@ -359,12 +361,13 @@ TEST(Render, PathsAreHiddenByWhatStandsBeforeThem) {
         const Overlay overlay{{{{{5, 15, z}, {35, 15, z}}, is_rapid}}, {}};
         return path_pixels(render_boundary(boundary, {}, options, overlay), plain);
     };
-    // 30 mm of 40 in most of 400 pixels. A line on the face itself is seen all along.
+    // The line is 30 mm of 40 mm, which are most of 400 pixels. A line on the face is visible along
+    // its whole length.
     const std::size_t full = ink(12.0, false);
     EXPECT_GT(full, 250U);
     EXPECT_EQ(ink(10.0, false), full);
     EXPECT_EQ(ink(5.0, false), 0U);
-    // Dashes are three fifths of it.
+    // Dashes are three fifths of the line.
     EXPECT_NEAR(static_cast<double>(ink(12.0, true)), 0.6 * static_cast<double>(full),
                 0.1 * static_cast<double>(full));
 }
@@ -379,7 +382,7 @@ TEST(Render, AGhostIsPaleAndItsEdgesAreSeenWhereNothingStands) {
         const Image specified = render_boundary(boundary, {}, options);
         options.ghost_stock = true;
         const Image pale = render_boundary(boundary, {}, options);
-        // Nearer to the background, and not it.
+        // The colour is nearer to the background, but different.
         const auto contrast = [&](const Image& image) {
             return difference(image.at(200, 150), image.at(0, 0));
         };
@@ -389,7 +392,7 @@ TEST(Render, AGhostIsPaleAndItsEdgesAreSeenWhereNothingStands) {
             return path_pixels(render_boundary(boundary, {}, options, {{}, {}, {{box}}}), pale);
         };
         EXPECT_EQ(ink({{0, 0, 0}, {40, 30, 10}}), 0U) << "its faces hide them";
-        // From above, the outline of a larger one stands around it.
+        // Seen from above, the outline of a larger box is around the part.
         EXPECT_GT(ink({{-1, -1, 0}, {41, 31, 10}}), 200U);
         EXPECT_EQ(ink({{1, 1, 1}, {39, 29, 9}}), 0U) << "inside";
     }
@@ -410,8 +413,8 @@ TEST(Render, BothRenderersDrawTheSameOverlay) {
     EXPECT_LE(result.edge_different, result.edge / 50);
 }
 
-// Three tenths of the body and seven of what is behind it, whatever draws; where it is not, nothing
-// changes.
+// Pixels are three tenths of the body and seven tenths of the scene behind, in both renderers.
+// Pixels outside the body do not change.
 TEST(Render, BehindABodyThatIsTransparentThePartIsSeen) {
     const cda::FlatCda model = test::polytope_part();
     const cda::Boundary boundary = model.boundary();

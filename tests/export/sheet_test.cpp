@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests lettering, and sheets of labelled pictures.
 #include "ncsim/export/sheet.h"
 
 #include "render/lettering.h"
@@ -24,7 +26,7 @@ std::vector<LabelledImage> pictures(std::size_t count) {
     return result;
 }
 
-// Pixels as rows of '#', '+' and ' ' by darkness.
+// Returns the pixels as rows of '#', '+' and ' ' by darkness.
 std::string drawn(const Image& image) {
     std::string text(1, '\n');
     for (std::uint32_t y = 0; y < image.height; ++y) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests that simplified boundaries stay closed and within the tolerance.
 #include "ncsim/export/simplify.h"
 
 #include "ncsim/cda/check.h"
@@ -27,7 +29,8 @@ namespace {
 
 using cda::Vec3;
 
-// Distance from a point to a triangle: to its plane inside, to its edges else.
+// Returns the distance from a point to a triangle: to the plane above the inside, otherwise to the
+// edges.
 double distance_to(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
     const Vec3 n = cda::normalized(cda::cross(b - a, c - a));
     const auto left_of = [&](Vec3 from, Vec3 to) {
@@ -45,7 +48,7 @@ double distance_to(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
     return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
 }
 
-// The farthest corner or middle of a triangle of `from` from `to`.
+// Returns the largest distance from `to` of the corners and middles of the triangles of `from`.
 double farthest(const cda::TriangleMesh& from, const cda::TriangleMesh& to) {
     double result = 0.0;
     const auto look = [&](Vec3 p) {
@@ -93,7 +96,7 @@ TEST(Simplify, WithoutToleranceJoinsWhatIsCoplanar) {
 
 TEST(Simplify, JoinsFacetsOfAFlatThatRoundingHasTornApart) {
     cda::Boundary boundary = test::boundary_of(test::grooved_part().tilted());
-    // Every vertex by up to 10 nm, always the same way.
+    // Moves every vertex by up to 5 nm along each axis, the same in each run.
     std::uint32_t state = 1;
     for (Vec3& v : boundary.vertices) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -119,7 +122,7 @@ class SimplifyBy : public testing::TestWithParam<double> {};
 
 INSTANTIATE_TEST_SUITE_P(Tolerances, SimplifyBy, testing::Values(1e-5, 1e-3, 0.1, 0.5));
 
-// The triangles of the shells that are there in `after`, too.
+// Returns the triangles of the shells of `before` that `after` has, too.
 cda::TriangleMesh of_shells_in(const cda::Boundary& after, const cda::Boundary& before) {
     cda::TriangleMesh mesh = cda::triangulate(before);
     cda::TriangleMesh result;
@@ -134,7 +137,7 @@ cda::TriangleMesh of_shells_in(const cda::Boundary& after, const cda::Boundary& 
     return result;
 }
 
-// Nothing about this part is where a person would have put it.
+// No position of this part is regular.
 TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
     const double tolerance = GetParam();
     const cda::Boundary boundary = test::polytope_part().boundary();
@@ -146,17 +149,17 @@ TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
     const cda::TriangleMesh after = cda::triangulate(result.boundary);
     EXPECT_TRUE(cda::check(after).is_closed());
     const double rounding = 1e-9;
-    // Most points are only asked whether they are nearer than the farthest so far. The slow way
-    // says the same.
+    // The code only tests whether most points are nearer than the farthest point so far. The slow
+    // computation gives the same result.
     EXPECT_NEAR(std::max(farthest(before, after), farthest(after, before)), result.deviation_mm,
                 rounding);
     EXPECT_NEAR(cda::volume(after), cda::volume(before),
                 cda::area(boundary) * result.deviation_mm + rounding);
-    // What vanished is thinner than the tolerance.
+    // Shells that vanished are thinner than the tolerance.
     EXPECT_NEAR(cda::volume(before), cda::volume(boundary), cda::area(boundary) * tolerance);
 }
 
-// Parts of hulls of all sizes, needles and flakes among them.
+// Returns a part of hulls of all sizes, with needles and flakes.
 cda::Boundary random_part(std::uint64_t seed) {
     ncsim::test::Random random(seed);
     cda::TreeCda part(ncsim::test::mm_box(0, 0, 0, 20, 20, 10), ncsim::test::kLattice);
@@ -213,8 +216,8 @@ void expect_same(const Simplified& a, const Simplified& b) {
     EXPECT_EQ(a.mesh.face, b.mesh.face);
 }
 
-// A plate with n × n holes of eight sides, turned by `turn` (of 45°), each from a motion of its
-// own.
+// Returns a plate with n × n octagonal holes, rotated by `turn` times 45°. Each hole has a motion
+// of its own.
 cda::Boundary drilled_plate(int n, double turn = 0.3) {
     cda::TreeCda part(ncsim::test::mm_box(0, 0, 0, 20, 20, 10), ncsim::test::kLattice);
     const double pitch = 20.0 / n, radius = 0.3 * pitch;
@@ -245,7 +248,7 @@ TEST(Simplify, RecognisesAPlateWithHolesInWhichNothingIsToSimplify) {
         expect_same(*plain, simplify_any(plate, tolerance, nullptr));
         expect_same(*plain, simplify(plate, tolerance));
     }
-    // Sides of less than the tolerance are not plain.
+    // A boundary with sides below the tolerance is not plain.
     EXPECT_FALSE(as_plain(plate, 2.0, nullptr));
     EXPECT_FALSE(as_plain(test::polytope_part().boundary(), 1e-3, nullptr));
 }

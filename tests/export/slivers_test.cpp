@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the removal of needles, caps and tiny shells from meshes.
 #include "mesh/slivers.h"
 
 #include "ncsim/cda/check.h"
@@ -18,7 +20,7 @@ using cda::TriangleMesh;
 using cda::Vec3;
 using ncsim::test::cube;
 
-// Triangles that are lower than that.
+// Returns the number of triangles lower than `least`.
 std::size_t low(const TriangleMesh& mesh, double least) {
     return static_cast<std::size_t>(
         std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
@@ -32,7 +34,7 @@ std::size_t low(const TriangleMesh& mesh, double least) {
 
 TEST(Slivers, ACapIsCutIntoItsNeighbour) {
     TriangleMesh mesh = cube();
-    // Beside the edge between the top and the first side, on the side: vertex 8.
+    // Vertex 8 is next to the edge between the top and the first side, on the side.
     mesh.vertices.push_back({0.4, 0.0, 1.0 - 1e-6});
     mesh.triangles[5] = {0, 5, 8};
     mesh.triangles.push_back({0, 8, 4});
@@ -50,7 +52,7 @@ TEST(Slivers, ACapIsCutIntoItsNeighbour) {
 
 TEST(Slivers, ANeedleBecomesAnEdgeAndCornersOfThePartStay) {
     TriangleMesh mesh = cube();
-    // Beside the corner 5, on the edge to 4.
+    // Next to the corner 5, on the edge to 4.
     mesh.vertices.push_back({1.0 - 1e-6, 0.0, 1.0});
     mesh.triangles[2] = {4, 8, 6};
     mesh.triangles.push_back({8, 5, 6});
@@ -71,7 +73,7 @@ TEST(Slivers, NothingHappensWithoutATolerance) {
     EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-// Two boxes of which one is thinner than the tolerance.
+// Two boxes, the second thinner than the tolerance.
 TEST(Slivers, AShellSmallerThanTheToleranceVanishes) {
     TriangleMesh mesh = cube();
     const TriangleMesh small = cube();
@@ -88,7 +90,7 @@ TEST(Slivers, AShellSmallerThanTheToleranceVanishes) {
     EXPECT_EQ(mesh.triangles, cube().triangles);
 }
 
-// Some stay: the wedges and fins of a thin wall, which hang together through them.
+// Some slivers stay, because they connect the wedges and fins of a thin wall.
 TEST(Slivers, FewAreLeftOfAPartThatIsFullOfThem) {
     for (const double least : {0.01, 0.04}) {
         TriangleMesh mesh = cda::triangulate(test::polytope_part().boundary());

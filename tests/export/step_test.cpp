@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// That the files are valid solids is for OpenCASCADE to say (read_step.cpp).
+// Tests STEP files. OpenCASCADE checks that the files are valid solids (read_step.cpp).
 #include "ncsim/export/step.h"
 
 #include "box_part.h"
@@ -32,7 +32,7 @@ TEST(WriteStep, ABoxHasSharedPointsEdgesAndDirections) {
     EXPECT_EQ(ncsim::test::count(text, "=EDGE_CURVE("), 12U);
     EXPECT_EQ(ncsim::test::count(text, "=ADVANCED_FACE('STOCK'"), 6U);
     EXPECT_EQ(ncsim::test::count(text, "=DIRECTION("), 6U);
-    // And the origin and the middle of the part.
+    // The count includes the origin and the centroid of the part.
     EXPECT_EQ(ncsim::test::count(text, "=CARTESIAN_POINT("), 10U);
 }
 
@@ -101,7 +101,7 @@ TEST(WriteStep, HangsLinesToolsAndKindOnFacesIfAskedTo) {
     const std::size_t faces = ncsim::test::count(text, "=ADVANCED_FACE(");
     EXPECT_EQ(ncsim::test::count(text, "=GEOMETRIC_ITEM_SPECIFIC_USAGE("), faces);
     EXPECT_EQ(ncsim::test::count(text, "'user defined attribute'"), 3U * faces);
-    // Equal values stand there once.
+    // Equal values are written once.
     EXPECT_EQ(ncsim::test::count(text, "DESCRIPTIVE_REPRESENTATION_ITEM('nc_lines','10 20 30')"),
               1U);
     EXPECT_EQ(ncsim::test::count(text, "DESCRIPTIVE_REPRESENTATION_ITEM('kind','plane')"), 1U);

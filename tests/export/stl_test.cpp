@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests binary STL files: contents, and closed surfaces in floats.
 #include "ncsim/export/stl.h"
 
 #include "ncsim/cda/tree.h"
@@ -35,7 +37,7 @@ float float_at(const std::string& bytes, std::size_t at) {
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kTriangle = 50;
 
-// With the corners a, b, c seen from outside; d is behind them.
+// Returns a tetrahedron with a, b, c counter-clockwise seen from outside, and d behind.
 cda::TriangleMesh tetrahedron(cda::Vec3 a, cda::Vec3 b, cda::Vec3 c, cda::Vec3 d) {
     return {{a, b, c, d}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, {0, 1, 2, 3}};
 }
@@ -66,7 +68,7 @@ std::uint32_t count_of(const std::string& bytes) {
 }
 
 TEST(WriteStl, LeavesOutWhatVanishesInFloats) {
-    // A needle beside an edge of a tetrahedron, and a tetrahedron too thin for floats.
+    // A needle next to an edge of a tetrahedron, and a tetrahedron too thin for floats.
     cda::TriangleMesh mesh = tetrahedron({1e6, 0, 1}, {1e6 + 1, 0, 1}, {1e6, 1, 1}, {1e6, 0, 0});
     mesh.vertices.push_back({1e6 + 1e-9, 1, 1});
     mesh.triangles = {{0, 1, 4}, {0, 4, 2}, {0, 3, 1}, {1, 3, 4}, {4, 3, 2}, {2, 3, 0}};
@@ -83,8 +85,8 @@ TEST(WriteStl, RefusesAMeshThatIsNotClosed) {
                  std::invalid_argument);
 }
 
-// Every edge of the file stands as often in one direction as in the other, and no corner of a
-// triangle twice.
+// Every edge of the file occurs equally often in both directions, and the corners of each triangle
+// differ.
 TEST(WriteStl, StaysClosedInFloats) {
     const cda::TriangleMesh mesh = cda::triangulate(test::polytope_part().boundary());
     const std::string bytes = written(mesh);
@@ -106,14 +108,14 @@ TEST(WriteStl, StaysClosedInFloats) {
         EXPECT_EQ(sum, 0);
 }
 
-// Readers pair edges by coordinates: each must stand once in each direction even where surfaces
+// Readers pair edges by coordinates. Each edge must occur once in each direction even if surfaces
 // touch along edges and in corners.
 TEST(WriteStl, SurfacesThatTouchAreToldApart) {
     const cda::Lattice lattice;
     const auto box = [&](cda::Vec3 min, cda::Vec3 max) {
         return cda::box_cell(lattice.round(min), lattice.round(max), lattice, cda::Origin{1});
     };
-    // Of a block of eight cubes four are left, each touching the others along an edge.
+    // Four cubes of a block of eight are left. Each touches the rest along its edges.
     cda::TreeCda part(box({0, 0, 0}, {2, 2, 2}), lattice);
     for (const cda::Vec3 min : {cda::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}})
         part.subtract(box(min, min + cda::Vec3{1, 1, 1}));

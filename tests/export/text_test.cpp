@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests the UTF-8 filter and the shortest text of numbers.
 #include "formats/text.h"
 
 #include <gtest/gtest.h>

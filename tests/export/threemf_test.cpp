@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// That the files are good 3MF is for lib3mf to say (read_3mf.cpp).
+// Tests 3MF files. lib3mf checks that the files are valid (read_3mf.cpp).
 #include "ncsim/export/threemf.h"
 
 #include "box_part.h"

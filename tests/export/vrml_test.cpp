@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests VRML text: groups, polygons and quoted names.
 #include "ncsim/export/vrml.h"
 
 #include "box_part.h"
@@ -22,7 +24,7 @@ std::string written(const cda::Boundary& boundary, const Provenance& provenance)
     return out.str();
 }
 
-// A square pyramid: one polygon of stock, four triangles cut by lines 7 and 9.
+// Returns a square pyramid: a polygon of stock, and four triangles cut by the lines 7 and 9.
 cda::Boundary pyramid() {
     cda::Boundary b;
     b.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1.5}};
@@ -111,11 +113,11 @@ std::size_t polygons(const std::string& text) {
 
 TEST(WriteVrml, CutsFacesWithHolesIntoTriangles) {
     const std::string text = written(test::plate_with_hole(), {{{}, {20, 3}}, "plate.nc"});
-    // 2 faces of 8 corners and 1 hole are 8 triangles each; 8 squares stay.
+    // Each of the 2 faces with 8 corners and 1 hole becomes 8 triangles; 8 squares stay.
     EXPECT_EQ(polygons(text), 16U + 8U);
 }
 
-// The bottom, the top, and a side for each corner.
+// Returns a prism of height 1: the bottom, the top, and a side for each corner.
 cda::Boundary prism(const std::vector<std::array<double, 2>>& outline) {
     cda::Boundary b;
     const auto n = static_cast<std::uint32_t>(outline.size());
@@ -145,7 +147,7 @@ TEST(WriteVrml, KeepsConcaveFaces) {
 }
 
 TEST(WriteVrml, CutsFacesThatTouchThemselvesIntoTriangles) {
-    // The notch reaches down to the lower edge.
+    // The notch reaches the lower edge.
     const auto notched = prism({{0, 0}, {4, 0}, {4, 3}, {2, 1e-9}, {0, 3}});
     EXPECT_EQ(polygons(written(notched, {})), 3U + 3U + 5U);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_samples <folder>: parts in every format, for readers that nobody here wrote. Beside each
-// part a text of what a reader must find in it: "volume <mm³>" and "lines <numbers, ascending>".
+// write_samples <folder>: writes parts in every format, for independent readers. An .expect file
+// next to each part has the values that a reader must find: "volume <mm³>", "lines <numbers,
+// ascending>", "faces" and "solids".
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/moving_scene.h"
@@ -28,7 +29,8 @@ namespace ncsim::exporter::test {
 
 namespace {
 
-// Creates the file, or throws.
+// Creates the file.
+// Throws: std::ios_base::failure if the file cannot be written.
 std::ofstream create(const std::filesystem::path& path) {
     std::ofstream out(path, std::ios::binary);
     out.exceptions(std::ios::failbit | std::ios::badbit);
@@ -65,7 +67,8 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     expect << "\nfaces " << faces << "\nsolids " << solids << '\n';
 }
 
-// A prism with a notch down to the lower side, and beyond it by rounding. All of it was cut.
+// Returns a prism with a notch that reaches the lower side and, by rounding, beyond. All faces are
+// cut.
 cda::Boundary notched_prism() {
     const std::vector<std::array<double, 2>> outline{{0, 0}, {4, 0}, {4, 3}, {2, -1e-15}, {0, 3}};
     cda::Boundary b;
@@ -88,7 +91,7 @@ cda::Boundary notched_prism() {
     return b;
 }
 
-// The part as both renderers see it.
+// Writes the pictures of the part by both renderers.
 void write_pictures(const std::filesystem::path& stem, const BoxPart& part) {
     const cda::Boundary boundary = boundary_of(part);
     const Provenance provenance = provenance_of(part);
@@ -102,8 +105,8 @@ void write_pictures(const std::filesystem::path& stem, const BoxPart& part) {
     write_png(from_model, render_model(BoxModel(part), provenance, options));
 }
 
-// A table that turns with the part on it, on a slide; and a head with two tools, one after the
-// other.
+// Writes a machine: a slide with a rotary table that carries the part, and a column with two tools
+// in turn.
 void write_machine(const std::filesystem::path& folder) {
     const BoxPart grooved = grooved_part();
     const cda::Boundary part = boundary_of(grooved);
@@ -135,7 +138,8 @@ void write_machine(const std::filesystem::path& folder) {
     std::set<std::uint32_t> lines;
     for (const auto& face : part.faces)
         lines.insert(provenance_of(grooved).of(face.origin).nc_line);
-    // The part comes first in glTF; in VRML all count, however small a Transform makes them.
+    // In glTF the part comes first; in VRML all bodies count, even bodies that a Transform makes
+    // small.
     const double volume = cda::volume(part);
     const auto expect = [&](const char* name, double all) {
         auto out = create(folder / name);
@@ -148,7 +152,8 @@ void write_machine(const std::filesystem::path& folder) {
     expect("machine_gltf.expect", volume) << "\nfaces 25\nsolids 1\n";
     auto glb = create(folder / "machine_gltf.glb");
     write_gltf(glb, part, provenance_of(grooved), scene);
-    // At 2 of 4 seconds: half of the way from 0 to 300 degrees, and at the end of the slide's.
+    // JOINT_A at 2 of 4 seconds is half of the way from 0 to 300 degrees; JOINT_X at 1 second is
+    // half of the way from 5 to 45 mm.
     expect("machine_vrml.expect", 6.0 * volume)
         << "\nturned JOINT_A 0.5 LINK_1_round_table 1 0 0 150"
         << "\nshifted JOINT_X 0.25 LINK_0_slide 25 0 0\n";
@@ -181,7 +186,7 @@ void write_all(const std::filesystem::path& folder) {
     const BoxPart vanished = vanished_part();
     write(folder / "vanished", boundary_of(vanished), provenance_of(vanished), 0, 0);
 
-    // One piece of it hangs in the air.
+    // A piece of the part hangs in the air, so there are two solids.
     write(folder / "polytopes", polytope_part().boundary(), provenance_of_polytope_part(), 0, 2);
 
     write(folder / "notched", notched_prism(), {{{}, {5, 2}}, "notched.nc"}, 0, 1);

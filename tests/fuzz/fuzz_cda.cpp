@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Any bytes are a small scene. Even first byte: boxes on a grid, three bytes a box, against unit
-// cubes. Odd: hulls of six points on a coarse grid (where everything coincides) against the flat
-// aggregate.
+// Reads any bytes as a small scene. If the first byte is even: boxes on a grid, three bytes per
+// box, compared with unit cubes. If odd: hulls of six points on a coarse grid, where everything
+// coincides, compared with the flat aggregate.
 #include "support/scene.h"
 
 #include <array>
@@ -37,7 +37,7 @@ void hulls(const std::uint8_t* data, std::size_t size, std::uint8_t how) {
     for (std::size_t i = 0; i + 2 * kPoints <= size && cells.size() < 6; i += 2 * kPoints) {
         std::vector<cda::LatticePoint> points;
         for (std::size_t k = 0; k < kPoints; ++k) {
-            // Five bits a coordinate: steps of a quarter of a millimetre from −4 mm on.
+            // Five bits per coordinate: steps of 0.25 mm from −4 mm on.
             const unsigned bits = data[i + 2 * k] | static_cast<unsigned>(data[i + 2 * k + 1]) << 8;
             const auto at = [&](unsigned shift) {
                 return (static_cast<std::int64_t>((bits >> shift) & 31U) - 16) * 25000;

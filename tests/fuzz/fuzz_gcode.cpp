@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Any bytes are a program: lexer, parser and interpreter must end, within their limits, and make
-// no motion with a coordinate that is no number. The first byte chooses the rules.
+// Reads any bytes as a program. Lexer, parser and interpreter must end within their limits, and
+// make no motion with a coordinate that is not a number. The first byte selects the rules.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Any bytes are a stock file: reading it must end, and what is no stock must be refused. What is
-// one is cut, if it is small, and must have a closed surface.
+// Reads any bytes as a stock file. Reading must end, and a file that is no stock must be refused. A
+// small stock is cut and must have a closed surface.
 #include "ncsim/cda/shape.h"
 
 #include "support/scene.h"
@@ -29,8 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const cda::TreeCda prototype;
         const auto part = cda::create(prototype, shape);
         const cda::TreeCda block(shape.outer, shape.lattice);
-        // Corners are rounded to 2^-24 of a unit, which counts where all of it is a few units
-        // large.
+        // Corners are rounded to 2^-24 of a unit, which counts if the stock is a few units large.
         const cda::Vec3 extent = shape.outer.bounds.size();
         const double area = 2.0 * (extent.x * extent.y + extent.y * extent.z + extent.z * extent.x);
         test::sound_boundary(dynamic_cast<const cda::TreeCda&>(*part),

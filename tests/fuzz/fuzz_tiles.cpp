@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Any bytes, with a digest that fits, are the file of a tile: reading it must end, and what is no
-// tile must be refused. What is one has a volume, and a closed surface or none. What it has seen
-// comes back as it was written.
+// Reads any bytes, with a digest that fits, as the file of a tile. Reading must end, and a file
+// that is no tile must be refused. A tile has a volume, and a closed surface or none. Its evidence
+// is read back as written.
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tiles.h"
 #include "ncsim/report/tile_file.h"
@@ -21,7 +21,7 @@
 
 namespace {
 
-// Nobody guesses SHA-256.
+// Returns a constant digest, because a fuzzer cannot guess SHA-256.
 std::string no_digest(std::string_view) {
     return std::string(64, '0');
 }
@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<std::string> tiles;
     try {
         report::TileFile file = report::tile_file_from(bytes, "fuzz", no_digest);
-        // What was read is written as it was understood.
+        // A file that is read must be written with the same content.
         const report::TileFile again =
             report::tile_file_from(report::bytes_of(file, no_digest), "again", no_digest);
         if (again.head != file.head || again.met != file.met || again.tile != file.tile ||
@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (verify::evidence_from(verify::bytes_of(seen)) != seen) std::abort();
             if (verify::together({seen, {}}).size() > seen.size()) std::abort();
         } catch (const std::invalid_argument&) {
-            // Nobody saw that.
+            // The bytes are no evidence.
         }
         tiles.push_back(std::move(file.tile));
     } catch (const std::runtime_error&) {
@@ -65,17 +65,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         (void)part->volume();
     } catch (const std::logic_error&) {
-        // Nobody asked for it.
+        // The tile has no answer to this query.
     }
     try {
         if (!cda::is_closed(part->boundary())) std::abort();
     } catch (const std::runtime_error&) {
-        // It is the surface of nothing.
+        // The tile's pieces have no closed surface.
     }
     try {
         (void)all->surface(0, test::kLattice);
     } catch (const std::runtime_error&) {
-        // Nor is a part of it.
+        // The tile's pieces have no surface.
     }
     return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Any bytes are comments about tools, or a tool table: reading them must end, and every tool that
-// comes out must be one that can be made. The first byte chooses what they are taken for.
+// Reads any bytes as comments about tools, or as a tool table. Reading must end, and every
+// resulting tool must be possible to make. The first byte selects the kind and the units.
 #include "ncsim/toolpath/tool_file.h"
 #include "ncsim/toolpath/tool_table.h"
 

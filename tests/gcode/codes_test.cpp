@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every code, and every trap in which one control differs from another, as a line each: what stands
-// in the program, what the machine makes of it. Behind "!" stand the codes of what was said about
-// it.
+// Each code, and each situation in which controls differ, as a line: the block and the resulting
+// motions. Codes of messages follow "!".
 #include "control/codes.h"
 
 #include "ncsim/gcode/interpreter.h"
@@ -27,7 +26,8 @@ struct Case {
     const char* made;
 };
 
-// The program between a start at the origin (metric, F100) and an end; one motion behind the other.
+// Runs the block between a start at the origin (metric, F100) and an end; returns the motions in
+// order.
 std::string made_of(const Case& c) {
     std::string text = std::string("G21 G90 G17 F100\nG0 X0 Y0 Z0\n") + c.program + "\nM2\n";
     std::ranges::replace(text, '~', '\n');
@@ -89,7 +89,7 @@ const std::vector<Case>& codes() {
         {"G4", By::Fanuc, "G4 P1500", "dwell 1.5"},
         {"G4", By::Fanuc, "G4 P1.5", "dwell 1.5"},
         {"G4", By::Fanuc, "G4 X1.5", "dwell 1.5"},
-        // A time is neither a spindle speed (Marlin, RepRapFirmware) nor a feed.
+        // The S of a dwell is neither a spindle speed (Marlin, RepRapFirmware) nor a feed.
         {"G4", By::Default, "S500 M3~G4 S3~G1 X1", "dwell 3; feed X1 Y0 Z0 F100 S500"},
         {"G4", By::Default, "G4 F2~G1 X1", "dwell 2; feed X1 Y0 Z0 F100"},
         {"G4", By::Default, "G4 P2 F50~G1 X1", "dwell 2; feed X1 Y0 Z0 F50"},
@@ -332,7 +332,7 @@ TEST(Codes, DoWhatTheyDoOnAMachine) {
     expect_all(codes());
 }
 
-// Groups whose codes are all alike, and need no line of their own each.
+// Codes of a group that behave alike; a single case covers the group.
 void expect_like_its_group(const std::string& name, Group group) {
     const std::string text = name + "~G1 X1";
     const std::string made = made_of({name.c_str(), By::Default, text.c_str(), ""});
@@ -477,8 +477,8 @@ TEST(Traps, AreNotSteppedInto) {
         {"20 M6 without T", By::Default, "M6~G0 X1", "rapid X1 Y0 Z0"},
         {"21 entry longer than the radius", By::Default, "T1 M6~G41 D1~G1 X1",
          "tool 1 at X0 Y0 Z0 ! error compensation-entry"},
-        // Fanuc and Haas set the tool square to the next move; the entry may be short, and is
-        // straight.
+        // Fanuc and Haas offset the tool perpendicular to the next move; the lead-in may be short,
+        // and is straight.
         {"21 entry square to the next move", By::Fanuc, "T1 M6~G41 D1 G1 X10. Y0~Y20.~G40 X30.",
          "tool 1 at X0 Y0 Z0; feed X8 Y0 Z0 F100 T1; feed X8 Y20 Z0 F100 T1; "
          "feed X30 Y20 Z0 F100 T1"},
@@ -488,7 +488,7 @@ TEST(Traps, AreNotSteppedInto) {
         {"21 short entry", By::Haas, "T1 M6~G41 D1 G1 X1. Y0~G3 X1. Y20. J10.~G40 G1 X30.",
          "tool 1 at X0 Y0 Z0; feed X1 Y2 Z0 F100 T1; "
          "arc XY X1 Y18 Z0 centre 1 10 turns 1 F100 T1; feed X30 Y20 Z0 F100 T1"},
-        // G40 alone waits for a move in the plane.
+        // G40 alone takes effect at the next move in the plane.
         {"21 G40 alone", By::Haas, "T1 M6~G41 D1 G1 X1. Y0~G3 X1. Y20. J10.~G40~G0 Z5.~X30.",
          "tool 1 at X0 Y0 Z0; feed X1 Y2 Z0 F100 T1; "
          "arc XY X1 Y18 Z0 centre 1 10 turns 1 F100 T1; rapid X1 Y18 Z5 T1; rapid X30 Y20 Z5 T1"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Codes and parts of the language that a program uses and a control lacks.
+// Codes and language elements that a program uses and a control lacks.
 #include "ncsim/gcode/control_codes.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 namespace ncsim::gcode {
 namespace {
 
-// "G81 3:1 x2, M6? 1:4 x1": what, place of the first, how often; '?' for options, '*' for unknown.
+// Returns missing codes as "G81 3:1 x2, M6? 1:4 x1": code, position of the first use, number of
+// uses; '?' for options, '*' for unknown.
 std::string lacking(const std::string& control, const std::string& program) {
     std::string text;
     for (const CodeUse& use : lacking_codes({"p.nc", program}, *find_control_codes(control))) {
@@ -45,7 +46,7 @@ TEST(ControlCodes, KnowWordsOfOtherControlsApart) {
     EXPECT_EQ(lacking("haas", "G187 P1\nG154 P3\n"), "");
 }
 
-// Silence would be taken for "all codes are there".
+// No report would mean "the control has all codes".
 TEST(ControlCodes, ThatCannotBeJudgedAreNamed) {
     EXPECT_EQ(lacking("fanuc", "G1 X5\nG#100 X6\nM[1+2]\n"), "codes by expressions* 2:1 x2");
     EXPECT_EQ(lacking("linuxcnc", "G1 X[ Y5\nG1 X2\n"), "lines that ncsim cannot read* 1:1 x1");
@@ -56,7 +57,7 @@ TEST(ControlCodes, ThatCannotBeJudgedAreNamed) {
     EXPECT_EQ(lacking("fluidnc", "G1 X1 A90\n"), "");
 }
 
-// A row without a source, or with codes that no reader of the row can make, is a mistake.
+// A row needs a source, and codes that the reader of the row can produce.
 TEST(ControlCodes, AreATableWithSources) {
     std::set<std::string> names;
     for (const ControlCodes& control : all_control_codes()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Situations that controls execute in different ways. The paths of Rs274 are those that rs274 of
-// LinuxCNC 2.9 prints.
+// Situations that controls execute in different ways. The paths of Rs274 are the output of rs274 of
+// LinuxCNC 2.9.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
 
@@ -33,8 +33,8 @@ struct Made {
     }
 };
 
-// Returns: the ends of the moves as "G0 1 2 3" (rapid) and "G1 1 2 3" (feed), a line each, X Y Z in
-// mm, thousandths.
+// Returns the ends of the moves as "G0 1 2 3" (rapid) and "G1 1 2 3" (feed), a line each; X Y Z in
+// mm, rounded to thousandths.
 Made run(const std::string& program, Dialect dialect) {
     Made made;
     InterpreterOptions options;
@@ -122,7 +122,7 @@ TEST(Controls, WhatInterruptsCompensationIsAnErrorWhereTheControlRefusesIt) {
             EXPECT_EQ(has_errors(made.result.diagnostics), is_refused);
         }
     }
-    // Words that change nothing interrupt nothing.
+    // Words without effect do not interrupt the compensation.
     for (const std::string block : {"G17", "G54", "G49", "G90", "G10 L2 P2 X5", "M8", "G4 P1"}) {
         for (const Dialect dialect : kAll) {
             SCOPED_TRACE(block);
@@ -178,7 +178,7 @@ TEST(Controls, HolesUnderG91KeepTheirHeightsOnFanucAndHaas) {
     for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas})
         expect_path(body, dialect, first + rest);
     EXPECT_NE(run_body(body, Dialect::Rs274).path, first + rest);
-    // Heights under G91 count from the initial plane and from R.
+    // Heights under G91 are relative to the initial plane and to R.
     for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas, Dialect::Rs274}) {
         expect_path("G0 X0 Y0 Z20\nG91 G99 G81 X5 Z-7 R-18\nG80\n", dialect,
                     "G0 0 0 20\nG0 5 0 20\nG0 5 0 2\nG1 5 0 -5\nG0 5 0 2\n");
@@ -196,13 +196,13 @@ TEST(Controls, IJKOfHaasArePecksThatShrink) {
     EXPECT_EQ(depths, (std::vector<double>{-4, -7, -9, -10}));
     EXPECT_FALSE(run_body("G0 X0 Y0 Z5\nG83 X0 Y0 Z-10 R0 I4 J1 K2\n", Dialect::Haas)
                      .says("cycle-word-missing"));
-    // Q ends them, and other cycles of Haas have no use for K.
+    // Q ends the I, J, K pecks, and further cycles of Haas do not use K.
     const std::string by_q =
         run_body("G0 X0 Y0 Z5\nG99 G73 X0 Y0 Z-10 R0 I4 J1 K2\nG73 X5 Q5\nG80\n", Dialect::Haas)
             .path;
     EXPECT_NE(by_q.find("G1 5 0 -5\n"), std::string::npos) << by_q;
     EXPECT_TRUE(run_body("G0 X0 Y0 Z5\nG81 X0 Y0 Z-1 R1 K3\n", Dialect::Haas).says("word-unused"));
-    // Elsewhere K has no use in a cycle.
+    // The cycles of Mach3 do not use K.
     EXPECT_TRUE(run_body("G0 X0 Y0 Z5\nG81 X0 Y0 Z-1 R1 K3\n", Dialect::Mach3).says("word-unused"));
     EXPECT_FALSE(
         run_body("G0 X0 Y0 Z5\nG81 X0 Y0 Z-1 R1 K3\n", Dialect::Fanuc).says("word-unused"));
@@ -268,7 +268,7 @@ TEST(Controls, RegistersOfCompensationComeBeforeTheDiameterOfTheTool) {
     EXPECT_EQ(radius(0.0, body), 0.0);
     EXPECT_EQ(radius(0.25, body), 0.25);
     EXPECT_EQ(radius(-0.25, body), -0.25);
-    // G10 in the program counts last: L12 sets the radius, L13 the wear.
+    // G10 in the program has priority: L12 sets the radius, L13 the wear.
     EXPECT_EQ(radius(0.25, "G90 G10 L12 P1 R1.5\n" + body), 1.5);
     EXPECT_EQ(radius(0.25, "G90 G10 L13 P1 R0.5\n" + body), 0.75);
 }
@@ -317,7 +317,7 @@ TEST(Controls, G10P0IsTheExternalOffsetOnFanucAndHaas) {
         "G0 50 0 5.5\nG0 51 0 6.5\n";
     expect_path(body, Dialect::Fanuc, path);
     expect_path(body, Dialect::Haas, path);
-    // An origin that is written later does not replace the external offset, and variables show it.
+    // A later change of the origin keeps the external offset, and variables show the offset.
     expect_path(
         "G10 L2 P1 X0 Y0 Z0\nG0 X0 Y0 Z0\nG1 X1\nG10 L2 P0 X5\nG10 L2 P1 X10\n"
         "G0 X[#5221+#5201]\n#5201=7\n#5221=20\nG0 X0\n",
@@ -407,7 +407,7 @@ TEST(Controls, WordsBeforeAMacroCallAreExecutedAndNoArguments) {
 // --- Arcs --------------------------------------------------------------------------------------
 
 TEST(Controls, AllArcsDecideHowCentresAreRead) {
-    // The first arc fits both readings; the second one fits absolute centres alone.
+    // The first arc fits both interpretations; the second arc fits absolute centres only.
     const std::string body =
         "G0 X-40 Y40 Z-1\nG1 X-42\nG3 X-42.3 Y39.7 I-42 J39.7\nG1 Y37\n"
         "G3 X-42 Y36.7 I-42 J37\nG1 X-40\nG3 X-39.7 Y37 I-40 J37\n";
@@ -423,8 +423,8 @@ TEST(Controls, AllArcsDecideHowCentresAreRead) {
     for (const double radius : radii)
         EXPECT_NEAR(radius, 0.3, 1e-6);
     EXPECT_TRUE(made.says("arc-centre-mode"));
-    // Incremental centres are the rule: one arc that fits absolute centres by chance decides
-    // nothing against two.
+    // Incremental centres are the default: a single arc that fits absolute centres by chance does
+    // not outweigh two arcs.
     const Made usual = run_body(
         "G0 X10 Y0 Z0\nG2 X-10 Y0 I-10 J0\nG2 X10 Y0 I10 J0\n"
         "G1 X20 Y0\nG2 X0 Y20 I-3 J-3\n",
@@ -437,7 +437,7 @@ TEST(Controls, ALongWayOfAHugeRadiusEndsAtTheProgrammedEnd) {
     const std::string huge = "G3 X4.585 Y1.922 I-6544123.551 J1.204\n";
     expect_path(before + huge, Dialect::Auto, "G0 5.3 2.286 0\nG1 4.585 1.922 0\n");
     EXPECT_TRUE(run_body(before + huge, Dialect::Auto).says("arc-long-way"));
-    // Both sides of the limit, 10 m: full turns of nine metres are made, of eleven are not.
+    // Both sides of the limit of 10 m: full turns of 9 m are executed, full turns of 11 m are not.
     for (const double radius : {9000.0, 11000.0}) {
         const std::string block = "G3 X1 Y0.0001 I-" + std::to_string(radius) + " J0\n";
         EXPECT_EQ(
@@ -445,10 +445,10 @@ TEST(Controls, ALongWayOfAHugeRadiusEndsAtTheProgrammedEnd) {
                 .says("arc-long-way"),
             radius > 10000.0);
     }
-    // A whole circle has its end where it starts, and is one, however large.
+    // A full circle ends at the start and is executed at any size.
     EXPECT_FALSE(
         run_body("G0 X0 Y0 Z0\nG3 X0 Y0 I-11000 J0\n", Dialect::Auto).says("arc-long-way"));
-    // The short way of a large radius is an arc as any other.
+    // The short arc of a large radius is an ordinary arc.
     EXPECT_FALSE(
         run_body("G0 X0 Y0 Z0\nG2 X10 Y0 I5 J-50000\n", Dialect::Auto).says("arc-long-way"));
 }
@@ -470,8 +470,8 @@ TEST(Controls, AnArcByRadiusIsNeverAFullCircle) {
                                                    arc->from.y.mm() - arc->centre_2.mm());
                                     const double side = (arc->to.x.mm() - arc->from.x.mm()) *
                                                         (arc->centre_2.mm() - arc->from.y.mm());
-                                    // Left of the chord is the centre of a counter-clockwise short
-                                    // way.
+                                    // A short counter-clockwise arc has the centre on the left of
+                                    // the chord.
                                     EXPECT_GT(side * arc->turns, 0.0);
                                     length = r;
                                 });
@@ -503,18 +503,18 @@ TEST(Controls, TheModeBeforeG90AndG91IsAGuessUnlessSomethingDecides) {
     const std::string few = "G0 X0 Y0 Z5\nG1 Z-1\nX5\nG0 Z5\n";
     EXPECT_TRUE(guess(few, Dialect::Auto));
     EXPECT_TRUE(guess(few, Dialect::Fanuc));
-    // These controls start with G90.
+    // The controls of this loop start with G90.
     for (const Dialect dialect : {Dialect::Rs274, Dialect::Haas, Dialect::Grbl})
         EXPECT_FALSE(guess(few, dialect));
     EXPECT_FALSE(guess("G90\n" + few, Dialect::Auto));
     EXPECT_FALSE(guess("G91\n" + few, Dialect::Auto));
     EXPECT_FALSE(guess(few + "G91\nG0 Z5\n", Dialect::Auto));
-    // Pecks at ten places: as steps they would lead 40 mm up and 450 mm aside.
+    // Pecks at ten positions: as increments they would move 40 mm up and 450 mm sideways.
     std::string holes;
     for (int i = 0; i < 10; ++i)
         holes += "G0 X" + std::to_string(10 * i) + " Z5\nG1 Z-1\nG0 Z5\n";
     EXPECT_FALSE(guess(holes, Dialect::Auto));
-    // The same holes in steps.
+    // The same holes in increments.
     std::string steps;
     for (int i = 0; i < 10; ++i)
         steps += "G0 X10\nG1 Z-6\nG0 Z6\n";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs as files. good/*.nc runs without an error and makes exactly the motions in the
-// .motions file beside it; NCSIM_UPDATE_GOLDENS=1 in the environment rewrites those. Every file in
-// bad/ must be refused; its first line is a comment with the first error expected, word for word. A
-// first line with "strict" in it asks for strict rules.
+// Programs as files. good/*.nc runs without an error and makes exactly the motions of the .motions
+// file with the same name; NCSIM_UPDATE_GOLDENS=1 in the environment rewrites the .motions files.
+// Each file in bad/ must be refused; the first line is a comment with the first expected error,
+// word for word. A first line with "strict" selects strict rules.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
 
@@ -40,7 +40,7 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
-/// The motions of a program, one to a line, followed by everything that was said about it.
+/// Returns the motions of a program, one per line, followed by all diagnostics.
 std::string motions_of(const SourceFile& file, const fs::path& directory) {
     InterpreterOptions options;
     const std::string head = first_line(file.text);
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, BadProgram, testing::ValuesIn(programs("bad")),
                              return name;
                          });
 
-// A fault that the default reports stays a fault under strict rules.
+// A fault that the default rules report is a fault under strict rules, too.
 TEST(Strict, IsNeverLaxerThanTheDefault) {
     for (const char* folder : {"good", "bad"}) {
         for (const std::string& name : programs(folder)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a program is taken for, and that stating a dialect wins over concluding one.
+// Detection of dialects; a specified dialect has priority over a detected dialect.
 #include "ncsim/gcode/dialect.h"
 
 #include "ncsim/gcode/interpreter.h"
@@ -77,7 +77,7 @@ TEST(Dialect, IsConcludedFromSignsInTheProgram) {
     }
 }
 
-/// What looks a little like the language of another control, and mills.
+/// Milling programs with elements that resemble the language of a different control.
 TEST(Dialect, OfMillingProgramsStaysMilling) {
     for (const char* text : {
              "#1=5\n#<r>=2\n#<_r1> = 3\nG0 X#1 Y1\n",  // parameters, not R parameters
@@ -111,7 +111,8 @@ TEST(Dialect, ThatIsStatedEndsARefusal) {
     EXPECT_EQ(std::ranges::count(result.diagnostics, "foreign-kind", &Diagnostic::code), 1);
 }
 
-// A subprogram of plain moves has no other sign; D0 and G4 F2 mean something else there.
+// A subprogram of plain moves has no further evidence. D0 and G4 F2 have a different meaning in
+// Sinumerik.
 TEST(Dialect, FileNamesOfSinumerikDecideUnlessTheTextIsOfAnotherControl) {
     const auto kind = [](const char* name, const char* text) {
         return detect_dialect({name, text}).kind;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What expressions are worth, asked of a program: G0 X<expression>.
+// Values of expressions, evaluated in the program G0 X<expression>.
 #include "ncsim/gcode/interpreter.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace ncsim::gcode {
 namespace {
 
-/// The X that "G0 X<text>" leads to; NaN if it was refused.
+/// Returns the X to which "G0 X<text>" leads; NaN if the block was refused.
 double value_of(const std::string& text, Dialect dialect = Dialect::Rs274, bool strict = false) {
     InterpreterOptions options;
     options.dialect = dialect;

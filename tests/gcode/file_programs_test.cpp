@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files with several programs: which blocks a control can start at, and which it never reaches.
+// Files with several programs: blocks at which a control can start, and blocks that are never
+// reached.
 #include "ncsim/gcode/file_programs.h"
 
 #include <gtest/gtest.h>
@@ -37,15 +38,15 @@ TEST(FilePrograms, EndInM30AndAreCalledByNone) {
     EXPECT_EQ(labels("%\nO1\nX1\nM30\n%\n\n%\nO2\nX1\nM30\n%\n"), (Labels{"O1", "O2"}));
     EXPECT_EQ(labels("%\nO1\nX1\n%\nO2\nX1\n%\n").front(), "O1");
     EXPECT_EQ(labels("G0 X1\nM30\nO2\nM30\n"), (Labels{"program 1", "O2"}));
-    // Subprograms, called or not, in front or behind.
+    // Subprograms, called or uncalled, before or after the program.
     EXPECT_EQ(labels("O1\nM98 P2\nM30\nO2\nX1\nM99\n"), Labels{"O1"});
     EXPECT_EQ(labels("O1\nM98 P0002\nM30\nO2\nX1\nM30\n"), Labels{"O1"});
     EXPECT_EQ(labels("O1\nG65 P2\nM30\nO2\nX1\nM99\nO3\nM98P2\nM30\n"), (Labels{"O1", "O3"}));
     EXPECT_EQ(labels("O1\nX1\nM99\nO2\nX1\nM30\n"), (Labels{"O1", "O2"}));
-    // A program without an end runs into the next one, as it always did.
+    // A program without an end continues into the next program.
     EXPECT_EQ(labels("O1\nX1\nO2\nX2\nM30\n"), Labels{"O1"});
     EXPECT_EQ(labels("O1\nIF [#1 EQ 1] THEN M30\nO2\nX2\nM30\n"), Labels{"O1"});
-    // LinuxCNC's labels are no program numbers.
+    // Labels of LinuxCNC are not program numbers.
     EXPECT_EQ(labels("o100 sub\nG0 X1\no100 endsub\no100 call\nM2\n"), one);
 }
 
@@ -81,12 +82,12 @@ TEST(FilePrograms, AreReadWithEmptyLinesForTheOthers) {
     ASSERT_EQ(file.programs().size(), 2U);
     EXPECT_EQ(file.text_of(0, text), "%\n(HEAD)\nO1\nM98 P9\r\nM30\n\n\n\nO9\nX9\nM99\n%\n");
     EXPECT_EQ(file.text_of(1, text), "%\n(HEAD)\n\n\r\n\nO2\nX2\nM30\nO9\nX9\nM99\n%\n");
-    // A program that another one calls stays in it.
+    // A program that a second program calls stays in the text.
     const std::string calls = "O1\nX1\nM30\nO2\nM98 P1\nM30\n";
     EXPECT_EQ(read(calls).text_of(1, calls), calls);
 }
 
-// Any bytes: lines keep their numbers.
+// For any bytes, lines keep their numbers.
 TEST(FilePrograms, KeepTheNumbersOfLines) {
     const std::vector<std::string> lines{"O1",      "O2 (A)", "M30",      "%",      "X1",
                                          "M99",     "M98 P2", "/M2",      "N10 Y2", "\r",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Modes that a program leaves to the program before it: Interpretation::inherited_modes.
+// Modes that a program inherits from the previous program: Interpretation::inherited_modes.
 #include "ncsim/gcode/interpreter.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every message of diagnostics.def is said somewhere, word for word: by a program of bad/ (its
-// first line), of good/ (in its .motions), or by one of those here.
+// Each message of diagnostics.def occurs in a test, word for word: in a program of bad/ (first
+// line), of good/ (.motions), or in a case below.
 #include "ncsim/gcode/interpreter.h"
 
 #include "text/message.h"
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Mach3, Tip, Turning };
 
-// A machine that turns, and never as it should.
+// Machine with rotary axes that reaches no orientation, and no tip position with X > 50 mm.
 class Stubborn : public JointSolver {
 public:
     bool turns() const override { return true; }
@@ -44,10 +44,10 @@ public:
 struct Case {
     By by;
     std::string program;  // '~' is a line end
-    std::string said;     // with its place
+    std::string said;     // with the position
 };
 
-// All that is said about the program, a line each.
+// Returns all diagnostics of the program, one per line.
 std::vector<std::string> said_of(const Case& c) {
     std::string text = c.program;
     std::ranges::replace(text, '~', '\n');
@@ -342,7 +342,7 @@ const std::vector<Row>& rows() {
     return kRows;
 }
 
-// The lines in which the tests have what is said.
+// Returns the lines of the tests that hold expected messages.
 std::vector<std::string> expected_lines() {
     std::vector<std::string> lines;
     for (const Case& c : cases())
@@ -362,7 +362,7 @@ std::vector<std::string> expected_lines() {
     return lines;
 }
 
-// Whether `line` has the words of `message` in order, with something for each "{}".
+// True if `line` is the text of `message` with any text in place of each "{}".
 bool says(const std::string& line, const MessageText& message) {
     const std::string end = " [" + std::string(message.code) + "]";
     const std::size_t code = line.find(end);

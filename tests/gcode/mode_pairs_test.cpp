@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every combination of modes that shift or turn coordinates, with every event that may disturb
-// them. The expected places come from the formula of each mode, in the order in which a control
-// applies them: G68, G92 or G52, coordinate system, tool length.
+// Each combination of modes that shift or rotate coordinates, with each event that may disturb the
+// modes. The expected positions follow from the formula of each mode, in the order in which a
+// control applies the modes: G68, G92 or G52, coordinate system, tool length.
 #include "ncsim/gcode/interpreter.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Place = std::array<double, 3>;
 
-constexpr double kLength = 7.0;              // mm, of T1
+constexpr double kLength = 7.0;              // of T1, mm
 constexpr Place kG54{-100.0, -50.0, -30.0};  // mm, machine
 constexpr Place kG55{-60.0, -20.0, -35.0};
 constexpr Place kHome{0.0, 0.0, 0.0};
@@ -30,7 +30,7 @@ struct Modes {
     Event event = Event::None;
 };
 
-// Program values; `mm` is a length in mm.
+// Returns a length of `mm` in program units.
 std::string value(const Modes& modes, double mm) {
     return std::to_string(modes.inches ? mm / 25.4 : mm);
 }
@@ -42,7 +42,7 @@ std::string words(const Modes& modes, const Place& place) {
 
 constexpr Place kTarget{10.0, 20.0, -3.0}, kCentre{2.0, 3.0, 0.0}, kGiven{4.0, -6.0, 8.0};
 constexpr double kAngle = 30.0;
-constexpr Place kStart{1.0, 0.0, 0.0};  // where G92 stands
+constexpr Place kStart{1.0, 0.0, 0.0};  // position at the G92 block
 
 std::string program(const Modes& modes) {
     std::string text = "G90 G17 G54 F100 S100 T1 M6 M3\n";
@@ -70,7 +70,7 @@ std::string program(const Modes& modes) {
     return text + "G1 " + words(modes, kTarget) + "\nM30\n";
 }
 
-// Machine place of the tip for the target.
+// Returns the machine position of the tip for the target.
 Place expected(const Modes& modes) {
     Place p = kTarget;
     if (modes.turned) {
@@ -105,7 +105,7 @@ TEST(ModePairs, LeadToThePlacesOfTheirFormulas) {
         modes.shift_52 = (bits & 4U) != 0;
         modes.turned = (bits & 8U) != 0;
         modes.inches = (bits & 16U) != 0;
-        if (modes.shift_92 && modes.shift_52) continue;  // they share one offset
+        if (modes.shift_92 && modes.shift_52) continue;  // both use the same offset
         for (const Event event :
              {Event::None, Event::G55, Event::G53, Event::G28, Event::Plane, Event::Incremental,
               Event::Arc, Event::Dwell, Event::ToolChange}) {
@@ -122,7 +122,7 @@ TEST(ModePairs, LeadToThePlacesOfTheirFormulas) {
                                      .length_specified = true,
                                      .diameter = Length::from_mm(4.0)});
             Position last;
-            std::vector<double> machine_z;  // of places in machine coordinates
+            std::vector<double> machine_z;  // of positions in machine coordinates
             const std::string text = program(modes);
             SCOPED_TRACE(text);
             const Interpretation made =

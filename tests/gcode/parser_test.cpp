@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a line is read as: text in, canonical text out.
+// Parsing of lines: text as input, canonical text as output.
 #include "ncsim/gcode/parser.h"
 
 #include "ncsim/gcode/print.h"
@@ -12,7 +12,8 @@
 namespace ncsim::gcode {
 namespace {
 
-/// The lines of `text` as blocks, "; "-separated, each followed by its diagnostics' codes.
+/// Returns the lines of `text` as blocks, separated by "; ", each followed by the codes of its
+/// diagnostics.
 std::string read(const std::string& text, ParserOptions options = {}) {
     const SourceFile file{"test.nc", text};
     BlockReader reader(file, options);
@@ -142,8 +143,8 @@ TEST(Parser, CanGoBackToAPlace) {
     EXPECT_EQ(block.words[0].number, 2.0);
 }
 
-// A line of a loop is read as it was read before, and what was said of it is said again, also where
-// there are more lines than are kept.
+// A repeated line of a loop is parsed to the same block with the same diagnostics, also if there
+// are more lines than the cache holds.
 TEST(Parser, ReadsLinesThatItKeepsAsBefore) {
     std::string text =
         "%\n\nG1 X1 (plain)\nX[#1+2] (x)\n#1=[#1+1]\n(a (b) c) X#2\nX[1\no1 while [#1 lt 3]\n"

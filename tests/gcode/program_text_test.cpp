@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which texts are NC programs, over a class of texts as they lie in folders of programs.
+// Detection of NC programs among text files, over typical files in folders of programs.
 #include "ncsim/gcode/program_text.h"
 
 #include <gtest/gtest.h>
@@ -170,7 +170,7 @@ TEST(ProgramText, DoesNotDependOnTheEndsOfLines) {
     }
 }
 
-// Only the beginning decides, however much follows.
+// Only the beginning decides, for any length of the rest.
 TEST(ProgramText, IsDecidedByTheHead) {
     const std::string program = repeated("N100 G1 X12.345 Y-6.7 F500\n", 5000);
     ASSERT_GT(program.size(), kMostHeadBytes);

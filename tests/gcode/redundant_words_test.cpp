@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Changes to a program that change no motion: words of modes that are in force, block numbers,
-// comments, blank lines, and blocks that are split where the language has both forms mean the same.
-// Programs are random, each from its number. NCSIM_REDUNDANT_PROGRAMS=100000 in the environment
-// makes that many of them.
+// Changes to a program that do not change a motion: words of active modes, block numbers, comments,
+// blank lines, and blocks split where both forms mean the same. Programs are random, each
+// determined by its number. NCSIM_REDUNDANT_PROGRAMS=100000 in the environment runs 100,000
+// programs.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
 
@@ -26,7 +26,7 @@ constexpr std::array kModes{Mode{Dialect::Auto, false}, Mode{Dialect::Rs274, fal
                             Mode{Dialect::Rs274, true}, Mode{Dialect::Fanuc, false},
                             Mode{Dialect::Haas, false}, Mode{Dialect::Mach3, false}};
 
-/// The motions of `text`, one a line, without the numbers of their lines; what was reported last.
+/// Returns the motions of `text`, one per line, without line numbers; diagnostics follow.
 std::string motions_of(const std::string& text, const Mode& mode) {
     InterpreterOptions options;
     options.dialect = mode.dialect;
@@ -47,13 +47,13 @@ std::string motions_of(const std::string& text, const Mode& mode) {
     return out;
 }
 
-/// A block: words for its modes, and the words of its motion.
+/// Block: words of its modes, and words of its motion.
 struct Written {
     std::vector<std::string> modes;
     std::string motion;
 };
 
-/// A random program and, for each block, the modal words in force before it.
+/// Random program and, for each block, the modal words in force before the block.
 class Writer {
 public:
     explicit Writer(unsigned seed) : random_(seed) {}
@@ -72,7 +72,7 @@ public:
         add({}, "M30");
     }
 
-    /// The program; with `changed`, after changes that change no motion.
+    /// Returns the program; if `changed`, after changes that do not change a motion.
     std::string text(bool changed) {
         std::string out;
         int number = 10;
@@ -187,7 +187,7 @@ TEST(RedundantWords, ChangeNoMotion) {
     }
 }
 
-// Walls were overcut by 3 mm: G17 made compensation begin anew.
+// G17 must not restart the compensation, which would overcut walls by 3 mm.
 TEST(RedundantWords, LeaveCompensationAsItIs) {
     const std::string head = "G21 G90 G17\nT1 M6\nF200\nG0 X-20 Y-20 Z5\nG41 D1\nG1 X0 Y-10\nY30\n";
     const std::string tail = "X30\nY0\nX-10\nG40\nM30\n";

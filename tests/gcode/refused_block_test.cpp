@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A block that is refused leaves the control as it was: every code of the table, in every situation
-// here, with something behind it that is refused after everything else was acted on.
+// A refused block leaves the control unchanged: each code of the table, in each situation below,
+// followed by words that are refused after all further words have been executed.
 #include "ncsim/gcode/parser.h"
 
 #include "control/codes.h"
@@ -30,7 +30,7 @@ InterpreterOptions options_of(const Rules& rules) {
     return options;
 }
 
-// A control without a runner: acts on lines, one by one.
+// Control without a runner: executes lines one by one.
 class Bench {
 public:
     explicit Bench(const Rules& rules)
@@ -42,7 +42,7 @@ public:
         parameters_.set_rules(rules);
     }
 
-    // Up to the first line that is refused; false if there is one.
+    // Executes lines up to the first refused line; returns false if a line is refused.
     bool run(const std::string& lines) {
         const SourceFile file{"", lines};
         BlockReader reader(file, {.strict = rules_.strict});
@@ -74,10 +74,10 @@ private:
 
 struct Situation {
     const char* program;
-    bool flush;  // what waits for the next move is let out before the block
+    bool flush;  // true: moves that wait for the next move are flushed before the block
 };
 
-// What a control may have in hand when it meets the block.
+// Situations in which a control can meet the block.
 constexpr Situation kSituations[] = {
     {"G0 X0 Y0 Z0", false},
     {"G55 G43 H1 G92 X5 Y6\nG38.2 Z-2", false},
@@ -93,10 +93,11 @@ constexpr Situation kSituations[] = {
     {"G20 G91 G95 G18 G99 M3 S100", false},
 };
 
-// The words that a code may want.
+// Words that a code may need.
 constexpr const char* kWords[] = {"", " X1 Y2 Z-3 R4", " X2 I1 J2 K3 P2 Q1 L2 D1 H1 F5 S9 T2"};
 
-// What is refused late: an arc, a pocket, a curve, a probing, a cycle; a pattern of holes.
+// Words that are refused late: an arc, a pocket, a curve, a probing move, a cycle; a pattern of
+// holes.
 constexpr const char* kTails[] = {" G2 X5",  " G13",    " G5.3",   " G38.2", " G81",
                                   " G53 G3", " G70 I5", " G1 F-1", " R-1",   ""};
 
@@ -105,7 +106,7 @@ std::vector<Rules> controls() {
             Rules::of(Dialect::Fanuc, false), Rules::of(Dialect::Haas, false)};
 }
 
-// Whether it was refused, and nothing moved; then the control has to be as before.
+// True if the line was refused without a motion; then the control must be unchanged.
 bool is_refused_without_a_trace(const Rules& rules, const Situation& situation,
                                 const std::string& line) {
     Bench bench(rules);
@@ -143,12 +144,12 @@ TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItsCodes) {
             }
         }
     }
-    // None has passed because it was never refused.
+    // Each code was refused often enough, so no code passes because it was never refused.
     for (const Code code : codes)
         EXPECT_GE(refused[code], 20) << name_of(code);
 }
 
-// Many codes in one block: of each group one or none, as a generator with a fixed seed chooses.
+// Many codes in a block: at most one per group, chosen by a generator with a fixed seed.
 TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItIsComposedOf) {
     struct Entry {
         Code code;

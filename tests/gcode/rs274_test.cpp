@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random programs with the motions that LinuxCNC's stand-alone interpreter made of them
-// (rs274_programs.txt, written by tests/nightly/rs274/compare.py), and programs that it refuses or
-// accepts (rs274_refusals.txt, by refusals.py).
+// Random programs with the motions that LinuxCNC's stand-alone interpreter made
+// (rs274_programs.txt, written by tests/nightly/rs274/compare.py), and programs that the
+// interpreter refuses or accepts (rs274_refusals.txt, by refusals.py).
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/trig/angles.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 struct Event {
     std::string kind;
-    std::vector<double> values;  ///< X, Y, Z, A; of an arc also its centre and turns; of a dwell s.
+    std::vector<double> values;  ///< X, Y, Z, A; for an arc also centre and turns; for a dwell s.
 };
 
 struct Recorded {
@@ -61,7 +61,7 @@ std::vector<double> numbers_of(const Position& p) {
     return {p.x.mm(), p.y.mm(), p.z.mm(), p.a.degrees()};
 }
 
-/// Straight moves that lead nowhere are left out, as in the recorded motions.
+/// Returns the events without straight moves of length zero, as in the recorded motions.
 std::vector<Event> events_of(const Recorded& program, bool& has_errors) {
     InterpreterOptions options;
     options.strict = true;
@@ -138,7 +138,7 @@ std::string text_of(const Event& event) {
     return out.str();
 }
 
-/// rs274 prints four digits, of inches as well.
+/// rs274 prints four digits, also for inches.
 bool is_same(const Event& ours, const Event& theirs) {
     constexpr double kRounding = 0.007;
     if (ours.kind != theirs.kind) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a control remembers: a block that is refused leaves nothing behind, and where the workpiece
-// is follows from the program.
+// State of a control: a refused block leaves no trace, and the position of the workpiece follows
+// from the program.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
 
@@ -55,7 +55,7 @@ std::string last_line(const std::string& text) {
 
 const std::string kStart = "G21 G90 G17 F100 T1 M6\nG0 X0 Y0 Z0\n";
 
-// The same program without the block in its third line makes the same motions.
+// Checks that the program without the block in the third line makes the same motions.
 void expect_nothing_left(const std::string& before, const std::string& refused,
                          const std::string& after) {
     SCOPED_TRACE(refused);
@@ -75,17 +75,17 @@ TEST(RefusedBlock, LeavesNothingBehind) {
     expect_nothing_left("", "G43 H1 G2 X5", "G53 G0 Z0\nG1 Z1");
     expect_nothing_left("", "G68 X0 Y0 G1 X10", "G1 X20");
     expect_nothing_left("", "G18 G99 G81 X1", "G1 X5\nG2 X10 Y0 I2.5");
-    // No curve is under way, whose points the next blocks would be.
+    // No curve is in progress that would take the next blocks as points.
     expect_nothing_left("", "G6.2 P3 X1 Y1", "G1 X5");
     expect_nothing_left("", "G5.2 P7 X1 Y1 Z1", "G5.2 X1 Y1 L3\nG5.2 X2 Y1\nG5.2 X3 Y2\nG5.3");
 }
 
 TEST(RefusedBlock, UnderCompensationLeavesTheHeldMove) {
-    // The arc is too tight for the cutter; the corner before it is that of the lines.
+    // The arc is too tight for the cutter; the corner before the arc is the corner of the lines.
     expect_nothing_left("G41 D1 G1 X20 Y0\nX40", "G3 X42 Y2 J2", "G1 X40 Y30\nG40 G0 X0");
 }
 
-// --- Where the workpiece is ---------------------------------------------------------------------
+// --- Position of the workpiece -----------------------------------------------------------------
 
 TEST(Workpiece, MovesWithItsOffsetBeforeTheFirstCut) {
     const std::string cut = "G0 X0 Y0 Z5\nG1 Z-1\nX10\nM2\n";
@@ -95,7 +95,7 @@ TEST(Workpiece, MovesWithItsOffsetBeforeTheFirstCut) {
         SCOPED_TRACE(set_up);
         const Made made = run(std::string("G21 G90 F100 ") + set_up + "\n" + cut);
         EXPECT_FALSE(says(made, "offset-unknown"));
-        // Where it starts from is another matter.
+        // The start position may differ.
         EXPECT_EQ(made.motions.substr(made.motions.find("L3 ")), plain.substr(plain.find("L3 ")));
     }
 }
@@ -121,12 +121,12 @@ TEST(Workpiece, HasOtherSystemsAsFarAwayAsToldOrTellsThatNobodyDid) {
     EXPECT_FALSE(says(specified, "offset-unknown"));
     EXPECT_EQ(last_line(specified.motions), "L6 feed X201 Y2 Z-13 F100\n");
 
-    // Both set by the program: nobody else is needed.
+    // The program sets both, so no further data is needed.
     const Made set = run("G10 L2 P1 X-100 Y0 Z-300\nG10 L2 P2 X-80 Y0 Z-300\n" + program);
     EXPECT_FALSE(says(set, "offset-unknown"));
     EXPECT_EQ(last_line(set.motions), "L8 feed X21 Y2 Z-3 F100\n");
 
-    // From a place that is known in one, another one is known, too.
+    // A known position in G54 and G10 L20 for G55 make G55 known.
     const Made from_there =
         run("G21 G90 F100\nG54 G0 X30 Y0 Z5\nG1 Z-1\nG10 L20 P2 X0 Y0 Z0\n"
             "G55 G0 Z5\nG1 X1\nM2\n");
@@ -151,9 +151,9 @@ TEST(Workpiece, StaysWhereItIsAfterTheFirstCut) {
     EXPECT_EQ(last_line(made.motions), "L6 feed X8 Y0 Z-1 F100\n");
 }
 
-// --- Frames that are specified in part ----------------------------------------------------------
+// --- Partly specified frames --------------------------------------------------------------------
 
-// Offsets as read_job sets them: an unspecified system is 300 mm below home.
+// Returns offsets as read_job sets them: an unspecified system is 300 mm below home.
 InterpreterOptions with_home() {
     InterpreterOptions options;
     for (Position& origin : options.work_offsets)
@@ -179,7 +179,7 @@ const std::string kCut = "G21 G90 F100\nG54 G0 X0 Y0 Z5\nG1 Z-1\nG0 Z5\n";
 TEST(PartlySpecified, AnAxisOfG55WithoutAPlaceStaysWhereItIs) {
     const std::string program =
         kCut + "G10 L2 P1 X10 Y10 Z-50\nG10 L2 P2 X60 Y10\n" + "G55 G0 X0 Y0\nG1 Z-1\nM2\n";
-    // The rapid is in X and Y alone: nothing of it is assumed.
+    // The rapid moves in X and Y only, so no coordinate of the move is assumed.
     const Made late = run("G10 L2 P1 X10 Y10 Z-50\n" + program, with_home());
     EXPECT_EQ(line_of(late, "L8"), "L8 rapid X50 Y0 Z5");
     EXPECT_EQ(line_of(late, "L9"), "L9 feed X50 Y0 Z-1 F100");
@@ -200,7 +200,7 @@ TEST(PartlySpecified, TheFirstMoveInAFrameWithoutAPlaceIsNamed) {
     const std::string head = "G10 L2 P1 X10 Y10 Z-50\nG10 L2 P2 X60 Y10\n";
     interpret({"t.nc", head + kCut + "G55 G0 X0 Y0\nG1 Z-1\nG0 Z5\nG54 X0 Y0\nG0 Z4\nM2\n"},
               with_home(), note);
-    // Up in G55, across in G54 at that height, and from there.
+    // Up in G55, across in G54 at the same height, and the moves from there.
     EXPECT_EQ(lines, (std::vector<std::uint32_t>{8, 9, 10, 11}));
 }
 
@@ -226,18 +226,18 @@ TEST(PartlySpecified, ShiftsOfTheProgramStay) {
 }
 
 TEST(PartlySpecified, HomeIsWhereTheSpecifiedFrameHasIt) {
-    // G54 is 80 below home, and so G55 is assumed to be.
+    // G54 is 80 below home, and the same is assumed for G55.
     const Made made =
         run(kCut + "G53 G0 Z0\nG55 G0 X3\nG0 Z9\nM2\n", with_offset(0, at(-100, -50, -80)));
     EXPECT_EQ(line_of(made, "L5"), "L5 rapid X0 Y0 Z80 machine");
     EXPECT_EQ(line_of(made, "L6"), "L6 rapid X3 Y0 Z80");
-    // The place of home in G55 is specified, whatever was assumed of it in G54.
+    // The position of home in G55 is specified, regardless of assumptions in G54.
     const Made other = run(kCut + "G53 G0 Z0\nG55 G0 X3\nG0 Z9\nG53 G0 Z0\nM2\n",
                            with_offset(1, at(-100, -50, -60)));
     EXPECT_EQ(line_of(other, "L6"), "L6 rapid X3 Y0 Z60");
     EXPECT_EQ(line_of(other, "L7"), "L7 rapid X3 Y0 Z9");
     EXPECT_EQ(line_of(other, "L8"), "L8 rapid X3 Y0 Z60 machine");
-    // Before the first cut, too.
+    // Also before the first cut.
     const Made before = run("G21 G90 F100\nG53 G0 Z0\nG55 G0 X3 Y0\nG0 Z9\nG1 Z-1\nM2\n",
                             with_offset(1, at(-100, -50, -60)));
     EXPECT_EQ(line_of(before, "L3"), "L3 rapid X3 Y0 Z60 from-unknown-xy");
@@ -252,7 +252,7 @@ TEST(PartlySpecified, IncrementsAndResidingAxesKeepTheFrameTheyAreKnownIn) {
 }
 
 TEST(PartlySpecified, TheOffsetOfTheActiveSystemMovesNothing) {
-    // G54 gets a place in the middle of the program.
+    // G54 is set in the middle of the program.
     const Made made = run(kCut + "G10 L2 P1 X-100 Y-80 Z-50\nG0 X4\nG0 Z6\nM2\n", with_home());
     EXPECT_EQ(line_of(made, "L6"), "L6 rapid X4 Y0 Z5");
     EXPECT_EQ(line_of(made, "L7"), "L7 rapid X4 Y0 Z6");
@@ -285,7 +285,7 @@ TEST(PartlySpecified, MovesUnderCompensationAndCornersAreOfTheirFrame) {
         interpret({"t.nc", program}, options, [&](const Motion& motion) {
             if (motion.offset_unknown) lines.push_back(motion.span.line);
         });
-        // Z is of G55 in the last move, in G54, too.
+        // In the last move Z is from G55, although G54 is active.
         const auto last = static_cast<std::uint32_t>(std::ranges::count(program, '\n') - 1);
         ASSERT_FALSE(lines.empty());
         EXPECT_EQ(lines.back(), last);
@@ -293,7 +293,7 @@ TEST(PartlySpecified, MovesUnderCompensationAndCornersAreOfTheirFrame) {
 }
 
 TEST(PartlySpecified, DistancesThatAreSpecifiedCount) {
-    // Z of both is specified, X and Y of none.
+    // Z of both systems is specified; X and Y of both are not.
     const Made made = run("G10 L2 P1 Z-50\nG10 L2 P2 Z-60\n" + kCut +
                               "G55 G91 G0 X1\nG90 Z5\n"
                               "M2\n",
@@ -301,7 +301,7 @@ TEST(PartlySpecified, DistancesThatAreSpecifiedCount) {
     EXPECT_EQ(line_of(made, "L7"), "L7 rapid X1 Y0 Z5");
     EXPECT_EQ(line_of(made, "L8"), "L8 rapid X1 Y0 Z-5");
     EXPECT_FALSE(says(made, "offset-unknown"));
-    // The place of the tool in G54 is the zero of G55.
+    // The position of the tool in G54 is the zero of G55.
     const Made here = run(kCut + "G10 L20 P2 X0 Y0 Z0\nG55 G0 X1 Y0 Z1\nM2\n",
                           with_offset(0, at(-100, -50, -80)));
     EXPECT_EQ(last_line(here.motions), "L6 rapid X1 Y0 Z6\n");
@@ -331,7 +331,7 @@ TEST(OffsetConflict, IsToldWithItsBlock) {
     EXPECT_EQ(conflicts("\nG10 L2 P1 X-99")[0].place.span.line, 2U);
     EXPECT_EQ(conflicts("G10 L2 P1 X-99")[0].written[0], -99.0);
     EXPECT_FALSE(conflicts("G10 L20 P1 Z5")[0].written[2].has_value());
-    // A shift after a cut at the specified place is the way of the program.
+    // A shift after a cut at the specified position is intended by the program.
     EXPECT_TRUE(conflicts("", "G10 L2 P1 X-90\nG1 X1\n").empty());
 }
 
@@ -389,7 +389,7 @@ TEST(Start, IsInG55IfG54HasNoPlace) {
     // Both are specified: 20 lower, 10 to the right.
     EXPECT_EQ(first_feed("G10 L2 P1 X0 Y0 Z-20\nG10 L2 P2 X10 Y0 Z-40\nG55", with_home()),
               "feed X5 Y0 Z70");
-    // Only G54 is specified: it is a guess that G55 is there, too.
+    // Only G54 is specified; using the same offset for G55 is an assumption.
     InterpreterOptions options = with_offset(0, at(-100, -80, -50));
     options.start = {Length(), Length(), Length::from_mm(50)};
     bool is_unknown = false;
@@ -405,7 +405,7 @@ TEST(Start, IsSpecifiedUnderTipControlToo) {
 }
 
 TEST(Start, OfAnAxisWithoutOneIsHome) {
-    // G98: back to where Z was.
+    // G98: back to the initial Z.
     const Made made =
         run("G21 G90 F100\nG10 L2 P1 X0 Y0 Z-80\nG0 X0 Y0\nG81 X1 Z-3 R2\nM2\n", with_home());
     EXPECT_EQ(last_line(made.motions), "L4 rapid X1 Y0 Z80\n");
@@ -471,7 +471,8 @@ TEST(GaugeLength, IsThatOfTheTableBeforeWhatTheProgramWrites) {
         return lengths;
     };
     using Lengths = std::vector<std::optional<double>>;
-    // T1 is 7 mm long, whatever is written into its register; nobody knows of T2 before that.
+    // T1 is 7 mm long, independent of writes to its register; the length of T2 is unknown before
+    // the write.
     EXPECT_EQ(lengths_of("G21 G90 T1 M6\nG0 X1\nG10 L1 P1 Z90\nG0 X2\nM2\n"),
               (Lengths{7.0, 7.0, 7.0}));
     EXPECT_EQ(lengths_of("G21 G90 T2 M6\nG0 X1\nG10 L1 P2 Z90\nG0 X2\nM2\n"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tilted planes, and the words that turn the tool upright to them: with a machine of plain numbers.
+// Tilted planes, and the words that turn the tool perpendicular to the planes, with a machine that
+// is given by formulas.
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/trig/angles.h"
 
@@ -15,8 +16,8 @@
 namespace ncsim::gcode {
 namespace {
 
-// A turns the part about a line along X through Y0 Z-10, signs of ISO 841: seen from the part the
-// tool turns by A. It reaches -100 to 100 degrees.
+// Machine with a table A that turns the part about a line along X through Y0 Z-10, with signs of
+// ISO 841: relative to the part the tool turns by A.
 class ATable : public JointSolver {
 public:
     bool turns() const override { return true; }
@@ -86,12 +87,13 @@ void expect_at(const Position& p, double x, double y, double z, double near = 1e
     EXPECT_NEAR(p.z.mm(), z, near);
 }
 
-// Where X1, Y1 and Z1 of a plane lie, seen from its origin: its axes.
+// Origin of a plane, and the positions of X1, Y1 and Z1 relative to the origin: the axes.
 struct Seen {
     Triple origin, x, y, z;
 };
 Seen seen(const std::string& plane, Dialect dialect = Dialect::Fanuc) {
-    // LinuxCNC takes a plane with the word that turns the tool, which only an A would allow here.
+    // LinuxCNC combines the plane with the word that turns the tool, which only a rotation by A
+    // would permit here.
     const Made made = run(plane + "\nG0 X0 Y0 Z0\nG0 X1\nG0 X0 Y1\nG0 Y0 Z1\n", dialect);
     EXPECT_FALSE(made.fails()) << plane;
     const auto at = [&](std::size_t back) {
@@ -119,16 +121,16 @@ TEST(TiltedPlane, OfEulerAnglesAboutZThenXThenZ) {
 }
 
 TEST(TiltedPlane, OfRollPitchAndYawAboutAxesThatStay) {
-    // PLANE SPATIAL A45 B0 C90 of other controls: rows (0 -s s)(1 0 0)(0 s s).
+    // PLANE SPATIAL A45 B0 C90 in the language of Heidenhain: rows (0 -s s)(1 0 0)(0 s s).
     const Seen plane = seen("G68.2 P1 Q123 I45 J0 K90");
     const double s = std::sqrt(0.5);
     expect_triple(plane.x, {0, 1, 0});
     expect_triple(plane.y, {-s, 0, s});
     expect_triple(plane.z, {s, 0, s});
-    // In the other order, about Z first.
+    // In the reverse order, about Z first.
     const Seen other = seen("G68.2 P1 Q321 I45 J0 K90");
     expect_triple(other.x, {0, s, s});
-    // As Haas writes it, whose order is that without being told.
+    // In the syntax of Haas, whose default order is the same.
     expect_triple(seen("G268 X0 Y0 Z0 I45 J0 K90", Dialect::Haas).x, {0, s, s});
 }
 
@@ -140,7 +142,7 @@ TEST(TiltedPlane, ThroughThreePoints) {
     expect_triple(plane.x, {0, 1, 0});
     expect_triple(plane.y, {0, 0, 1});
     expect_triple(plane.z, {1, 0, 0});
-    // With a shift and a turn in the plane.
+    // With a shift and a rotation in the plane.
     const Seen shifted = seen("G68.2 P2 Q0 X4 Y5 Z6 R90\n" + points);
     expect_triple(shifted.origin, {7, 6, 8});
     expect_triple(shifted.x, {0, 0, 1});
@@ -172,10 +174,10 @@ TEST(TiltedPlane, OfTheRemapsOfLinuxCnc) {
     };
     turned("G68.2 Q121 I30 J0 K10", 40.0);
     turned("G68.2 P1 Q123 I-45 J0 K0", -45.0);
-    turned("G68.2 P1 Q321 I0 J0 K-45", -45.0);  // the third turn is about X
-    turned("G68.2 I90 J20 K0 R-90", 20.0);      // R before all, about Z
+    turned("G68.2 P1 Q321 I0 J0 K-45", -45.0);  // the third rotation is about X
+    turned("G68.2 I90 J20 K0 R-90", 20.0);      // R before all rotations, about Z
     turned("G68.2 P2 X1 Y2 Z3\nG68.2 P2 Q1\nG68.2 P2 Q2 X1\nG68.2 P2 Q3 Y1 Z1", 45.0);
-    // The vector of X is told as a point.
+    // The vector of X is given as a point.
     turned("G68.2 P3 Q0 X5 I6\nG68.2 P3 Q1 J-1 K1", 45.0);
     turned("G68.2 J20\nG68.4 J25", 45.0);
     EXPECT_TRUE(run("G68.2 Q123 I5", Dialect::Rs274).says("plane-form"));
@@ -199,17 +201,18 @@ TEST(TiltedPlane, TurnsTheToolWithTheLinearAxesAtRest) {
     const Made made = run("G0 X5 Y0 Z40\nG68.2 Z0 J90\nG53.1\nG0 Z30\nG1 Z-2\nG69\nG0 X0\n");
     EXPECT_FALSE(made.fails());
     ASSERT_EQ(made.moves.size(), 6U);
-    // A turns by 90: the axes stand where they stood.
+    // A turns by 90: the linear axes do not move.
     EXPECT_EQ(made.moves[2].coordinates, Coordinates::Axes);
     expect_at(made.end(3), 5, 0, 40);
     EXPECT_EQ(made.end(3).a.degrees(), 90.0);
-    // Which is Y-50 Z-10 on the part, whose X is 5 still: from there along the tool.
+    // On the part the position is Y-50 Z-10 with X still 5; from there the tool moves along the
+    // tool axis.
     EXPECT_EQ(made.moves[3].coordinates, Coordinates::Tip);
     EXPECT_EQ(made.moves[3].known_start, (KnownAxes{true, true, true}));
     expect_at(*start_of(made.moves[3]), 5, -50, -10);
     expect_at(made.end(2), 5, -30, -10);
     expect_at(made.end(1), 5, 2, -10);
-    // Afterwards the numbers are those of the axes again: 12 mm below the axis of A, Y0.
+    // Afterwards the numbers are axis positions again: 12 mm below the axis of A, Y0.
     EXPECT_EQ(made.moves[5].coordinates, Coordinates::Axes);
     expect_at(*start_of(made.moves[5]), 5, 0, -12);
     EXPECT_TRUE(made.result.asked_for_places);
@@ -222,7 +225,7 @@ TEST(TiltedPlane, KeepsWhatWorksInAPlane) {
     EXPECT_FALSE(drilled.fails());
     ASSERT_GE(drilled.moves.size(), 4U);
     expect_at(drilled.end(1), 5, 8, 8);
-    // An arc lies in it.
+    // An arc in the plane.
     const Made round = run(tilted + "G0 X10 Y0 Z0\nG3 X0 Y10 I-10\nG2 I0 J-10 Z-1\n");
     const auto& arc = std::get<Arc>(round.moves[round.moves.size() - 2].what);
     ASSERT_TRUE(arc.tilted);
@@ -235,18 +238,18 @@ TEST(TiltedPlane, KeepsWhatWorksInAPlane) {
     const Arc turn = in_own_frame(std::get<Arc>(round.moves.back().what));
     expect_at(turn.from, 0, 10, 0);
     expect_at(turn.to, 0, 10, -1);
-    // The cutter is kept off by its radius within it.
+    // Cutter compensation offsets by the radius within the plane.
     const Made aside = run(tilted + "G0 X-20 Y-20 Z0\nG41 D1 G1 X0 Y0\nX30\nG40 Y20\n");
     EXPECT_FALSE(aside.fails());
     EXPECT_TRUE(std::ranges::any_of(aside.moves, [](const Motion& m) {
         return std::abs(end_of(m)->z.mm() - 5.0) < 1e-9 && end_of(m)->x.mm() > 20.0;
     }));
-    // A shift in it, and one from before.
+    // A shift in the plane, and an earlier shift.
     expect_at(run(tilted + "G52 X3 Y4\nG0 X0 Y0 Z0\n").end(), 4, 2, 7);
     expect_at(run("G52 X100 Z7\n" + tilted + "G0 X0 Y0 Z0\n").end(), 101, 2, 10);
     expect_at(run(tilted + "G52 X3\nG53 G0 Z60\nG0 X0 Y0 Z0\nG69\nG52 X0\n").end(), 4, 2, 3);
     expect_at(run("G52 X100\n" + tilted + "G52 X3\nG69\nG0 A0\nG0 X0 Y0 Z0\n").end(), 100, 0, 0);
-    // A rotation in it, and inches.
+    // A rotation in the plane, and inches.
     expect_at(run(tilted + "G68 X0 Y0 R90\nG0 X3 Y0 Z0\n").end(), 1, 2, 6);
     expect_at(run(tilted + "G20\nG0 X1 Y0 Z0\n").end(), 26.4, 2, 3);
 }
@@ -265,7 +268,7 @@ TEST(TiltedPlane, PlacesOfTheMachineAreThoseOfItsJoints) {
 }
 
 TEST(TiltedPlane, RotaryWordsInItMoveTheJoints) {
-    // Instead of G53.1.
+    // In place of G53.1.
     const Made made = run("G0 X5 Y0 Z40\nG68.2 J90\nG0 A90\nG0 X0 Y0 Z5\n");
     EXPECT_EQ(made.moves[2].coordinates, Coordinates::Axes);
     expect_at(made.end(1), 5, 0, 40);
@@ -280,7 +283,7 @@ TEST(TiltedPlane, FollowsTheToolWhereItStands) {
     const Made made = run("G0 X5 Y0 Z40 A90\nG68.3\nG0 X0 Y0 Z1\n");
     EXPECT_FALSE(made.fails());
     expect_at(made.end(), 5, -51, -10);
-    // X level: along +X of the part, since Z points to -Y. With R it turns.
+    // X horizontal: along +X of the part, because Z points to -Y. R rotates X.
     expect_at(run("G0 X5 Y0 Z40 A90\nG68.3 X0 Y0 Z0\nG0 X2 Y0 Z0\n").end(), 2, 0, 0);
     expect_at(run("G0 X5 Y0 Z40 A90\nG68.3 X0 Y0 Z0 R90\nG0 X2 Y0 Z0\n").end(), 0, 0, 2);
     EXPECT_TRUE(run("G68.3 X0\n").says("plane-form"));
@@ -310,10 +313,10 @@ TEST(TiltedPlane, EndsWithTheProgram) {
     EXPECT_TRUE(made.result.ended);
 }
 
-// --- Offsets that turn with the table ---
+// --- Offsets that rotate with the table ---
 
 TEST(CarriedZero, GoesWithTheTableAndItsAxesDoNot) {
-    // Of Haas: after A90 the zero is 10 mm in front of the axis: at Y10 Z-10 of the machine.
+    // Haas: after A90 the zero is 10 mm in front of the axis: at Y10 Z-10 of the machine.
     const Made made =
         run("G0 Z40\nG0 A90\nG254\nG0 X1 Y0 Z5\nG1 Z-2\nG53 G0 Z60\nG255\nG0 X1 Y0 Z5\n",
             Dialect::Haas);
@@ -329,8 +332,8 @@ TEST(CarriedZero, GoesWithTheTableAndItsAxesDoNot) {
     EXPECT_FALSE(run("G254\nG1 X5\nG255\n", Dialect::Haas).fails());
 }
 
-// 20 mm behind the middle of the table while that stands at 0; told as it is at A90, where it is
-// below.
+// Returns an offset 20 mm behind the centre of the table at A0; specified at A90, where the offset
+// is below the centre.
 TableOffsets behind(bool moves) {
     return {{{1, {{0, 0, -20}, {90, 0, 0}, {}}}}, moves};
 }
@@ -341,27 +344,27 @@ TEST(FixtureOffset, IsTheZeroWhereverTheTableTurnsTo) {
         EXPECT_FALSE(made.fails()) << program;
         return made;
     };
-    // The first cut is at X1 Y0 Z5 of the part, which stands at Y20 of the machine.
+    // The first cut is at X1 Y0 Z5 of the part, which is at Y20 of the machine.
     const Made made = go("G54.2 P1\nG0 X1 Y0 Z5\nG1 Z-2\nG0 A90\nG1 X3\n");
-    // W is where the part stands at A0.
+    // W is the position of the part at A0.
     expect_at(made.end(2), 1, 0, -2);
-    // The table turns the part by A from Y20 to Z-20, and the tool stays above it.
+    // The table turns the part by A from Y20 to Z-20, and the tool stays above the part.
     expect_at(made.end(1), 1, -20, -22);
     EXPECT_NEAR(made.end(1).a.degrees(), 90.0, 1e-12);
     expect_at(made.end(0), 3, -20, -22);
     EXPECT_EQ(made.moves.back().coordinates, Coordinates::Axes);
-    // Where the tool does not go along, it has other coordinates: here it stays at Z-2.
+    // If the tool does not follow, its coordinates change: here Z stays at -2.
     const Made stays = go("G54.2 P1\nG0 X1 Y0 Z5\nG1 Z-2\nG0 A90\nG0 X3\nG0 Y0 Z0\n", false);
     expect_at(stays.end(2), 1, 0, -2);
     expect_at(stays.end(1), 3, 0, -2);
     expect_at(stays.end(0), 3, -20, -20);
-    // Increments go from where it stands.
+    // Increments start at the current position.
     expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG91 G0 A90 Z1\n").end(), 1, -20, -14);
     expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG91 G0 A90 Z1\n", false).end(), 1, 0, 6);
-    // What is told besides the turn is told of the part.
+    // Further words in the block of the rotation are relative to the part.
     expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG0 A90 Y4\n").end(), 1, -16, -15);
     expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG0 A90 Y4\n", false).end(), 1, -16, 5);
-    // Inches; and P0 leads back to the zero of the system.
+    // Inches; and P0 returns to the zero of the system.
     expect_at(go("G54.2 P1\nG20\nG1 X1 Y0 Z0\nG0 A90\n").end(), 25.4, -20, -20);
     expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nA90\nG54.2 P0\nG1 Y0\n").end(), 1, -20, 5);
 }
@@ -398,12 +401,12 @@ TEST(FixtureOffset, NothingOfItIsGuessed) {
                 .fails())
             << words;
     }
-    // A cycle that turns the table would leave the zero behind.
+    // A cycle that turns the table would not move the zero.
     EXPECT_TRUE(run("G0 A90\nG254\nG81 X3 Y3 Z-3 R2 A5\n", Dialect::Haas).says("plane-form"));
 }
 
-// What the setting is off goes with the table, too; tip control and tilted planes are those of the
-// part as it lies.
+// A setting error rotates with the table, too; tip control and tilted planes refer to the part as
+// clamped.
 TEST(SettingError, IsTheZeroOfThePart) {
     const auto go = [](const std::string& program) {
         const Made made = run(program, Dialect::Fanuc, true, behind(true));
@@ -413,7 +416,7 @@ TEST(SettingError, IsTheZeroOfThePart) {
     const Made axes = go("G54.4 P1\nG0 X1 Y0 Z5\nG1 Z-2\nG0 A90\nG1 X3\nG54.4 P0\n");
     expect_at(axes.end(3), 1, 0, -2);
     expect_at(axes.end(2), 1, -20, -22);
-    // Places of the tip are those of the part at any angle.
+    // Positions of the tip are positions on the part at any angle.
     const Made tip =
         go("G54.4 P1\nG1 X1 Y0 Z5\nG43.4 H1\nG1 X2 Y3 Z4 A90\nG1 A30\nG49\nG1 A90\nG1 Y0 Z0\n");
     expect_at(tip.end(3), 2, 3, 4);
@@ -421,14 +424,14 @@ TEST(SettingError, IsTheZeroOfThePart) {
     EXPECT_EQ(tip.moves[tip.moves.size() - 3].coordinates, Coordinates::Tip);
     EXPECT_EQ(tip.moves.back().coordinates, Coordinates::Axes);
     expect_at(tip.end(0), 2, -20, -20);
-    // After a switch the tool is where it was.
+    // After a change of mode the tool is at the same position.
     const Made back = go("G54.4 P1\nG1 X1 Y0 Z5 A90\nG43.4 H1\nG49\nG1 X2\n");
     EXPECT_EQ(start_of(back.moves.back())->y.mm(),
               end_of(back.moves[back.moves.size() - 2])->y.mm());
     expect_at(back.end(0), 2, -20, -15, 1e-9);
     const Made plane = go("G54.4 P1\nG1 X1 Y0 Z5\nG68.2 X5 Y6 Z7 J90\nG53.1\nG1 X1 Y2 Z3\nG69\n");
     expect_at(plane.end(0), 6, 3, 9);
-    // The way home is that of the machine; at A90 as at A0.
+    // The home position is a machine position, equal at A90 and at A0.
     expect_at(go("G1 X0 Y0 Z5\nG54.4 P1\nG1 Y0 A90\nG53 G0 Y7 Z8\n").end(), 0, 7, 8);
 }
 
@@ -465,7 +468,7 @@ TEST(TipControl, OfHaasIsFixedToTheTableAtZero) {
     EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
 }
 
-// --- Face and cylinder ---
+// --- Polar and cylindrical interpolation ---
 
 TEST(Face, XAndCTellPlacesAcrossTheAxis) {
     for (const char* words : {"G12.1", "G112"}) {
@@ -480,7 +483,7 @@ TEST(Face, XAndCTellPlacesAcrossTheAxis) {
         expect_at(made.end(3), 20, 10, -1);
         expect_at(std::get<Arc>(made.moves[3].what).to, 10, 20, -1);
         expect_at(made.end(1), -20, 0, -1);
-        // Then X is the distance again, and C is where it got to.
+        // After the end, X is the radius again, and C is the angle reached.
         EXPECT_EQ(made.moves[5].coordinates, Coordinates::Axes);
         expect_at(*start_of(made.moves[5]), 20, 0, -1);
         EXPECT_NEAR(start_of(made.moves[5])->c.degrees(), 180, 1e-9);
@@ -535,7 +538,7 @@ TEST(Cylinder, HasArcsOfItsCircumference) {
     EXPECT_TRUE(run("G7.1 C0.0000001\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G7.1 C-5\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G19 G7.1 C25\nG2 Z-5 C10 J5\n", Dialect::Fanuc, false).says("plane-form"));
-    // More chords than are made of one arc would be needed.
+    // The arc would need more chords than the limit.
     const std::string start = "G0 X30 Z0 C0\nG19 G7.1 C25\nG1 X24 F100\nG2 C10 ";
     EXPECT_FALSE(run(start + "Z-1900. R1000.\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run(start + "Z-190000. R100000.\n", Dialect::Fanuc, false).says("plane-form"));
@@ -547,9 +550,9 @@ TEST(WorkOffset, ThePOfG64IsNotItsOwn) {
     EXPECT_FALSE(run("G54 G90 G64 P0.01\nG0 X1\n").fails());
 }
 
-// --- Ways of rotary axes ---
+// --- Directions of rotary axes ---
 
-// Where C goes, one value after the other.
+// Returns the successive values of C.
 std::vector<double> places(RotaryWay way, const std::vector<std::string>& words) {
     InterpreterOptions options;
     options.rotary_ways[2] = way;
@@ -587,8 +590,8 @@ TEST(RotaryWay, OfASignAndAlwaysUp) {
               (std::vector<double>{90, 405, 405, 710}));
 }
 
-// It was off by the rounding of two ways, so that the second word was a turn of 1e-14 degrees, and
-// a whole one for an axis that always goes up.
+// A repeated position must not differ by rounding; a difference of 1e-14 degrees would become a
+// full turn for an axis that always turns in the positive direction.
 TEST(RotaryWay, APlaceThatIsNamedAgainIsNoMove) {
     for (const RotaryWay way :
          {RotaryWay::Linear, RotaryWay::Shortest, RotaryWay::Sign, RotaryWay::Positive}) {
@@ -629,7 +632,7 @@ TEST(TipControl, OnAMachineThatIsToldTheTipIsKnownAfterASwitch) {
     EXPECT_EQ(made.moves[2].known_start, (KnownAxes{true, true, true}));
     expect_at(made.end(2), 1, -50, -3);
     expect_at(*start_of(made.moves[3]), 1, 7, 40);
-    // Under tip control a place of the machine is one of its joints.
+    // Under tip control a machine position is a joint position.
     const Made home = run("G0 X1 Y0 Z40 A90\nM428\nG53 G0 Z60\nG1 X7\n");
     EXPECT_EQ(home.moves[2].coordinates, Coordinates::Axes);
     expect_at(home.end(1), 1, 0, 60);
@@ -650,7 +653,7 @@ TEST(TipControl, OfG43_5HasTheDirectionOfTheTool) {
     EXPECT_TRUE(run("G43.5 H1\nG1 X1 I1\n").says("unreachable-orientation"));
     EXPECT_TRUE(run("G43.5 H1\nG2 X1 I1\n").fails());
     EXPECT_TRUE(run("G43.5 H1\n", Dialect::Fanuc, false).says("kinematics"));
-    // Without it, I, J and K belong to nobody.
+    // Without tip control I, J and K have no meaning.
     EXPECT_EQ(run("G43.4 H1\nG1 X1 Y2 Z3 J-1 K1\n").end().a.degrees(), 0.0);
 }
 

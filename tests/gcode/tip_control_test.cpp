@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// X, Y and Z are places of the tip from a word on that the machine tells.
+// Tip control: after the word that the machine defines for tip control, X, Y and Z are positions of
+// the tip.
 #include "ncsim/gcode/interpreter.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(TipControl, BeginsAndEndsWithTheWordsOfTheMachine) {
     EXPECT_EQ(made.moves[1].coordinates, Coordinates::Tip);
     EXPECT_EQ(made.moves[2].coordinates, Coordinates::Tip);
     EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
-    // With all rotary axes at 0 the tip is where the linear axes are.
+    // With all rotary axes at 0 the tip position equals the linear axes.
     for (std::size_t i = 1; i < made.moves.size(); ++i)
         EXPECT_TRUE(knows(made.moves[i].known_start)) << i;
 }
@@ -85,12 +86,12 @@ TEST(TipControl, BeginsWithG43_4AndEndsWithG49) {
     EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
     EXPECT_EQ(made.moves[3].length.mm(), 0.0);
     EXPECT_TRUE(made.result.uses_length_offsets);
-    // Plain G43 is another mode of the same group.
+    // Plain G43 is a different mode of the same group.
     EXPECT_EQ(run("G0 X1 Y2 Z3\nG43.4 H1\nG43 H1\nG1 X4\n").moves.back().coordinates,
               Coordinates::Axes);
 }
 
-// Where the tip is then is a matter of geometry, which is never guessed.
+// After the change the tip position depends on the kinematics, which are never guessed.
 TEST(TipControl, AMoveAfterASwitchWithTurnedAxesComesFromNowhere) {
     const Made made = run("G0 X1 Y2 Z3 A10\nM428\nG1 X4\nY5 Z6\nG1 X7\nM429\nG1 X8\n");
     ASSERT_EQ(made.moves.size(), 5U);
@@ -99,7 +100,7 @@ TEST(TipControl, AMoveAfterASwitchWithTurnedAxesComesFromNowhere) {
     EXPECT_EQ(made.moves[1].known_end, (KnownAxes{true, false, false}));
     EXPECT_TRUE(knows(made.moves[3].known_start));
     EXPECT_EQ(made.moves[4].known_start, (KnownAxes{false, false, false}));
-    // Increments from there on lead nowhere that is known.
+    // Increments from an unknown position lead to an unknown position.
     const Made by_steps = run("G0 X1 Y2 Z3 A10\nM428\nG91 G1 X4 Y1 Z1\nX1\n");
     EXPECT_TRUE(by_steps.moves.back().start_assumed);
 }
@@ -111,7 +112,7 @@ TEST(TipControl, APlaceOfTheMachineIsNoPlaceOfTheTipThen) {
     EXPECT_EQ(made.moves[1].known_end, (KnownAxes{false, false, false}));
     EXPECT_EQ(made.moves[2].known_end, (KnownAxes{true, false, false}));
     EXPECT_TRUE(knows(made.moves[4].known_start));
-    // While nothing is turned it is.
+    // With all rotary axes at 0 the position is known.
     const Made upright = run("M428\nG0 X1 Y2 Z3\nG53 G0 Z0\nG0 X1\n");
     EXPECT_TRUE(knows(upright.moves[1].known_end));
 }

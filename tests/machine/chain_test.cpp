@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Forward: numbers of LinuxCNC's own kinematics (5c41560e, compiled and run), tip in W; and the
-// formula that poses were made by before there were chains.
+// Forward kinematics: compared with the kinematics of LinuxCNC (5c41560e, compiled and run; tip in
+// W), and with the formula for rotations about the origin.
 #include "ncsim/machine/chain.h"
 
 #include "ncsim/machine/presets.h"
@@ -26,7 +26,7 @@ std::vector<Joint> linear() {
     return {joint_of('X', false, kX), joint_of('Y', false, kY), joint_of('Z', false, kZ)};
 }
 
-// `part` nearest to the part first, `head` nearest to the tool last.
+// Returns a chain of X, Y, Z, with `part` from the part outwards and `head` towards the tool.
 Chain chain_of(std::vector<Joint> part, const std::vector<Joint>& head = {}) {
     for (const Joint& joint : linear())
         part.push_back(joint);
@@ -34,7 +34,7 @@ Chain chain_of(std::vector<Joint> part, const std::vector<Joint>& head = {}) {
     return {std::move(part)};
 }
 
-// LinuxCNC tells where C is, and how far the axis of the cradle lies from there.
+// LinuxCNC specifies the position of C and the offset of the cradle axis from C.
 Chain trt(Positive positive, Vec3 rotation_point, Vec3 offset, char cradle = 'A') {
     const Vec3 about = cradle == 'A' ? kX : kY;
     return chain_of({joint_of('C', true, kZ, rotation_point, positive),
@@ -62,7 +62,7 @@ TEST(Chain, TurnsTablesAsLinuxCNCsXyzacTrt) {
 }
 
 TEST(Chain, TurnsTablesUnderAToolOfSomeLength) {
-    // Its tip is at Z-50 while all joints are at 0: let the program's zero be there.
+    // With all joints at 0 the tip is at Z-50; the program's zero is placed there.
     constexpr double kLength = 50.0;
     const auto tip_of = [](const Chain& chain) { return chain.placed({0, 0, -kLength}, kLength); };
     const auto in_W = [](Vec3 p_M) { return p_M + Vec3{0, 0, kLength}; };
@@ -98,16 +98,16 @@ TEST(Chain, ThePresetsAreThoseMachines) {
 }
 
 TEST(Chain, IsPlacedWhereTheProgramsZeroIs) {
-    // A table: only how the zero lies to its axis counts, however long the tool is.
+    // A table: only the position of the zero relative to the axis matters, for any tool length.
     Chain table = *preset("4axis-a");
     table.joints.front().through = {0, 100, -250};
     for (const double length : {0.0, 80.0}) {
         const Chain placed = table.placed({0, 100, -200}, length);
         expect_tip(placed, at(5, 6, 7, 0, 0, 0), {5, 6, 7});
-        // 50 mm above the axis it is 50 mm behind it after a quarter turn.
+        // A point 50 mm above the axis is 50 mm behind the axis after a quarter turn.
         expect_tip(placed, at(0, 0, 0, 90, 0, 0), {0, -50, -50});
     }
-    // A head: only what lies between axis and tip, wherever the zero is.
+    // A head: only the offset from the axis to the tip matters, for any zero.
     Chain head = *preset("bridge-cb");
     for (Joint& joint : head.joints) {
         if (joint.turns) joint.through = {0, 0, 150};
@@ -121,7 +121,7 @@ TEST(Chain, IsPlacedWhereTheProgramsZeroIs) {
     }
 }
 
-// How poses were made before: A, then B, then C about the origin.
+// Returns the pose by rotations A, then B, then C about the origin.
 Pose before(const Values& v) {
     Pose X_WT;
     X_WT.translation = {v[0] + v[6], v[1] + v[7], v[2] + v[8]};

@@ -80,7 +80,7 @@ Vec3 direction(test::Random& random) {
     }
 }
 
-// Any two rotary joints, before, between and behind the linear ones.
+// Returns a machine with two rotary joints at any position in the chain of linear joints.
 Chain random_machine(test::Random& random) {
     Chain chain;
     const char letters[] = {'X', 'Y', 'Z'};
@@ -118,7 +118,7 @@ TEST(Inverse, UndoesForwardOnAnyMachine) {
         bool is_back = false;
         for (const Turns& way : ways) {
             const auto whole = values_for(chain, X_WT.translation, way.values);
-            // Where joints turn the linear ones into one plane there is no way.
+            // If the joints turn the linear axes into a plane, no solution exists.
             if (!whole) continue;
             ++found;
             const Pose again = chain.pose(*whole);
@@ -132,7 +132,7 @@ TEST(Inverse, UndoesForwardOnAnyMachine) {
         same += is_back;
     }
     EXPECT_GT(found, 90'000);
-    EXPECT_GT(same, count - 100);  // but where a joint is nearly free
+    EXPECT_GT(same, count - 100);  // except if a joint is nearly free
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which way of several a control takes: the order of Fanuc, the words of LinuxCNC and Heidenhain.
+// Choice of the control between several orientations: the order of Fanuc, the words of LinuxCNC and
+// Heidenhain.
 #include "ncsim/machine/orient.h"
 
 #include "ncsim/machine/presets.h"
@@ -16,7 +17,7 @@ using cda::normalized;
 using cda::Vec3;
 
 constexpr std::size_t kA = 3, kB = 4, kC = 5;
-// The normal of the plane of G68.2 I30 J40 K-20.
+// Normal of the plane of G68.2 I30 J40 K-20.
 const Vec3 kNormal = normalized({0.321393804843, -0.556670399226, 0.766044443119});
 
 Chain with_iso_signs(Chain chain) {
@@ -28,7 +29,7 @@ Chain with_iso_signs(Chain chain) {
     return chain;
 }
 
-// Joints of a letter, from where the others stand.
+// Returns the values of the rotary joints; linear joints are 0.
 Values at(double a, double b, double c) {
     Values values{};
     values[kA] = a, values[kB] = b, values[kC] = c;
@@ -51,7 +52,7 @@ TEST(Orient, TheTableOfTwoIsTheMasterAndOfTwoAlikeTheOneOnTheBed) {
 TEST(Orient, TakesTheLeastWayOfTheMaster) {
     const Chain table = with_iso_signs(*preset("xyzac-trt"));
     expect(orient(table, kNormal, at(0, 0, 0)), kA, 40, kC, 30);
-    // Near the other way it is that one: A-40 C-150 or C210.
+    // A start near the second solution gives the second solution: A-40 C-150 or C210.
     expect(orient(table, kNormal, at(-30, 0, 0)), kA, -40, kC, -150);
     expect(orient(table, kNormal, at(-30, 0, 100)), kA, -40, kC, 210);
     const Chain head{{joint_of('X', false, {1, 0, 0}), joint_of('Y', false, {0, 1, 0}),
@@ -66,7 +67,7 @@ TEST(Orient, StaysWithinTheTravels) {
     expect(orient(table, kNormal, at(0, 0, 0), {{'A', {-120, 30}}, {'C', {0, 360}}}), kA, -40, kC,
            210);
     EXPECT_FALSE(orient(table, kNormal, at(0, 0, 0), {{'A', {-30, 30}}}));
-    // However far away it stands now.
+    // For any distance of the start.
     expect(orient(table, kNormal, at(0, 0, 5000), {{'C', {-180, 180}}}), kA, 40, kC, 30);
 }
 

@@ -56,7 +56,7 @@ TEST(Relative, IsTheWayOverTheBed) {
         const Values values = random_values(random, 300.0, 180.0);
         const Vec3 p = random_vector(random, 100.0);
         const Pose X = pose_of(seen_from(table, head), values);
-        // Both carried by X, which says nothing about the two.
+        // X carries both chains, so X does not occur in the relative motion.
         EXPECT_EQ(seen_from(table, head).joints.size(), 4U);
         expect_same(carried(table, values, X * p), carried(head, values, p));
         expect_same(inverse(X) * (X * p), p);
@@ -105,7 +105,7 @@ TEST(Relative, NoPointGoesFartherThanItsBounds) {
             }
         }
     }
-    // Not bounds that hold because they are far too large.
+    // The bounds are tight and do not hold only by being far too large.
     EXPECT_GT(closest_speed, 0.9);
     EXPECT_GT(closest_bend, 0.7);
 }

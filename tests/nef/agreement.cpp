@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares sorted corners and volumes of both models.
 #include "nef/agreement.h"
 
 #include "ncsim/cda/boundary.h"
@@ -27,7 +29,8 @@ namespace {
 
 using cda::Vec3;
 
-// A place has faces of three directions: else it is on an edge, or in a face that two motions left.
+// True if the faces at a place have normals of three directions. Otherwise the place is on an edge,
+// or in a face that two motions left.
 bool spans_space(const std::vector<Vec3>& normals) {
     for (std::size_t i = 1; i < normals.size(); ++i) {
         const Vec3 along = cross(normals[0], normals[i]);
@@ -44,7 +47,7 @@ auto key(const Vec3& p) {
     return std::tuple{p.x, p.y, p.z};
 }
 
-// mm
+// Returns the vertices of a boundary at which faces of three directions meet, in mm.
 std::vector<Vec3> corners_of(const cda::Boundary& boundary) {
     std::vector<std::pair<Vec3, Vec3>> all;  // place, normal of a face there
     for (const cda::BoundaryFace& face : boundary.faces) {
@@ -82,7 +85,8 @@ std::string disagreement(const cda::Cell& stock, const std::vector<cda::Cell>& c
         expected.subtract(cell);
     cda::TreeCda part(stock, kLattice, {24, 1});
     part.subtract_unmeasured(others);
-    // Both round the exact corner once, the one in units and the other in mm: to the last bits.
+    // Both models round the exact corner once, in units or in mm, so corners agree up to the last
+    // bits.
     const std::vector<Vec3> found = corners_of(part.boundary());
     std::vector<Vec3> corners;
     for (const Vec3& p : expected.corners())

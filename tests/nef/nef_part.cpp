@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boundary evaluation with Nef polyhedra of CGAL.
 #include "nef/nef_part.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -25,7 +27,7 @@ using Vector = Kernel::Vector_3;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Nef = CGAL::Nef_polyhedron_3<Kernel>;
 
-// normal · x <= offset
+// Halfspace with normal · x <= offset.
 struct Halfspace {
     Vector normal;
     Number offset;
@@ -35,7 +37,8 @@ Halfspace halfspace_of(const cda::Plane& plane) {
     return {Vector(plane.nx, plane.ny, plane.nz), Number(static_cast<double>(plane.d))};
 }
 
-// Both ends of what the halfspaces leave of the line in which two of them meet, if they do.
+// Returns the ends of the segment that all halfspaces leave of the line in which the planes `i` and
+// `j` meet; empty if there is no segment.
 std::optional<std::pair<Point, Point>> edge_of(const std::vector<Halfspace>& all, std::size_t i,
                                                std::size_t j) {
     const Vector along = CGAL::cross_product(all[i].normal, all[j].normal);
@@ -62,7 +65,7 @@ std::optional<std::pair<Point, Point>> edge_of(const std::vector<Halfspace>& all
     return std::pair{CGAL::ORIGIN + (on + *low * along), CGAL::ORIGIN + (on + *high * along)};
 }
 
-// Empty, if the cell has no volume.
+// Returns the polyhedron of a cell; empty if the cell has no volume.
 Nef nef_of(const cda::Cell& cell) {
     std::vector<Halfspace> all;
     for (const cda::Plane& plane : cell.planes)
@@ -114,11 +117,12 @@ std::vector<cda::Vec3> NefPart::corners() const {
 }
 
 double NefPart::volume() const {
-    // Of each facet cycle of the material's shells; outlines and holes turn against each other.
+    // Sums over the facet cycles of the material's shells. Outlines and holes have opposite
+    // orientations.
     Number sum = 0;
     const Nef& part = impl_->part;
     for (auto f = part.halffacets_begin(); f != part.halffacets_end(); ++f) {
-        // Of the two sides of each facet, the one that the material is at.
+        // Each facet has two sides; only the side at the material counts.
         if (!f->incident_volume()->mark()) continue;
         for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
             if (!cycle.is_shalfedge()) continue;

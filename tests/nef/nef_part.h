@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A part by boundary evaluation with exact numbers: the stock less each cell, one Boolean operation
-// after the other, as the thesis describes it (2.1) and could not make it stable. It shares nothing
-// with the aggregates but the planes of the cells: an oracle of other descent.
+// A part by boundary evaluation with exact numbers: the stock less each cell, by successive Boolean
+// operations, as the thesis describes (2.1) but could not make stable. The class is an independent
+// oracle, because it shares only the planes of the cells with the aggregates.
 //
-// CGAL, Nef_polyhedron_3 over Exact_predicates_exact_constructions_kernel; after Laidlaw, Trumbore,
-// Hughes 1986 only in what it does, not in how.
+// Uses CGAL's Nef_polyhedron_3 over Exact_predicates_exact_constructions_kernel.
+// Source: Laidlaw, Trumbore, Hughes 1986, for the operation but not for the algorithm.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -25,10 +25,11 @@ public:
 
     void subtract(const cda::Cell& cell);
 
-    /// Where the boundary is neither flat nor straight, in units, each coordinate the double
-    /// nearest to the exact one; in order.
+    /// Returns the corners of the boundary in lattice units, sorted. Each coordinate is the double
+    /// nearest to the exact coordinate. A corner is a point where the boundary is neither flat nor
+    /// straight.
     std::vector<cda::Vec3> corners() const;
-    /// Cubic units, the double nearest to the exact volume.
+    /// Returns the volume in cubic units, the double nearest to the exact volume.
     double volume() const;
 
 private:

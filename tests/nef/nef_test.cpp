@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact model against one of other descent: corner for corner, in scenes of unit cubes, where
-// every coincidence happens, and in oblique ones.
+//
+// Compares the exact model with an independent model, corner by corner: in scenes of unit cubes,
+// where every coincidence occurs, and in oblique scenes.
 #include "nef/agreement.h"
 #include "support/random_shapes.h"
 
@@ -36,7 +37,7 @@ TEST(Nef, AgreesInObliqueScenes) {
     }
 }
 
-// A corner that is a unit off is found.
+// A corner that is off by a unit is found.
 TEST(Nef, DisagreesWithAnotherPart) {
     const cda::Cell stock = mm_box(0, 0, 0, 2, 2, 2);
     cda::Cell cut = mm_box(1, 1, 1, 3, 3, 3);

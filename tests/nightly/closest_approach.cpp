@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Branch and bound over the intervals of a motion.
 #include "nightly/closest_approach.h"
 
 #include <algorithm>
@@ -11,10 +13,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Values of a convex function on [0, 1], with the greatest lower bound they allow.
+// Values of a convex function on [0, 1], with the greatest lower bound that the values imply.
 class ConvexValues {
 public:
-    // No slope is greater than `steepest`; values are right within `rounding`.
+    // Requires: slopes are at most `steepest`; values are exact within `rounding`.
     ConvexValues(double steepest, double rounding) : steepest_(steepest), rounding_(rounding) {}
 
     void add(double t, double value) {
@@ -30,8 +32,8 @@ public:
         double t = 0.0, bound = 0.0;
         bool can_be_added = true;
     };
-    // Below no place lies the function lower than there. Without rounding that would be one of the
-    // intervals beside the least value.
+    // Returns the parameter with the smallest lower bound of the function. Without rounding, the
+    // parameter would be in an interval next to the least value.
     Kink lowest() const {
         const std::size_t i = best();
         Kink kink{values_[i].t, values_[i].value - rounding_, false};
@@ -53,7 +55,8 @@ private:
         return best;
     }
 
-    // Of the secant through two values, and what rounding may have added to it.
+    // Slope of the secant through two successive values; slope_error() bounds the error by
+    // rounding.
     double slope(std::size_t i) const {
         const Value a = values_[i];
         const Value b = values_[i + 1];
@@ -63,7 +66,8 @@ private:
         return 2 * rounding_ / (values_[i + 1].t - values_[i].t);
     }
 
-    // Between values i and i + 1 the function lies above the secants that come from both sides.
+    // Between values i and i + 1 the function is above the extended secants of both neighbouring
+    // intervals.
     void lower(Kink& kink, std::size_t i) const {
         const Value a = values_[i];
         const Value b = values_[i + 1];
@@ -76,12 +80,12 @@ private:
         if (down < 0.0 && up > 0.0) {
             t = (b.value - a.value + down * a.t - up * b.t) / (down - up);
             t = std::clamp(t, a.t, b.t);
-            // Where both meet; the lower one, as t is rounded.
+            // Value at the intersection of both secants; the smaller value, because t is rounded.
             bound = std::min({bound, a.value + down * (t - a.t), b.value + up * (t - b.t)});
         }
         bound -= rounding_;
         if (bound >= kink.bound) return;
-        // Not too near to what is known: secants of close values are steep by rounding.
+        // At some distance from known values: secants of close values are steep by rounding.
         const double margin = 0.02 * (b.t - a.t);
         kink = {std::clamp(t, a.t + margin, b.t - margin), bound, b.t - a.t > 1e-7};
     }
@@ -92,16 +96,17 @@ private:
 
 struct ChordBound {
     double lower = 0.0;
-    double at = 0.0;  // of the least value seen, in [0, 1]
+    double at = 0.0;  // of the least value found, in [0, 1]
 };
 
-// Of a convex gauge on the chord from a to b. Stops where it lies above `enough`, or cannot.
+// Returns a lower bound of a convex gauge on the chord from a to b. Stops as soon as the bound is
+// above `enough` or cannot exceed `enough`.
 ChordBound along_chord(const Gauge& gauge, const Vec& a, const Vec& b, double enough,
                        double rounding) {
     ConvexValues values(norm(b - a), rounding);
     const auto look = [&](double t) { values.add(t, gauge(a + t * (b - a))); };
     look(0.5);
-    // From one value in the middle.
+    // A bound from a single value in the middle.
     const double quick = values.least() - rounding - 0.5 * norm(b - a);
     if (quick > enough) return {quick, 0.5};
     look(0.0);
@@ -119,7 +124,7 @@ ChordBound along_chord(const Gauge& gauge, const Vec& a, const Vec& b, double en
 
 Bounds closest_approach(const Gauge& gauge, const Course& course, const Vec& p_W, double cut,
                         int most_steps) {
-    // A few roundings of doubles in each of some dozen operations.
+    // A few roundings of doubles in each of several dozen operations.
     const double rounding = 4e-15 * course.magnitude(p_W);
     const double bend = course.bend(p_W);
     Bounds bounds{kInfinity, kInfinity};
@@ -140,7 +145,7 @@ Bounds closest_approach(const Gauge& gauge, const Course& course, const Vec& p_W
         const double lower = chord.lower - bulge;
         value_at(now.from + chord.at * w);
         if (bounds.upper <= cut || steps == most_steps) {
-            bounds.lower = -kInfinity;  // settled from above, or given up
+            bounds.lower = -kInfinity;  // decided by the upper bound, or given up
             return bounds;
         }
         if (lower > cut || bulge <= rounding) {
@@ -151,7 +156,8 @@ Bounds closest_approach(const Gauge& gauge, const Course& course, const Vec& p_W
         const Vec m = course.to_tool(middle, p_W);
         const Interval first{now.from, middle, now.a, m};
         const Interval second{middle, now.to, m, now.b};
-        // The half with the nearest point of the chord first: it may settle the matter.
+        // The half with the nearest point of the chord first, because this half may decide the
+        // result.
         pending.push_back(chord.at < 0.5 ? second : first);
         pending.push_back(chord.at < 0.5 ? first : second);
     }

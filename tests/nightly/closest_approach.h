@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How near a moving tool comes to a point: a lower and an upper bound, both certain.
+// Lower and upper bound of the distance between a moving tool and a point; both are certain.
 #pragma once
 
 #include "nightly/course.h"
@@ -9,7 +9,7 @@
 
 namespace ncsim::nightly {
 
-/// A convex function of a point in frame T whose slope is at most 1, such as the signed distance of
+/// Convex function of a point in frame T with slopes of at most 1, such as the signed distance from
 /// a convex tool.
 using Gauge = std::function<double(const Vec& p_T)>;
 
@@ -17,13 +17,13 @@ struct Bounds {
     double lower = 0.0, upper = 0.0;
 };
 
-/// Bounds of the least value of `gauge` that the point sees during the move. Refined until they
-/// tell whether it is above `cut` (lower > cut, or upper <= cut), or `most_steps` intervals were
-/// looked at.
+/// Returns bounds of the minimum of `gauge` at the point `p_W` during the motion, refined until
+/// lower > cut or upper <= cut, or until `most_steps` intervals have been examined.
 ///
-/// In an interval of length w the way of the point past the tool lies within b w²/8 of its chord,
-/// where b bounds the second derivative. Along a chord a convex function has convex values, whose
-/// least is bounded from below by secants. Rounding of the doubles is allowed for on both sides.
+/// In an interval of length w, the path of the point relative to the tool deviates from its chord
+/// by at most b w²/8, where b bounds the second derivative. On a chord the values of a convex
+/// function are convex, and secants bound the minimum from below. Both bounds include the rounding
+/// of doubles.
 Bounds closest_approach(const Gauge& gauge, const Course& course, const Vec& p_W, double cut,
                         int most_steps = 20000);
 

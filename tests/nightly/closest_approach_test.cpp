@@ -31,7 +31,7 @@ TEST(ClosestApproach, OfABallOnAStraightWayIsTheDistanceFromASegment) {
 }
 
 TEST(ClosestApproach, UnderAFlatBottomNeedsNoMoreThanAFewLooks) {
-    // A distance that stays the same all the way.
+    // A distance that is constant during the motion.
     const RoundTool flat = RoundTool::end_mill(10, 0, 20);
     const Course course = Course::straight({{-100, 0, 0}, {}}, {{100, 0, 0}, {}});
     int looks = 0;
@@ -43,8 +43,8 @@ TEST(ClosestApproach, UnderAFlatBottomNeedsNoMoreThanAFewLooks) {
     EXPECT_LT(looks, 40);
 }
 
-// All kinds of ways, against the best of many poses. `dense` bounds how much nearer the tool can
-// come between two of them.
+// All kinds of paths, compared with the minimum over many poses. `dense` bounds by how much the
+// tool can come closer between two poses.
 TEST(ClosestApproach, AgreesWithManyPoses) {
     test::Random random(1);
     const std::vector<RoundTool> tools{
@@ -78,7 +78,7 @@ TEST(ClosestApproach, AgreesWithManyPoses) {
             longest = std::max(longest, norm(at - before));
             before = at;
         }
-        const double least = best - longest / 2 - 1e-9;  // nothing is nearer
+        const double least = best - longest / 2 - 1e-9;  // no pose is closer
         const Bounds clear = closest_approach(gauge_of(tool), course, p, least - 1e-9);
         EXPECT_GT(clear.lower, least - 1e-9);
         EXPECT_LE(clear.lower, best + 1e-9);
@@ -91,7 +91,7 @@ TEST(ClosestApproach, AgreesWithManyPoses) {
 TEST(ClosestApproach, ThatIsCutOffClaimsNothing) {
     const RoundTool ball = RoundTool::end_mill(6, 3, 20);
     const Course course = Course::arc({{10, 0, 0}, {}}, {{10, 0, 0}, {}}, 0, 1, {}, true, 0);
-    // A hair above the way: it takes many looks to say so.
+    // 0.1 nm above the cut: the decision takes many steps.
     const Bounds b = closest_approach(gauge_of(ball), course, {0, 13 + 1e-7, 5}, 0.9e-7, 3);
     EXPECT_FALSE(b.lower > 0.9e-7);
     EXPECT_FALSE(b.upper <= 0.9e-7);

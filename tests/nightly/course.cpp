@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Formulas of lines, arcs and rotations.
 #include "nightly/course.h"
 
 #include <algorithm>
@@ -10,7 +12,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// About an axis: counter-clockwise seen from its positive end.
+// Rotates about an axis, counter-clockwise seen from the positive end of the axis.
 Vec rotated(const Vec& p, std::size_t axis, double degrees) {
     if (degrees == 0.0) return p;
     const std::size_t i = (axis + 1) % 3;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The way of a tool during one move, as formulas: straight or along an arc, with or without turning
-// about the axes through the origin of W:
+// Path of a tool during a move, as formulas: a line or an arc, with or without rotation about the
+// axes through the origin of W:
 //
-//     p_W = Rz(C) Ry(B) Rx(A) (p_T + x)
+//    p_W = Rz(C) Ry(B) Rx(A) (p_T + x)
 //
-// where x, A, B and C run in step with the parameter t in [0, 1] (on an arc with its angle).
+// where x, A, B and C are linear in the parameter t in [0, 1]; on an arc the angle is linear in t.
 #pragma once
 
 #include "nightly/vec.h"
@@ -20,8 +20,8 @@ struct Axes {
     Vec turn{};  ///< A, B, C in degrees.
 };
 
-/// In the plane of two of the linear axes, the first turning into the second; the radius changes
-/// linearly with the angle. The third axis is linear.
+/// Arc in the plane of two linear axes, with positive angles from `first` to `second`. The radius
+/// changes linearly with the angle. The third axis is linear.
 struct Circling {
     std::size_t first = 0, second = 1;
     std::array<double, 2> centre{};
@@ -32,32 +32,33 @@ struct Circling {
 class Course {
 public:
     static Course straight(const Axes& from, const Axes& to);
-    /// From `from` to `to`, counter-clockwise or clockwise, with so many more full turns; ends that
-    /// are equal in the plane make one turn.
+    /// Returns the arc between `from` and `to`, counter-clockwise or clockwise, with `more_turns`
+    /// additional full turns. Ends that coincide in the plane give a full turn.
     static Course arc(const Axes& from, const Axes& to, std::size_t first, std::size_t second,
                       std::array<double, 2> centre, bool counter_clockwise, int more_turns);
 
     const Axes& from() const { return from_; }
     const Axes& to() const { return to_; }
     bool is_straight() const { return !circling_; }
-    /// Does the orientation change on the way?
+    /// True if the orientation changes during the move.
     bool turns() const { return from_.turn != to_.turn; }
-    /// Is it turned at all?
+    /// True if A, B or C is not 0 at any time of the move.
     bool is_turned() const { return turns() || from_.turn != Vec{}; }
-    /// Does it stand in one orientation of right angles?
+    /// True if A, B and C are constant multiples of 90°.
     bool is_square() const;
     const std::optional<Circling>& circling() const { return circling_; }
 
-    /// A, B and C turn a tool about itself, too, which no round tool shows but its polygon does: so
-    /// far (radians, about the axis of the tool) from standing as the least rotation puts it, the
-    /// one that keeps what is at right angles to its axis and to Z.
+    /// Returns the rotation about the tool axis (rad) relative to the least rotation that gives the
+    /// same axis, which keeps the direction perpendicular to the axis and to Z. The twist of A, B
+    /// and C is invisible for a round tool but not for its polygon.
     double twist(double t) const;
 
     Vec to_tool(double t, const Vec& p_W) const;
     Vec to_workpiece(double t, const Vec& p_T) const;
-    /// A bound on the second derivative of to_tool(t, p_W) by t, mm.
+    /// Returns a bound of the second derivative of to_tool(t, p_W) with respect to t, mm.
     double bend(const Vec& p_W) const;
-    /// A bound on the coordinates that occur in to_tool(t, p_W), mm: what rounding scales with.
+    /// Returns a bound of the coordinates that occur in to_tool(t, p_W), mm. Rounding is
+    /// proportional to the bound.
     double magnitude(const Vec& p_W) const;
 
 private:

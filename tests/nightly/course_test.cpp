@@ -35,7 +35,7 @@ TEST(Course, CounterClockwiseIsSeenFromTheThirdAxis) {
                 {c, 0, c});
     expect_near(where(Course::arc({{0, 1, 0}, {}}, {{0, 0, 1}, {}}, 1, 2, {}, true, 0), 0.5),
                 {0, c, c});
-    // And three quarters the other way round.
+    // Three quarters in the opposite direction.
     expect_near(where(Course::arc({{1, 0, 0}, {}}, {{0, 1, 0}, {}}, 0, 1, {}, false, 0), 0.5),
                 {-c, -c, 0});
 }

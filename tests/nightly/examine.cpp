@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks of a program: stated accuracy, threads, models, points and lines.
 #include "nightly/examine.h"
 
 #include "ncsim/cda/mesh.h"
@@ -81,17 +83,17 @@ public:
     }
 
 private:
-    // --- What needs no oracle ---
+    // --- Checks without oracle ---
 
     void stated() const {
         require(stated_.unit == lattice_unit(program_.stock), "the lattice is another one");
-        // On an arc on which the tool turns both add up.
+        // For an arc with rotary moves both tolerances add up.
         const double t = program_.tolerance_mm;
         require(stated_.missed <= 2 * t * (1 + 1e-12),
                 "arcs or turns miss more than the tolerance");
         require(stated_.gained <= 11 * t * (1 + 1e-12), "arcs or turns gain more than they may");
         for (std::size_t i = 0; i < program_.tools.size(); ++i) {
-            // It may exceed a tolerance that the polygons of the lattice cannot keep
+            // The tool error may exceed a tolerance that polygons on the lattice cannot keep
             // (tool_polytope.h).
             const double tolerance = program_.tool_tolerance_mm;
             const double r = program_.tools[i].radius();
@@ -124,7 +126,8 @@ private:
         }
     }
 
-    // Quadratic in what overlaps: only where there is little to do.
+    // The cost is quadratic in the number of overlapping hulls, so only small programs are
+    // compared.
     void flat() {
         constexpr std::uint64_t kMostPlanes = 2500;
         const auto& tree = dynamic_cast<const cda::TreeCda&>(*simulation_.part);
@@ -153,17 +156,17 @@ private:
         };
         if (simulation_.part->contains({p[0], p[1], p[2]}) != expected) complain("the part");
         if (flat_ && flat_->contains({p[0], p[1], p[2]}) != expected) complain("cda-flat");
-        // The mesh is asked less often, since each of its triangles answers.
+        // The mesh is checked less often, because the cost is linear in the number of triangles.
         if (triangles_.loops.size() < 400 || random_.one_in(8)) {
             ++tally_.asked_of_mesh;
-            // A whole number but for rounding, which is worst beside walls of a few nanometres.
+            // An integer up to rounding, which is largest next to walls of a few nanometres.
             const double turns = winding_number(triangles_, p);
             if (std::abs(turns - (expected ? 1.0 : 0.0)) > 0.25) complain("the mesh");
         }
         return verdict;
     }
 
-    // From a nanometre to what the tolerances allow several times, and beyond.
+    // Returns a distance from 0.1 lattice units to several times the tolerances.
     double aside(double allowed) {
         const double least = 0.1 * stated_.unit;
         const double most = std::max(5 * allowed, 100 * stated_.unit);
@@ -193,7 +196,7 @@ private:
         anywhere();
     }
 
-    // Beside the mesh: what is there and should not be.
+    // Next to the mesh: finds material that should not exist.
     void near_surface() {
         if (mesh_.triangles.empty()) return;
         const double allowed = largest_allowance();
@@ -212,7 +215,7 @@ private:
         }
     }
 
-    // Beside the tools on their ways: what should be there and is not.
+    // Next to the tools on their paths: finds missing material.
     void near_sweeps() {
         for (std::size_t i = 0; i < program_.moves.size(); ++i) {
             const Move& move = program_.moves[i];
@@ -228,7 +231,7 @@ private:
         }
     }
 
-    // All over the stock; what is certain there bounds the volume.
+    // Random points in the stock; certain points bound the volume.
     void anywhere() {
         constexpr int kCount = 200;
         int material = 0;
@@ -241,7 +244,8 @@ private:
             material += verdict == Verdict::Material ? 1 : 0;
             empty += verdict == Verdict::Empty ? 1 : 0;
         }
-        // Hoeffding: a mean of n independent values leaves its expectation by d once in exp(2nd²).
+        // Hoeffding: a mean of n independent values deviates from the expectation by more than d
+        // with probability at most exp(-2nd²).
         constexpr double kOnceIn1e12 = 0.263;  // sqrt(ln 1e12 / (2 · 200))
         const double share = simulation_.part->volume() / stock_volume_;
         require(share >= static_cast<double>(material) / kCount - kOnceIn1e12,
@@ -250,7 +254,7 @@ private:
                 "the volume is more than certain points allow");
     }
 
-    // --- Which line cut it ---
+    // --- Lines of faces ---
 
     void lines() {
         if (mesh_.triangles.empty()) return;
@@ -271,8 +275,8 @@ private:
                     return judge_.distance(move, p).lower <= allowed + beside;
                 };
                 touches |= is_there(m, 0.0);
-                // Or, of a straight way in pieces or a whole turn, one of those before it on that
-                // way; then it was no farther away than the tool is wide.
+                // For a straight path in pieces or a whole turn, the face may belong to an earlier
+                // move of the path. Then the named move was at most a tool width away.
                 const double width = 2.0 * program_.tools[program_.moves[m].tool].radius();
                 for (std::size_t k = m; !touches && k-- > 0;) {
                     if (program_.moves[k].tool != program_.moves[m].tool || !is_there(m, width))
@@ -289,7 +293,7 @@ private:
     const ProgramFile& file_;
     test::Random random_;
     simulation::Simulation simulation_;
-    std::unique_ptr<cda::WorkpieceModel> flat_;  // where it is compared
+    std::unique_ptr<cda::WorkpieceModel> flat_;  // null if not compared
     StatedAccuracy stated_;
     Judge judge_;
     cda::Boundary boundary_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One program, and everything that must be true of what ncsim makes of it.
+// Checks a program against all properties that the result of ncsim must have.
 #pragma once
 
 #include "nightly/program_generator.h"
@@ -10,28 +10,27 @@
 
 namespace ncsim::nightly {
 
-/// How much was looked at.
+/// Numbers of examined objects.
 struct Tally {
     std::uint64_t hulls = 0;
     std::uint64_t flat = 0;  ///< Programs compared with cda-flat.
     std::uint64_t points = 0;
-    std::uint64_t certain = 0;        ///< Of the points.
-    std::uint64_t material = 0;       ///< Of the certain ones.
-    std::uint64_t asked_of_mesh = 0;  ///< Of the certain ones.
-    std::uint64_t lines = 0;          ///< Places of the surface whose line was checked.
+    std::uint64_t certain = 0;        ///< Points with a certain verdict.
+    std::uint64_t material = 0;       ///< Certain points in material.
+    std::uint64_t asked_of_mesh = 0;  ///< Certain points compared with the mesh.
+    std::uint64_t lines = 0;          ///< Points of the surface whose line was checked.
 
     Tally& operator+=(const Tally& other);
 };
 
-/// Throws std::runtime_error that says what is wrong:
-///
-/// - a point that must be in the part, or must not be, is said to be on the other side, by the part
-///   or by its mesh;
-/// - the surface is not closed, or its volume is not that of the part, or not between what certain
-///   points allow;
+/// Runs `program` and checks the part.
+/// Throws: std::runtime_error with the violated property:
+/// - a point that must be inside or outside is on the wrong side of the part or of its mesh;
+/// - the surface is not closed, or its volume differs from the volume of the part, or the volume
+///   contradicts the certain points;
 /// - a face names a line that did not cut there;
-/// - 1, 2 and 8 threads, or both models of the workpiece, do not agree to the last bit;
-/// - what the program states of its own accuracy is more than it promises.
+/// - 1, 2 and 8 threads, or both models of the workpiece, differ in a bit;
+/// - the stated accuracy exceeds the permitted accuracy.
 Tally examine(const Program& program, const ProgramFile& file);
 
 }  // namespace ncsim::nightly

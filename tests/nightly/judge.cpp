@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Permitted deviations of each move, and the verdict on a point.
 #include "nightly/judge.h"
 
 #include <algorithm>
@@ -36,8 +38,8 @@ Judge::Judge(const Program& program, const StatedAccuracy& stated)
         const Course& course = move.course;
         const RoundTool& tool = program.tools[move.tool];
         Allowance a;
-        // "Poses: half a unit an axis"; poses on the lattice are not rounded. Corners of turned
-        // tools are rounded once more, but for right angles.
+        // "Poses: half a unit an axis"; poses on the lattice are not rounded. Corners of rotated
+        // tools are rounded a second time, except for multiples of 90°.
         const double half_unit = std::sqrt(3.0) / 2 * (1 + 0x1p-15) * stated.unit;
         double rounding = half_unit;
         if (course.is_straight() && !course.turns()) {
@@ -49,27 +51,27 @@ Judge::Judge(const Program& program, const StatedAccuracy& stated)
             rounding = norm(off);
         }
         if (!course.is_square()) rounding += half_unit;
-        // "Arcs: the chord tolerance, either side"; "rotary moves: both bounds printed", which keep
-        // the tolerance on one side and ten times as much on the other.
+        // "Arcs: the chord tolerance, either side"; "rotary moves: both bounds printed": the
+        // tolerance on the missed side and ten times the tolerance on the gained side.
         double missed = 0.0;
         double gained = 0.0;
         if (!course.is_straight()) missed += program.tolerance_mm, gained += program.tolerance_mm;
         if (course.turns()) missed += program.tolerance_mm, gained += 10 * program.tolerance_mm;
         a.missed = std::min(missed, stated.missed) + rounding;
-        // "Facets: 2^-24 of their length, outward": where two of them meet sharply, the edge
-        // between them moves by more than either.
+        // "Facets: 2^-24 of their length, outward": at a sharp edge between two facets, the edge
+        // moves further than both facets.
         const double length =
             norm(course.to().x - course.from().x) + 2 * tool.radius() + tool.height();
         const double sharp = std::max(2.0, 1.2 / std::sin(tool.sharpest_half_angle()));
         a.gained = std::min(gained, stated.gained) + rounding + sharp * 0x1p-24 * length;
-        // "Fair" tools err to both sides where they are rounded.
+        // "Fair" tools err to both sides on rounded parts.
         a.tool = stated.tool_error[move.tool];
         if (tool.is_rounded()) a.missed += a.tool;
         allowances_.push_back(a);
     }
 }
 
-// By how much a coordinate may be rounded; and a point is asked for to 2^-16 of a unit.
+// Returns the largest rounding of a coordinate; a queried point is rounded to 2^-16 of a unit.
 double Judge::rounding_of(double mm) const {
     return off_lattice(mm) + 0x1p-16 * stated_.unit;
 }
@@ -104,19 +106,20 @@ bool Judge::is_outside_stock(const Vec& p_W) const {
     return std::hypot(aside[0], aside[1]) > radius + program_.tool_tolerance_mm + 2 * stated_.unit;
 }
 
-// What is not on the lattice is rounded up.
+// Values off the lattice are rounded up.
 double Judge::rounded_up(double mm) const {
     return off_lattice(mm) > 1e-6 * stated_.unit ? mm + stated_.unit : mm;
 }
 
-// Along x and y a cylinder is as wide as it is meant to be. Other tools, if their radius has no
-// divisor that suits, are wider by less than half of its square root in units (tool_polytope.h).
+// Returns the half width of the polygonal tool along x and y. A cylinder has the exact radius. For
+// tools whose radius has no suitable divisor, the half width is larger by less than half of the
+// square root of the radius, both in units (tool_polytope.h).
 double Judge::widest(const RoundTool& tool) const {
     const double r = rounded_up(tool.radius());
     return tool.is_upright() ? r : r + 0.5 * std::sqrt(r * stated_.unit);
 }
 
-// On a straight way a tool leaves a trace of its own size along x, y and z.
+// On a straight path the trace of a tool has the size of the tool along x, y and z.
 bool Judge::is_beyond_box(std::size_t i, const Vec& p_W) const {
     const Course& course = program_.moves[i].course;
     const RoundTool& tool = program_.tools[program_.moves[i].tool];
@@ -142,9 +145,9 @@ Judge::Effect Judge::effect(std::size_t i, const Vec& p_W) const {
     const auto round = [&tool](const Vec& p_T) { return tool.signed_distance(p_T); };
     if (closest_approach(round, course, p_W, a.beyond()).lower > a.beyond()) return Effect::None;
     if (closest_approach(round, course, p_W, -a.missed).upper < -a.missed) return Effect::Removes;
-    // Within the polygon's error of the round tool, but not in the box around it. A tool that turns
-    // is round for all that is said of it: how its polygons stand does not matter then, nor that a
-    // ball's polygons end where the ball does.
+    // Within the polygon's error of the round tool, but not in the box around the round tool. For a
+    // rotary move the tool counts as round, because the orientation of the polygon does not matter
+    // then, nor does the truncation of a ball's polygon.
     const double r = widest(tool);
     const double twist = course.twist(0.0);
     const double c = std::cos(twist), s = std::sin(twist);
@@ -177,7 +180,7 @@ Bounds Judge::distance(std::size_t i, const Vec& p_W) const {
     const Course& course = program_.moves[i].course;
     const RoundTool& tool = program_.tools[program_.moves[i].tool];
     const auto round = [&tool](const Vec& p_T) { return tool.signed_distance(p_T); };
-    // The least value is above `lower`, and at most `upper`.
+    // Invariant: lower < minimum <= upper.
     Bounds b{-tool.radius(), tool.signed_distance(course.to_tool(0.0, p_W))};
     for (int halvings = 0; halvings < 50 && b.upper - b.lower > 1e-9; ++halvings) {
         const double middle = 0.5 * (b.lower + b.upper);

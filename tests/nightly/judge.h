@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Is a point material after a program? Said of the round tools on their true ways, and only where
-// it is certain whatever docs/accuracy.md allows the simulation.
+// Decides if a point is material after a program, from round tools on their exact paths. The
+// verdict is certain for any simulation with the accuracy of docs/accuracy.md, or open.
 #pragma once
 
 #include "nightly/closest_approach.h"
@@ -12,25 +12,25 @@
 
 namespace ncsim::nightly {
 
-/// What a simulation says of its own accuracy, mm.
+/// Accuracy that a simulation states, mm.
 struct StatedAccuracy {
-    double unit = 1e-5;              ///< Of the lattice.
-    std::vector<double> tool_error;  ///< By tool: of the polygons.
-    double missed = 0.0;             ///< The worst of all moves.
+    double unit = 1e-5;              ///< Lattice unit.
+    std::vector<double> tool_error;  ///< Error of the polygons, by tool.
+    double missed = 0.0;             ///< Maximum over all moves.
     double gained = 0.0;
 };
 
 enum class Verdict : std::uint8_t {
     Material,  ///< Must be in the part.
-    Empty,     ///< Must not be.
-    Open,      ///< Within what is allowed of a surface.
+    Empty,     ///< Must not be in the part.
+    Open,      ///< Within the tolerance of a surface.
 };
 
-/// By how much the trace of a move may differ from the sweep of its tool, mm.
+/// Permitted deviation of the trace of a move from the sweep of the tool, mm.
 struct Allowance {
-    double missed = 0.0;  ///< Inside of the sweep, to its surface.
-    double gained = 0.0;  ///< Beyond what the tool as a polygon sweeps.
-    double tool = 0.0;    ///< Of that polygon beyond the tool.
+    double missed = 0.0;  ///< Inside the sweep, from its surface.
+    double gained = 0.0;  ///< Outside the sweep of the polygonal tool.
+    double tool = 0.0;    ///< Excess of the polygonal tool over the round tool.
     double beyond() const { return gained + tool; }
 };
 
@@ -40,10 +40,10 @@ public:
 
     Verdict operator()(const Vec& p_W) const;
 
-    /// Bounds of the signed distance from the sweep of move `i`, as narrow as is cheap.
+    /// Returns bounds of the signed distance from the sweep of move `i`, as narrow as is cheap.
     Bounds distance(std::size_t i, const Vec& p_W) const;
     const Allowance& allowance(std::size_t i) const { return allowances_[i]; }
-    /// Why the verdict is what it is: the moves that matter, with their bounds.
+    /// Explains the verdict: the relevant moves with their bounds.
     std::string explain(const Vec& p_W) const;
 
 private:
@@ -62,7 +62,8 @@ private:
     std::vector<Allowance> allowances_;
 };
 
-/// The finest lattice of 10, 20, 50, 100 … nm on which the stock has coordinates of 25 bits, mm.
+/// Returns the finest lattice unit of 10, 20, 50, 100 … nm for which the coordinates of the stock
+/// have 25 bits, mm.
 double lattice_unit(const StockShape& stock);
 
 }  // namespace ncsim::nightly

@@ -6,7 +6,7 @@
 namespace ncsim::nightly {
 namespace {
 
-// A block of 40 x 30 x 10 mm with a slot along X, 10 mm wide and 2 mm deep.
+// Returns a block of 40 x 30 x 10 mm with a slot along X, 10 mm wide and 2 mm deep.
 Program slot(const Course& course) {
     Program program;
     program.stock = {{-20, -15, -10}, {20, 15, 0}, false};
@@ -33,7 +33,7 @@ TEST(Judge, KnowsAnAxisParallelSlotToTheNanometre) {
 }
 
 TEST(Judge, LeavesOpenWhatRoundingToTheLatticeMayChange) {
-    // 3 nm beside the lattice.
+    // 3 nm off the lattice.
     const Program program = slot(Course::straight({{-30, 3e-6, -2}, {}}, {{30, 3e-6, -2}, {}}));
     const Judge judge(program, kStated);
     EXPECT_EQ(judge({0, 5 + 4e-6, -1}), Verdict::Open);
@@ -49,7 +49,7 @@ TEST(Judge, AllowsAnObliqueSlotThePolygonOfTheTool) {
     EXPECT_EQ(judge(beside(5 - 1e-6)), Verdict::Empty);
     EXPECT_EQ(judge(beside(5 + 0.02)), Verdict::Open);
     EXPECT_EQ(judge(beside(5 + 0.0501)), Verdict::Material);
-    // But none below it.
+    // Below the floor of the slot the verdict is Material.
     EXPECT_EQ(judge({0, 0, -2.00001}), Verdict::Material);
 }
 

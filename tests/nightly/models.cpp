@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// nightly_models WHAT COUNT: models of the workpiece against what is known of them. Exit code 1 at
-// the first thing that is wrong, with the number that made it.
+// nightly_models WHAT COUNT: checks models of the workpiece against known results. Exit code 1 at
+// the first error, with the number of the failed case.
 //
-//   nef COUNT         random scenes of unit cubes, a tenth as many oblique ones, and two samples:
+//   nef COUNT         random scenes of unit cubes, a tenth as many oblique scenes, and two samples:
 //                     the exact model against boundary evaluation, corner for corner
-//   rays COUNT        random parts with walls of 0.3 to 3 pitches: closed, the same for 1, 2 and 8
-//                     threads and in any order of the cuts, the volume as near as is told
-//   points COUNT      of random parts, farther than a pitch from the surface: in or out
+//   rays COUNT        random parts with walls of 0.3 to 3 pitches: closed, equal for 1, 2 and 8
+//                     threads and for any order of the cuts, the volume within the stated error
+//   points COUNT      points of random parts, farther than a pitch from the surface: in or out
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"
@@ -87,7 +87,8 @@ Vec3 somewhere(test::Random& random) {
     return {random.within(0, 10), random.within(0, 10), random.within(0, 6)};
 }
 
-// A pocket with ribs or slots of 0.3 to 3 pitches, boxes of any size, oblique hulls, round tools.
+// Returns a pocket with ribs or slots of 0.3 to 3 pitches, boxes of any size, oblique hulls, round
+// tools.
 Scene scene_of(std::uint64_t number) {
     test::Random random(70000 + number);
     Scene scene;
@@ -173,7 +174,7 @@ void look_at_rays(std::uint64_t number) {
     require(cut_of(scene, 1)->volume() == part->volume(), "the order of the cuts changes the part");
 }
 
-// By the definition, if it is farther than `margin` from all that could be the surface.
+// Returns membership by definition, if `p` is farther than `margin` from all possible surfaces.
 std::optional<bool> is_in(const std::vector<cda::Cell>& cells, const cda::Cell& stock, Vec3 p,
                           double margin) {
     const auto distance = [&](const cda::Cell& cell) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Words of blocks, and motions of blocks.
 #include "nightly/nc_writer.h"
 
 #include <algorithm>
@@ -151,15 +153,15 @@ std::optional<Course> NcWriter::way(const ArcMove& arc) const {
     std::array<double, 2> centre{mm(at_.x[first] + arc.centre[0]),
                                  mm(at_.x[second] + arc.centre[1])};
     if (arc.radius) {
-        // Of the two circles through both ends the one whose arc in that direction is short, or
-        // long where R is negative.
+        // Two circles pass through both ends. The arc in the given direction is short on one circle
+        // and long on the second; a negative R selects the long arc.
         const double r = mm(std::abs(*arc.radius));
         const double dx = mm(arc.to.x[first]) - mm(at_.x[first]);
         const double dy = mm(arc.to.x[second]) - mm(at_.x[second]);
         const double chord = std::sqrt(dx * dx + dy * dy);
         if (chord > 1.98 * r || chord < 0.02 * r) return std::nullopt;
         const double height = std::sqrt(r * r - chord * chord / 4);
-        // A short counter-clockwise arc has its centre on the left of its chord.
+        // A short counter-clockwise arc has its centre on the left of the chord.
         const bool is_left = arc.counter_clockwise == (*arc.radius > 0);
         const double left = is_left ? height / chord : -height / chord;
         centre = {mm(at_.x[first]) + dx / 2 - left * dy, mm(at_.x[second]) + dy / 2 + left * dx};
@@ -220,8 +222,8 @@ void NcWriter::drill(const Drilling& d) {
     block("G80");
 }
 
-// RS274/NGC, 3.5.16: to the hole at the height of now, or of R if that is higher; to R, down, out.
-// What happens between R and the bottom stays on that line.
+// Follows RS274/NGC, 3.5.16: moves to the hole at the larger of the current height and R, then to
+// R, down, and out. Pecks between R and the bottom stay on the same line.
 void NcWriter::follow_hole(const Drilling& d, const Triple& step, Ticks clear) {
     const std::size_t depth = d.plane.third;
     Place to = at_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<bool, 3> kNone{};
 
-// Of millimetres with three decimals, at X1 Y2 Z3.
+// Returns a writer in millimetres with three decimals, at X1 Y2 Z3.
 NcWriter writer() {
     NcWriter nc(false, 3);
     nc.begin(false, {1000, 2000, 3000});
@@ -28,7 +28,7 @@ void expect_near(const Vec& a, const Vec& b) {
         EXPECT_NEAR(a[i], b[i], 1e-12);
 }
 
-// Where the last move ends, and where it is on its way there.
+// Returns the tip at the end of the last move, or at parameter `t` of the last move.
 Vec end(const NcWriter& nc, double t = 1.0) {
     return nc.moves().back().course.to_workpiece(t, {});
 }
@@ -62,7 +62,7 @@ TEST(NcWriter, CountsInchesWhereItWritesThem) {
 }
 
 TEST(NcWriter, TurnsAnArcTheWayThePlaneSays) {
-    // From X1 Y2 Z3 a quarter about (X1 Z0): clockwise seen from +Y leads from +Z to −X.
+    // A quarter from X1 Y2 Z3 about (X1 Z0): clockwise seen from +Y leads from +Z to −X.
     NcWriter nc = writer();
     ArcMove arc;
     arc.plane = kPlanes[1];

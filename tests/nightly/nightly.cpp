@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// nightly [SCENES]: what takes too long for every test run. SCENES (100,000) random scenes of boxes
-// against unit cubes, a hundredth as many of oblique hulls against the flat aggregate, as many of
-// bodies that go straight on, whose volumes are told step by step, ten times as
-// many points near the surfaces of a part of many hulls against the definition, and for each thirty
-// scenes a random NC program, of which STL and glTF must be closed surfaces in floats. Exit code 1
-// at the first thing that is wrong, with the seed that made it.
+// nightly [SCENES]: checks that take too long for each test run. SCENES (100,000) random scenes of
+// boxes against unit cubes, a hundredth as many of oblique hulls against the flat aggregate, and as
+// many of bodies with straight paths, whose volumes are reported per step; ten times as many points
+// near the surfaces of a part of many hulls against the definition; and for each thirty scenes a
+// random NC program, whose STL and glTF must be closed surfaces in floats. Exit code 1 at the first
+// error, with the seed of the failed case.
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/stl.h"
 
@@ -31,7 +31,7 @@ void boxes(std::uint64_t seed) {
     std::vector<std::array<int, 6>> all(static_cast<std::size_t>(random.between(1, 14)));
     for (auto& box : all) {
         box = test::random_grid_box(random);
-        // Some again, some thin.
+        // Some boxes are repeated, some are thin.
         if (random.between(0, 5) == 0) box = all[0];
     }
     test::check_boxes(all, static_cast<std::uint32_t>(random.between(6, 60)),
@@ -51,7 +51,7 @@ void hulls(std::uint64_t seed) {
     test::check_hulls(cells, static_cast<std::uint32_t>(random.between(6, 200)));
 }
 
-// Whatever waits, and whoever asks when.
+// Any number of pending cells, and queries at any time.
 void straight_ways(std::uint64_t seed) {
     test::Random random(seed);
     const cda::Cell stock = test::mm_box(-3, -3, -3, 3, 3, 3);
@@ -79,7 +79,7 @@ void straight_ways(std::uint64_t seed) {
     test::require_booked(booked.account(), taken, 216.0);
 }
 
-// Points of the lattice up to three units off surfaces, where rounding would show first.
+// Lattice points up to three units off surfaces, where rounding errors would appear first.
 void membership(std::uint64_t seed, long points) {
     test::Random random(seed);
     const cda::Cell stock = test::mm_box(-3, -3, -3, 3, 3, 3);
@@ -112,7 +112,7 @@ void membership(std::uint64_t seed, long points) {
     }
 }
 
-// Every fourth one turns its tools.
+// Each fourth program has rotary moves.
 void programs(std::uint64_t seed) {
     const test::MilledPart part =
         test::mill(test::random_program(seed, seed % 4 == 3), cda::TreeCda(cda::TreeParameters{}));

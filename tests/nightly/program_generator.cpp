@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chooses stock, tools and motions of random programs.
 #include "nightly/program_generator.h"
 
 #include "support/random.h"
@@ -15,15 +17,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// How large a program is, and how finely it is written.
+// Size of a program in mm, and number of decimals.
 struct Scale {
     explicit Scale(test::Random& random) {
-        // Mostly the sizes of a workshop, now and then anything between a hair's breadth and a
-        // ship.
+        // Mostly sizes of a workshop, sometimes anything from 0.01 mm to 5 m.
         size_mm = random.one_in(3) ? std::pow(10.0, random.within(-2.0, 3.7))
                                    : std::pow(10.0, random.within(0.7, 2.3));
         inches = random.one_in(6);
-        // Fine enough that rounded ends of arcs are still ends of arcs; at most nanometres.
+        // Fine enough that arcs remain valid when the ends are rounded; at most six decimals.
         int least = 0;
         double ticks = size_mm / (inches ? 25.4 : 1.0);
         for (; least < 6 && ticks < 3e5; ++least)
@@ -68,9 +69,9 @@ public:
     }
 
 private:
-    // --- What is cut, and with what ---
+    // --- Stock and tools ---
 
-    // In one word, since a value may begin with a minus.
+    // A single argument, because a value may begin with a minus.
     void option(const std::string& name, const std::string& value) {
         std::string text = name;
         text += '=';
@@ -98,7 +99,7 @@ private:
         // Beyond 100 m a stock is refused.
         is_far_ = !only_turns_ && random_.one_in(12) && scale_.size_mm < 1000.0;
         for (std::size_t i = 0; i < 3; ++i) {
-            // The program's zero is at one side, in the middle, or at the other.
+            // The program's zero is at either side or in the middle.
             min_[i] = -extent[i] / 2 * random_.between(0, 2);
             if (is_far_) min_[i] += nc_.ticks(scale_.size_mm * random_.within(-20.0, 20.0));
             max_[i] = min_[i] + extent[i];
@@ -126,7 +127,7 @@ private:
         }
     }
 
-    // Appends to `text` what `--tool` calls it.
+    // Chooses a tool and appends its `--tool` value to `text`.
     RoundTool choose_tool(std::string& text) {
         const double size = scale_.size_mm;
         ToolTicks t;
@@ -141,7 +142,7 @@ private:
             text += kind;
             text += ":D" + mm_text(2 * t.radius) + ":L" + mm_text(t.length);
         };
-        // Some part of `most`, or, one time in `n`, nothing.
+        // Returns a part of `most`, or 0 with probability 1 / `n`.
         const auto some = [&](const char* letter, Ticks most, Ticks n) {
             if (random_.one_in(n)) return 0.0;
             const Ticks value = random_.between(1, std::max<Ticks>(1, most));
@@ -175,7 +176,8 @@ private:
                 return RoundTool::end_mill(d, corner, l);
             }
             case 8: {
-                // Catalogues list 60 between floor and flank, the small ones from the axis.
+                // Catalogues list 60 for the angle between floor and flank; small angles are
+                // relative to the axis.
                 begin("dovetail");
                 const double listed = angle(one_of(1.0, 10.0, 15.0, 30.0, 45.0, 60.0));
                 return RoundTool::dovetail(d, listed == 60.0 ? 30.0 : listed, l);
@@ -194,7 +196,7 @@ private:
     }
 
     void choose_tolerances() {
-        // What `ncsim run` accepts, in three digits.
+        // Returns a value with three digits in the range that `ncsim run` accepts.
         const auto choose = [&](const char* name, double mm) {
             std::array<char, 32> text{};
             std::snprintf(text.data(), text.size(), "%.2e", std::clamp(mm, 1e-4, 10.0));
@@ -204,7 +206,8 @@ private:
         double largest = 0.0;
         for (const RoundTool& tool : program_.tools)
             largest = std::max(largest, tool.radius());
-        // Finer than the lattice allows, polygons have a thousand sides (tool_polytope.h): slow.
+        // Tolerances finer than the lattice permits make polygons of a thousand sides
+        // (tool_polytope.h), which are slow.
         const double unit = 1e-5 * std::max(1.0, scale_.size_mm / 100);
         const double finest = random_.one_in(20) ? 0.0 : 3 * std::sqrt(largest * unit);
         program_.tolerance_mm =
@@ -214,13 +217,13 @@ private:
                    std::max(finest, largest * std::pow(10.0, random_.within(-2.3, -1.3))));
     }
 
-    // --- Places ---
+    // --- Positions ---
 
     const ToolTicks& tool() const { return tools_[nc_.tool()]; }
     Ticks extent(std::size_t axis) const { return max_[axis] - min_[axis]; }
     Ticks above() const { return max_[2] + extent(2) / 4; }
 
-    // Along an axis: where things coincide, mostly.
+    // Returns a coordinate along an axis, mostly a coordinate that gives coincidences.
     Ticks coordinate(std::size_t axis) {
         const Ticks reach = axis == 2 ? tool().length : tool().radius;
         const Ticks sign = random_.one_in(2) ? 1 : -1;
@@ -238,14 +241,14 @@ private:
     }
     Triple random_place() { return {coordinate(0), coordinate(1), coordinate(2)}; }
 
-    // Mostly exactly so; else a few ticks or nanometres beside it.
+    // Returns `t`, mostly exactly, otherwise `t` plus a few ticks or nanometres.
     Ticks nearly(Ticks t) {
         if (!random_.one_in(3)) return t;
         if (random_.one_in(2)) return t + random_.between(-2, 2);
         return t + nc_.ticks(1e-6 * static_cast<double>(random_.between(-100, 100)));
     }
 
-    // 1 to 100 nm, as far as the program can say it.
+    // Returns 1 to 100 nm, rounded to the resolution of the program.
     Ticks thickness() {
         const double nm = one_of(1.0, 2.0, 5.0, 10.0, 10.0, 20.0, 30.0, 50.0, 100.0);
         return std::max<Ticks>(1, nc_.ticks(nm * 1e-6));
@@ -255,7 +258,7 @@ private:
 
     // --- Motions ---
 
-    // How many hulls it will take, roughly (docs/accuracy.md). Programs are kept small.
+    // Estimates the number of hulls of a move (docs/accuracy.md). Programs are kept small.
     double hulls_of(const Course& course) const {
         const RoundTool& tool = program_.tools[nc_.tool()];
         const double tolerance = program_.tolerance_mm;
@@ -353,7 +356,7 @@ private:
         }
     }
 
-    // There and back, on the same way or beside it.
+    // Writes a move there and back, on the same path or slightly off.
     void retrace() {
         Place back = nc_.at();
         Place end = back;
@@ -363,7 +366,7 @@ private:
         straight(back, false);
     }
 
-    // Both ends of a cut along an axis: across the stock, or within it.
+    // Returns both ends of a cut along an axis: across the stock, or within the stock.
     std::array<Ticks, 2> ends(std::size_t axis) {
         const Ticks beyond = random_.one_in(2) ? 2 * tool().radius : -extent(axis) / 4;
         return {min_[axis] - beyond, max_[axis] + beyond};
@@ -376,7 +379,7 @@ private:
         return nc_.at().turn == Triple{};
     }
 
-    // Between two passes side by side.
+    // Writes two adjacent passes with a thin wall between them.
     void thin_wall() {
         if (!stand_upright()) return;
         const std::size_t along = random_.one_in(2) ? 0 : 1;
@@ -412,7 +415,8 @@ private:
         }
     }
 
-    // Between what the top of the tool leaves in one pass and its tip in the next.
+    // Writes two passes with a thin floor between the top of the tool in the first pass and the tip
+    // in the second.
     void thin_floor() {
         if (!stand_upright()) return;
         const std::size_t along = random_.one_in(2) ? 0 : 1;
@@ -446,7 +450,7 @@ private:
     }
 
     void arc(const Plane& plane) {
-        // Below some micrometres an arc is no arc (docs/dialect.md).
+        // Below some micrometres an arc is refused (docs/dialect.md).
         const double radius = scale_.size_mm * std::pow(10.0, random_.within(-1.7, -0.2));
         if (radius < 0.004) return;
         ArcMove arc;
@@ -473,7 +477,7 @@ private:
             arc.to.turn[some_axis()] += kDegree * random_.between(-30, 30);
         }
         if (random_.one_in(5)) arc.turns = static_cast<int>(random_.between(1, 3));
-        // R says nothing about a full circle, and little about a half.
+        // R is ambiguous for a full circle, and inaccurate for half a circle.
         if (!is_full && arc.turns == 0 && std::abs(angle - kPi) > 0.2 && random_.one_in(3)) {
             arc.radius = nc_.ticks(angle > kPi ? -radius : radius);
         }
@@ -503,7 +507,7 @@ private:
         nc_.drill(d);
     }
 
-    // Far from the axes every step of a turn is long.
+    // Far from the axes each step of a rotary move is long.
     bool may_turn() const { return !is_far_; }
 
     Ticks angle() {
@@ -512,7 +516,7 @@ private:
         return random_.between(-180 * kDegree, 180 * kDegree);
     }
 
-    // To an indexed position, and a cut there.
+    // Writes a move to an indexed position, and a cut there.
     void turn() {
         if (!may_turn()) return line();
         Place to = nc_.at();
@@ -542,7 +546,7 @@ private:
     Program program_;
     bool only_turns_ = false;
     bool is_far_ = false;
-    Triple min_{}, max_{};  // of the stock
+    Triple min_{}, max_{};  // corners of the stock
     std::vector<ToolTicks> tools_;
     bool feed_known_ = false;
     double hulls_ = 0.0;

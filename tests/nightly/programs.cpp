@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// nightly_programs [COUNT [FIRST]]: COUNT (10,000) random NC programs from number FIRST (0) on,
-// each run from its text to the part and judged by round tools on their true ways (examine.h). Exit
-// code 1 at the first one that is wrong, with its text and how to run it. nightly_programs --show
-// N: the text of program N, and how to run it. nightly_programs --turning …: the same of programs
-// of long tools that turn.
+// nightly_programs [COUNT [FIRST]]: COUNT (10,000) random NC programs from number FIRST (0), each
+// run from the text to the part and checked with round tools on their exact paths (examine.h). Exit
+// code 1 at the first error, with the text and the command of the program. nightly_programs --show
+// N: text and command of program N. nightly_programs --turning …: the same with programs of long
+// tools with rotary moves.
 #include "nightly/examine.h"
 #include "nightly/program_generator.h"
 
@@ -31,7 +31,7 @@ void show(const Program& program) {
     std::printf("\n");
 }
 
-// Which program it was, where the process dies of one or is stopped.
+// Message with the number of the current program, for crashes and signals.
 std::array<char, 64> under_way{};
 
 void set_under_way(long number) {
@@ -39,7 +39,7 @@ void set_under_way(long number) {
 }
 
 void tell_and_die(int signal) {
-    // What may be called here is little. If it cannot be written, nothing can.
+    // Only async-signal-safe functions are permitted here. An error of write() cannot be reported.
     const auto written = ::write(STDOUT_FILENO, under_way.data(), std::strlen(under_way.data()));
     static_cast<void>(written);
     std::signal(signal, SIG_DFL);

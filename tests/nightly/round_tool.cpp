@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Profiles of round tools, and distances from the profiles.
 #include "nightly/round_tool.h"
 
 #include <algorithm>
@@ -67,7 +69,7 @@ RoundTool RoundTool::tapered(double tip_diameter, double corner_radius, double t
     const double corner = std::min(corner_radius, r);
     const double height = std::max(length, corner);
     tool.bottom_ = {r - corner, 0.0};
-    // The arc ends where the cone touches it.
+    // The arc ends where the cone is tangent to the arc.
     const Meridian touch{r - corner + corner * std::cos(angle), corner - corner * std::sin(angle)};
     if (corner > 0.0) tool.arcs_.push_back({{r - corner, corner}, tool.bottom_, touch, corner});
     tool.close({touch, {touch.r + (height - touch.h) * std::tan(angle), height}});
@@ -78,7 +80,7 @@ RoundTool RoundTool::dovetail(double diameter, double taper, double length) {
     RoundTool tool;
     const double r = diameter / 2;
     const double slope = std::tan(taper * kDegree);
-    // At least a twentieth of the width is left on top.
+    // The top keeps at least a twentieth of the width.
     const double height = std::min(length, 0.95 * r / slope);
     tool.bottom_ = {r, 0.0};
     tool.close({tool.bottom_, {r - height * slope, height}});
@@ -97,7 +99,7 @@ RoundTool RoundTool::lollipop(double diameter) {
     return tool;
 }
 
-// The sides between `corners`, from the lowest up, less those that are points.
+// Adds the sides between `corners`, from the lowest upwards, except sides of length zero.
 void RoundTool::close(const std::vector<Meridian>& corners) {
     for (std::size_t i = 1; i < corners.size(); ++i) {
         if (norm(corners[i] - corners[i - 1]) > 0.0) sides_.push_back({corners[i - 1], corners[i]});
@@ -107,9 +109,9 @@ void RoundTool::close(const std::vector<Meridian>& corners) {
     height_ = top_.h;
 }
 
-// The nearest point of the surface lies in the half-plane of the axis and the point. In it the
-// profile, with its mirror image, is convex: inside is what lies left of all its lines and, where
-// an arc is in front, within its radius.
+// The nearest point of the surface is in the half-plane of the axis and the point. In the
+// half-plane the profile with its mirror image is convex: a point is inside if the point is left of
+// all lines and, in front of an arc, within the radius.
 double RoundTool::signed_distance(const Vec& p_T) const {
     const Meridian p{std::sqrt(p_T[0] * p_T[0] + p_T[1] * p_T[1]), p_T[2]};
     bool inside = p.h >= 0.0 && p.h <= height_;
@@ -135,12 +137,12 @@ double RoundTool::signed_distance(const Vec& p_T) const {
 
 double RoundTool::sharpest_half_angle() const {
     double sharpest = std::numbers::pi / 4;   // of a disc and a cylinder
-    const auto lean = [](const Line& side) {  // against the axis
+    const auto lean = [](const Line& side) {  // angle to the axis
         return std::atan2(side.to.r - side.from.r, side.to.h - side.from.h);
     };
     if (!sides_.empty()) {
-        // The rim, between the last side and the disc on top, and below a pointed tip, or the rim
-        // of a dovetail.
+        // The upper rim, between the last side and the top disc; and the pointed tip, or the lower
+        // rim of a dovetail.
         sharpest = std::min(sharpest, (std::numbers::pi / 2 - lean(sides_.back())) / 2);
         if (arcs_.empty() && bottom_.r == 0.0) {
             sharpest = std::min(sharpest, lean(sides_.front()));
@@ -152,7 +154,7 @@ double RoundTool::sharpest_half_angle() const {
 }
 
 Vec RoundTool::surface_point(double along, double around) const {
-    // Pieces of the profile as straight lines first; of an arc, a chord is a way to choose an
+    // Chooses a piece of the profile by length. An arc counts as its chord, which only selects an
     // angle.
     std::vector<Line> pieces{{{0.0, 0.0}, bottom_}};
     for (const Arc& arc : arcs_)

@@ -15,7 +15,7 @@
 namespace ncsim::nightly {
 namespace {
 
-// A tool, and the radius it has at a height: a second way to say what it is.
+// Tool with its radius as a function of height: an independent description of the tool.
 struct Known {
     std::string name;
     RoundTool tool;
@@ -84,12 +84,12 @@ TEST(RoundTool, IsAsFarAsTheNearestOfMillionsOfPointsOfItsSurface) {
     test::Random random(2);
     for (const Known& known : known_tools()) {
         SCOPED_TRACE(known.name);
-        // Points of the surface in one half-plane, by the radius at each height, and both discs.
+        // Points of the surface in a half-plane, by the radius at each height, and both discs.
         constexpr int kSteps = 20000;
         std::vector<std::pair<double, double>> meridian;
         for (int i = 0; i <= kSteps; ++i) {
             const double t = static_cast<double>(i) / kSteps;
-            // Denser near the tip, where an arc begins flat.
+            // Denser near the tip, where an arc begins horizontally.
             const double h = known.length * t * t;
             meridian.emplace_back(known.radius_at(h), h);
             meridian.emplace_back(t * known.radius_at(0), 0.0);
@@ -148,7 +148,7 @@ TEST(RoundTool, KnowsItsSharpestAngle) {
     EXPECT_NEAR(RoundTool::cone(10, 0, 60, 20).sharpest_half_angle(), std::numbers::pi / 6, 1e-12);
     EXPECT_NEAR(RoundTool::dovetail(10, 30, 4).sharpest_half_angle(), std::numbers::pi / 6, 1e-12);
     EXPECT_NEAR(RoundTool::lollipop(10).sharpest_half_angle(), quarter, 1e-12);
-    // Without a cylinder above it the rim of a blunt cone is sharper than its tip.
+    // Without a cylinder above the cone, the rim of a blunt cone is sharper than the tip.
     EXPECT_NEAR(RoundTool::cone(10, 0, 120, 1).sharpest_half_angle(), std::numbers::pi / 12, 1e-12);
 }
 

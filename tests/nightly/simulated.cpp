@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes a program to a file and simulates the file.
 #include "nightly/simulated.h"
 
 #include "commands/options.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program, run through ncsim as `ncsim run` does it: from its text and options to the part.
+// Simulates a program as `ncsim run` does: from text and options to the part.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -14,7 +14,7 @@
 
 namespace ncsim::nightly {
 
-/// Where programs are written to before they are read. Disappears with it.
+/// Temporary folder in which programs are written and read, removed by the destructor.
 class ProgramFile {
 public:
     ProgramFile();
@@ -22,8 +22,9 @@ public:
     ProgramFile(const ProgramFile&) = delete;
     ProgramFile& operator=(const ProgramFile&) = delete;
 
-    /// With these options in addition to the program's own. Throws std::runtime_error if anything
-    /// about the program is an error: what is generated is right.
+    /// Simulates `program` with its options and `more`.
+    /// Throws: std::runtime_error if ncsim reports an error, because generated programs are
+    /// correct.
     simulation::Simulation run(const Program& program, const std::vector<std::string>& more) const;
 
 private:
@@ -33,7 +34,7 @@ private:
 
 StatedAccuracy stated_accuracy(const simulation::Simulation& simulation, const Program& program);
 
-/// Of all that a boundary says, to the last bit.
+/// Returns a hash of all data of a boundary, to the last bit.
 std::uint64_t hash_of(const cda::Boundary& boundary);
 
 }  // namespace ncsim::nightly

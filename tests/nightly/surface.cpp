@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closedness, volume and winding number of surfaces.
 #include "nightly/surface.h"
 
 #include <algorithm>
@@ -23,7 +25,7 @@ bool is_closed(const Surface& surface) {
 
 double enclosed_volume(const Surface& surface) {
     if (surface.vertices.empty()) return 0.0;
-    // About a vertex, so that little cancels.
+    // Relative to a vertex, to reduce cancellation.
     const Vec origin = surface.vertices.front();
     double sum = 0.0;
     for (const auto& loop : surface.loops) {

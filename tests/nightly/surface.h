@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a surface of polygons or triangles says about itself, computed the obvious way.
+// Properties of a surface of polygons or triangles, computed by simple methods.
 #pragma once
 
 #include "nightly/vec.h"
@@ -13,18 +13,18 @@ namespace ncsim::nightly {
 
 struct Surface {
     std::vector<Vec> vertices;
-    /// Of faces, outlines and holes alike; indices of vertices.
+    /// Vertex indices of outlines and holes of all faces.
     std::vector<std::vector<std::uint32_t>> loops;
 };
 
-/// Does each directed edge stand once, and once in the other direction?
+/// True if each directed edge occurs once, and once in the opposite direction.
 bool is_closed(const Surface& surface);
 
-/// mm³, by the divergence theorem.
+/// Returns the enclosed volume by the divergence theorem, mm³.
 double enclosed_volume(const Surface& surface);
 
-/// How often a surface of triangles goes round the point: 1 inside, 0 outside. Oosterom and
-/// Strackee, The Solid Angle of a Plane Triangle, 1983.
+/// Returns the winding number of a triangle surface about the point: 1 inside, 0 outside.
+/// Source: Oosterom and Strackee, The Solid Angle of a Plane Triangle, 1983.
 double winding_number(const Surface& triangles, const Vec& p);
 
 }  // namespace ncsim::nightly

@@ -6,7 +6,7 @@
 namespace ncsim::nightly {
 namespace {
 
-// A cube of 2 mm, its faces as squares.
+// Returns a cube of 2 mm with square faces.
 Surface cube() {
     Surface s;
     for (std::uint32_t i = 0; i < 8; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vectors of the oracle: its own, as nothing that judges the program may be shared with it.
-// Millimetres; which frame is said by the name.
+// Vectors of the oracle, independent of ncsim, because the judge must not share code with the
+// program. Millimetres; the name of a variable states the frame.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A known finding hides no other one: each thing that makes it what it is, changed by itself.
+// A known finding does not hide a different finding: each identifying property is changed
+// separately.
 #include "ncsim/report/baseline.h"
 
 #include "ncsim/report/make_entry.h"
@@ -18,7 +19,7 @@
 namespace ncsim::report {
 namespace {
 
-// A program with one finding, as `check` has it.
+// Returns a program with a single finding, as `check` makes the program.
 Checked checked_with(verify::Finding finding, std::string line) {
     Checked checked;
     checked.path = "part.nc";
@@ -42,7 +43,7 @@ verify::Finding rapid() {
     return f;
 }
 
-// Is `now` accepted where `known` was written down?
+// True if `now` is accepted by a baseline written for `known`.
 bool is_accepted(const Checked& known, Checked now) {
     EntryOptions options;
     options.known = true;
@@ -90,7 +91,8 @@ TEST(Baseline, KnowsAFindingByAllThatItIs) {
     EXPECT_FALSE(is_accepted(checked_with(rapid(), "G0 X30."), checked_with(rapid(), "G0 X3.")));
 }
 
-// Of several motions, one finding may hide another: then it is another one, less of it or not.
+// Within a finding of several motions, a new violation could hide. Therefore a row with a different
+// digest is a new finding, even with fewer motions.
 TEST(Baseline, KnowsARowByAllOfIt) {
     verify::Finding row = rapid();
     row.count = 3;
@@ -116,7 +118,7 @@ TEST(Baseline, KnowsThatNearerIsWorse) {
     EXPECT_FALSE(is_accepted(f, now));
 }
 
-// The box of links that meet is that of the whole path: the point is where they do.
+// The bounding box covers the whole path of the links; the point is the place of the contact.
 TEST(Baseline, KnowsWhereLinksMeet) {
     verify::Finding f = rapid();
     f.rule = "machine-collision";
@@ -128,7 +130,7 @@ TEST(Baseline, KnowsWhereLinksMeet) {
     EXPECT_FALSE(is_accepted(f, now));
 }
 
-// Numbers that no such thing has are none of a baseline.
+// A baseline with numbers out of range is invalid.
 TEST(Baseline, HasWholeNumbers) {
     for (const char* number : {"1e126", "-1", "4294967296", "1.5", "\"1\""}) {
         const std::string text =

@@ -31,7 +31,7 @@ TEST(Shards, DealEachProgramOnceAndEvenly) {
         }
         EXPECT_EQ(std::ranges::count(taken, 1), 1000);
         const auto [least, most] = std::ranges::minmax(loads);
-        // Whoever has most would have less without its smallest.
+        // The largest load without its smallest program is at most the least load.
         if (of <= 64) {
             EXPECT_LE(most - least, 1'001'000U) << of;
         }
@@ -64,7 +64,7 @@ TEST(Entry, ComesBackFromItsLine) {
     EXPECT_EQ(entry_from(line), entry);
     for (std::size_t cut : {line.size() - 1, line.size() / 2, std::size_t{0}})
         EXPECT_FALSE(entry_from(line.substr(0, cut))) << cut;
-    // Programs need not be UTF-8, and may hold anything.
+    // Program text may be invalid UTF-8 and may contain any bytes.
     for (int lead = 0; lead < 256; ++lead) {
         for (const char* tail : {"", "x", "\x80", "\x90\x80", "\x8f\xbf\xbf", "\xa0\x80", "\xbf"}) {
             entry.text = std::string("a") + static_cast<char>(lead) + tail;

@@ -29,7 +29,7 @@ TEST(TileFile, ComesBack) {
     EXPECT_EQ(again.digest, any_digest({}));
 }
 
-// Found by the fuzzer: a number of 126 digits is no number of a tile.
+// Found by the fuzzer: a number of 126 digits is not a valid number of a tile.
 TEST(TileFile, HasWholeNumbers) {
     const std::string bytes = bytes_of({{{"run"}, {}, 0, 1}, {}, {}, {}, {}}, any_digest);
     const auto refused = [&](const std::string& from, const std::string& to) {

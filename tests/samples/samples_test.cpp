@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The samples, from text to surface, with both models: the definition of the part, asked a hundred
-// thousand times near its surface; closed surfaces; equal pictures.
+// Samples, from text to surface, with both models: a hundred thousand points near the surface
+// compared with the definition of the part, closed surfaces, and equal pictures.
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/mesh.h"
@@ -41,7 +41,7 @@ namespace {
 
 using cda::Vec3;
 
-// A sample, run once with both models.
+// A sample, run once with each model.
 struct Sample {
     setup::InputSet inputs;
     app::Options options;
@@ -59,7 +59,7 @@ const Sample& sample(const std::string& name) {
         app::Options& options = slot->options;
         options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/" + name + ".nc";
         options.model = "cda";
-        // Keeps the cells, of circumscribed tools; nothing is written here.
+        // Keeps the cells of circumscribed tools; no file is written here.
         options.save_stock = "kept.ncstock";
         slot->plan = app::plan_for(options, slot->inputs);
         slot->survey = simulation::survey(slot->plan);
@@ -77,7 +77,7 @@ class Samples : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(All, Samples, testing::Values("simple", "complex", "wave"),
                          [](const auto& test) { return test.param; });
 
-// A tool five times finer stands for the round one.
+// A tool with a five times finer tolerance represents the round tool.
 TEST(FairTools, LeaveTheVolumeThatRoundOnesLeave) {
     const auto volume = [](double tolerance, toolpath::Side side) {
         setup::InputSet inputs;
@@ -124,8 +124,8 @@ TEST_P(Samples, HaveClosedSurfacesOfTheRightVolume) {
         EXPECT_LE(cda::check(*boundary).relative_area_sum, 1e-12);
         const cda::TriangleMesh mesh = cda::triangulate(*boundary);
         EXPECT_TRUE(cda::check(mesh).is_closed());
-        // The flat aggregate counts its volume cut by cut; the tree sums it over its leaves; the
-        // mesh is what CGAL, or the stitching, made of the facets.
+        // The flat aggregate counts its volume cut by cut, and the tree sums over its leaves. CGAL,
+        // or the stitching, makes the mesh from the facets.
         EXPECT_NEAR(cda::volume(mesh), s.flat.part_volume, 1e-9 * s.flat.part_volume);
         EXPECT_NEAR(cda::volume(*boundary), s.tree.part_volume, 1e-9 * s.flat.part_volume);
     }
@@ -142,7 +142,7 @@ TEST_P(Samples, BothModelsMakeTheSameSurface) {
     }
 }
 
-// FNV-1a over all that a boundary says.
+// Returns FNV-1a over the content of a boundary.
 std::uint64_t hash_of(const cda::Boundary& boundary) {
     std::uint64_t h = 0xcbf29ce484222325ULL;
     const auto mix = [&h](std::uint64_t v) {
@@ -164,7 +164,7 @@ std::uint64_t hash_of(const cda::Boundary& boundary) {
     return h;
 }
 
-// Threads, order, leaves, batches change nothing; nor does how the program was compiled.
+// The surface does not depend on threads, order, leaves, batches or the compilation.
 TEST_P(Samples, AreTheSameHoweverTheyAreMade) {
     const Sample& s = sample(GetParam());
     const std::map<std::string, std::uint64_t> known{{"simple", 12224367145059853698U},
@@ -173,7 +173,7 @@ TEST_P(Samples, AreTheSameHoweverTheyAreMade) {
     EXPECT_EQ(hash_of(s.boundary), known.at(GetParam()));
     ASSERT_GE(s.tree.carved.size(), 2U);
     const cda::Shape stock = toolpath::stock_shape(*s.survey.stock, 0.05);
-    // Of the cells alone: what steps took together is not among them, and has other lines.
+    // Inserts only the cells, without the merged cells of steps, which have different lines.
     cda::TreeCda once(stock.outer, stock.lattice);
     once.subtract_unmeasured(s.tree.carved);
     const cda::Boundary expected = once.boundary();
@@ -195,10 +195,11 @@ TEST_P(Samples, AreTheSameHoweverTheyAreMade) {
     }
 }
 
-// Every point near a surface is on the side that the definition says: in the stock and in no hull.
+// Every point near a surface is on the side that the definition states: in the stock and in no
+// hull.
 TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
     const Sample& s = sample(GetParam());
-    // The hulls, made again from the program.
+    // Makes the hulls again from the program.
     std::vector<cda::Cell> hulls;
     std::map<int, toolpath::Cutter> cutters;
     for (const auto& [number, used] : s.survey.tools) {
@@ -219,7 +220,7 @@ TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
     const double lattice_unit = s.tree.lattice.unit_mm;
     int disagreements = 0;
     for (int i = 0; i < 100000; ++i) {
-        // On a random triangle, then up to 10 µm off it.
+        // A point on a random triangle, moved by up to 10 µm along each axis.
         const auto& t = mesh.triangles[random.next() % mesh.triangles.size()];
         double u = unit();
         double v = unit();
@@ -228,7 +229,7 @@ TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
         Vec3 p = a + u * (mesh.vertices[t[1]] - a) + v * (mesh.vertices[t[2]] - a);
         for (int axis = 0; axis < 3; ++axis)
             p[axis] += 0.02 * (unit() - 0.5);
-        // A tenth of a unit about every plane is left to rounding.
+        // A tenth of a unit around every plane is left to rounding.
         const double slack = 0.1 * lattice_unit;
         bool is_near = false;
         const auto inside = [&](const std::vector<cda::Plane>& planes) {
@@ -254,13 +255,13 @@ TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
     EXPECT_EQ(disagreements, 0);
 }
 
-// "Which line made this wall": the hulls that the line left touch the triangle's plane from outside
-// the material, and reach up to its middle; uncut faces lie in the sides of the block.
+// The hulls of the line that a wall names touch the triangle's plane from outside the material, and
+// reach its middle. Uncut faces lie in the sides of the block.
 TEST_P(Samples, NameTheLineThatCutEachTriangle) {
     const Sample& s = sample(GetParam());
     std::vector<cda::Cell> hulls;
     std::map<std::uint32_t, std::vector<std::size_t>> hulls_of;  // by line
-    // The line before, where one goes straight on as that did; and how far each goes.
+    // The preceding line if a line continues it straight, and the length of each line.
     std::map<std::uint32_t, std::uint32_t> goes_on;
     std::map<std::uint32_t, double> length;
     std::uint32_t last_line = 0;
@@ -321,7 +322,8 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
                 return touches;
             });
         };
-        // Or by one before it on the same straight way, within the width of the tool.
+        // A preceding line on the same straight path, within the width of the tool, may have made
+        // the wall.
         constexpr double kWidest = 6.2;  // mm, in wave.nc
         bool is_made = is_made_by(line);
         double back = length[line];
@@ -336,16 +338,16 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
     EXPECT_GT(cut, 500);
 }
 
-// simple.nc, counted by hand. The tool has 20 sides, so that a slot ends in 9 facets.
+// Faces of simple.nc, counted by hand. The tool has 20 sides, so a slot ends in 9 facets.
 //
 //  - the block: bottom, 4 sides                                                          5
-//  - its top, between the ten grooves: 11 strips. The four slots cut the 3 outer ones on each side
+//  - its top, between the ten grooves: 11 strips. The four slots cut the 3 outer strips per side
 //    into 3 pieces (6 · 3), 5 in the middle are whole; behind each corner that was cut off,
 //    a triangle is left (4)                                                             27
 //  - 4 corners: a floor and two walls each                                              12
 //  - 4 slots: a floor, two walls, 9 facets each                                         48
 //  - grooves 4 to 7: a floor and two walls each                                         12
-//  - grooves 3 and 8, which slots reach into from one side: that wall in 3 pieces, 5 each  10
+//  - grooves 3 and 8, which slots reach into from a side: that wall in 3 pieces, 5 each   10
 //  - grooves 1, 2, 9, 10, which slots cross: floor and walls in 3 pieces, 9 each        36
 constexpr std::size_t kFacesOfSimple = 5 + 27 + 12 + 48 + 12 + 10 + 36;
 
@@ -355,7 +357,7 @@ TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
               kFacesOfSimple);
     EXPECT_EQ(exporter::simplify(s.flat_boundary, exporter::kFlatTolerance).boundary.faces.size(),
               kFacesOfSimple);
-    // No face was cut by two lines: a tool that goes up again along its axis cuts nothing more.
+    // No two lines cut the same face: a tool that retracts along its axis cuts no more.
     const auto by_line =
         exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance);
     EXPECT_EQ(by_line.boundary.faces.size(), kFacesOfSimple);
@@ -372,7 +374,8 @@ TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
     EXPECT_TRUE(cda::check(by_line.boundary).is_closed());
 }
 
-// No seams in the files either: formats with polygons have one a face, none of simple.nc has holes.
+// Files have no seams either: formats with polygons have a polygon per face, because no face of
+// simple.nc has holes.
 TEST(SampleFaces, OfSimpleStandInFilesOnce) {
     const Sample& s = sample("simple");
     const cda::Boundary part =
@@ -388,11 +391,11 @@ TEST(SampleFaces, OfSimpleStandInFilesOnce) {
         EXPECT_EQ(face.loops.size(), 1U);
         corners += face.loops.front().size();
     }
-    // 3MF has triangles only: as few as these polygons can be cut into.
+    // 3MF has triangles only: the least number into which the polygons can be cut.
     EXPECT_EQ(cda::triangulate(part).triangles.size(), corners - 2 * kFacesOfSimple);
 }
 
-// What `ncsim run --png` shows of them, but smaller.
+// Compares with golden pictures: the picture of `ncsim run --png`, but smaller.
 TEST_P(Samples, LookAsTheyDid) {
     const Sample& s = sample(GetParam());
     app::Options options = s.options;
@@ -404,7 +407,8 @@ TEST_P(Samples, LookAsTheyDid) {
                                        "samples/golden/" + GetParam() + ".png");
 }
 
-// The stencil buffer of the thesis against the computed surface: pixel for pixel, but for edges.
+// Compares the stencil buffer of the thesis with the computed surface, pixel by pixel except at
+// edges.
 TEST_P(Samples, LookTheSameThroughTheStencilAndAsASurface) {
     const Sample& s = sample(GetParam());
     exporter::RenderOptions options;
@@ -425,7 +429,7 @@ TEST_P(Samples, LookTheSameThroughTheStencilAndAsASurface) {
             std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
         different += distance > 24;
     }
-    // Pixels whose centre an edge passes may go either way.
+    // Pixels with an edge through their centre may show either face.
     EXPECT_LE(different, masked.pixels.size() / 200);
 }
 

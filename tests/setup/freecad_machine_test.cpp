@@ -30,7 +30,7 @@ std::string axis(const std::string& letter, const std::string& role, const std::
            more + "}}";
 }
 
-// Of a machine with the axes told, and X, Y, Z.
+// Returns a machine with X, Y, Z and the rotary axes `axes`.
 std::string machine_of(const std::string& axes, const std::string& units = "metric") {
     return "{\"version\": 1, \"machine\": {\"name\": \"mill\", \"units\": \"" + units +
            "\", \"axes\": {" + axis("X", "table_linear", "[1, 0, 0]") + ", " +
@@ -58,7 +58,8 @@ TEST(FreeCad, OfATableOfTwo) {
     EXPECT_EQ(letters_of(file), "CAXYZ");
     EXPECT_EQ(file.kinematics->travels.at('A').max, 50.0);
     EXPECT_EQ(file.kinematics->chain.find('C')->through, (cda::Vec3{1, 2, 3}));
-    // The table turns by the right hand: the tool against it the other way.
+    // The table turns by the right hand, so the tool turns in the opposite direction relative to
+    // the table.
     EXPECT_EQ(file.kinematics->chain.find('C')->direction, (cda::Vec3{0, 0, -1}));
     EXPECT_FALSE(file.kinematics->guess.empty());
     EXPECT_EQ(file.kinematics->unspecified_pivots, "A");

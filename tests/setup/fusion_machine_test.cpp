@@ -72,12 +72,12 @@ TEST(FusionMachine, TellsItsAxesAndLimits) {
     EXPECT_EQ(file.kinematics->unspecified_pivots, "C");
     EXPECT_NE(file.kinematics->guess, "");
     EXPECT_EQ(file.kinematics->travels.at('A').max, 30);
-    // Nothing turns: nothing is guessed.
+    // Without rotary axes there is no assumption.
     EXPECT_EQ(read_fusion(fusion_machine()).kinematics->guess, "");
 }
 
-// All that Fusion writes beside what is read: capabilities, coolant, tools, a post, and for each
-// axis where it rests, its number, resolution and rates.
+// Returns a file with all elements that Fusion writes in addition to the elements that are read:
+// capabilities, coolant, tools, a post, and for each axis home, number, resolution and rates.
 std::string whole_fusion_machine(const std::string& axes) {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\n"
            "<machine xmlns=\"http://www.hsmworks.com/xml/2009/machine\">\n"
@@ -118,7 +118,7 @@ std::string whole_rotary_axis(const std::string& letter, const std::string& link
            "\" rapidFeed=\"0rpm\" reset=\"never\" resolution=\"0deg\" tcp=\"yes\"/>\n";
 }
 
-// Where the tip of a tool without length is on the part, and how it points.
+// Returns tip and direction of a tool without length, relative to the part.
 machine::Pose pose_at(const MachineFile& file, const machine::Values& joints) {
     return file.kinematics->chain.placed({}, 0.0).pose(joints);
 }
@@ -140,8 +140,9 @@ TEST(FusionMachine, ReadsATableOnATable) {
     EXPECT_EQ(file.machine.min_rpm, 50);
     EXPECT_EQ(file.machine.tool_change_seconds, 4.2);
     EXPECT_NE(file.kinematics->guess, "");
-    // On paper: the table turns by 90 degrees about Y0 Z50, the right hand; what was at Z50 + 1
-    // goes to Y-1, so the tool at Y-1 Z50 is on the part at Y0 Z51, and comes from its Y.
+    // Calculation by hand: the table turns by 90 degrees about Y0 Z50 by the right hand. A point at
+    // Z50 + 1 moves to Y-1, so a tool at Y-1 Z50 is at Y0 Z51 of the part and comes from Y of the
+    // part.
     machine::Values joints{};
     joints[1] = -1;
     joints[2] = 50;
@@ -164,8 +165,8 @@ TEST(FusionMachine, ReadsAHeadAndATable) {
     EXPECT_EQ(file.kinematics->unspecified_pivots, "");
     EXPECT_EQ(file.kinematics->travels.at('B').max, 110);
     EXPECT_NE(file.kinematics->guess, "");
-    // On paper: the head turns the nose, 200 below its axis, towards -X; the table turns that about
-    // X100 to the other side: to Y.
+    // Calculation by hand: the head turns the nose, 200 mm below its axis, towards -X; the table
+    // turns this direction about X100 in the opposite sense: to Y.
     machine::Values joints{};
     joints[4] = 90;
     const machine::Pose tilted = pose_at(file, joints);

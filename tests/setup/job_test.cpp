@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A job of a program that is at hand as text.
+// A job of a program that is given as text.
 #include "ncsim/setup/job.h"
 
 #include "ncsim/setup/coordinate_systems.h"
@@ -58,7 +58,7 @@ TEST(Job, IsInInchesWhereToolsAndNumbersAgree) {
     for (const char* tools : {"(T1 3/4\" FLAT END MILL)", "(T1 1/2 FLAT ENDMILL)",
                               "(T1 .5 INCH ENDMILL)", "(T1 D=0.5IN - flat end mill)"}) {
         EXPECT_EQ(units(tools, small), Inches) << tools;
-        // Numbers of that size are millimetres, and what the program says counts.
+        // Numbers of this size are millimetres, and units in the program have priority.
         EXPECT_EQ(units(tools, "G0 X120. Y2.25\nG1 Z-.25 F22."), Millimetres);
         EXPECT_EQ(units(tools, "G0 X1. Y2.25\nG1 Z-.25 F800."), Millimetres);
         EXPECT_EQ(units(tools, "G21\n" + small), Millimetres);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Machines out of configurations of LinuxCNC, against its own kinematics (5c41560e, compiled and
-// run); tip in W.
+// Machines from configurations of LinuxCNC, compared with the kinematics of LinuxCNC (5c41560e,
+// compiled and run); tip in W.
 #include "ncsim/setup/machine_formats.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using machine::Values;
 
-// Files that are told.
+// Input files in memory.
 class Specified : public InputSet {
 public:
     std::map<std::string, std::string> files;
@@ -37,7 +37,7 @@ MachineFile read(const std::string& text, const std::map<std::string, std::strin
 void expect_tip(const MachineFile& file, double length, const Values& values, double x, double y,
                 double z) {
     ASSERT_TRUE(file.kinematics);
-    // Its tip is at Z-length while all joints are at 0.
+    // With all joints at 0 the tip is at Z-length.
     const auto X_WT = file.kinematics->chain.placed({0, 0, -length}, length).pose(values);
     EXPECT_NEAR(X_WT.translation.x, x, 6e-10);
     EXPECT_NEAR(X_WT.translation.y, y, 6e-10);
@@ -99,7 +99,7 @@ TEST(LinuxCnc, OfOtherKinematics) {
         read("[KINS]\nKINEMATICS = xyzacb_trsrn\n[HAL]\n" + k + "y-pivot 11\n" + k +
              "z-pivot 150\n" + k + "x-offset 3\n" + k + "y-offset 5\n" + k + "y-rot-axis -700\n" +
              k + "z-rot-axis -900\n");
-    // Told with the tip at 0 at home, and Z as it stands: a tool of 60 mm.
+    // LinuxCNC gives the tip relative to 0 at home, and Z without offset: a tool of 60 mm.
     const auto X_WT =
         nutating.kinematics->chain.placed({0, 0, -60}, 60).pose({10, 20, 30, 35, 40, 25});
     EXPECT_NEAR(X_WT.translation.x, -55.094052894, 6e-10);
@@ -108,7 +108,7 @@ TEST(LinuxCnc, OfOtherKinematics) {
     EXPECT_FALSE(read("[KINS]\nKINEMATICS = trivkins coordinates=XYZA\n").kinematics);
 }
 
-// The first kinematics are there from the start; W of 5axiskins goes along the tool.
+// The first kinematics are active from the start; W of 5axiskins moves along the tool.
 TEST(LinuxCnc, WhatIsThereFromTheStart) {
     using enum gcode::Coordinates;
     const auto at_start = [](const std::string& kinematics) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is said of a job that can be run, word for word: every row of messages.def.
+// Messages about a job that can be run, word for word: each row of messages.def.
 #include "job/messages.h"
 
 #include "ncsim/setup/job.h"
@@ -19,7 +19,7 @@
 namespace ncsim::setup {
 namespace {
 
-// What two tellers of tool 1 that do not agree make it say.
+// Returns the messages about a tool table and a comment that specify different data for tool 1.
 std::vector<std::string> said_of_a_table_and_a_comment() {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("ncsim_setup_" + std::to_string(::getpid()));
@@ -36,7 +36,7 @@ std::vector<std::string> said_of_a_table_and_a_comment() {
     return out;
 }
 
-// Returns the messages of a file with two programs, a move behind an end, and an uncalled
+// Returns the messages of a file with two programs, a move after an end, and an uncalled
 // subprogram.
 std::vector<std::string> said_of_a_file_with_two_programs() {
     const Job job = job_of({"a.nc", "O1\nX1\nM30\nX2\nO2\nX1\nM30\nO3\nX1\nM99\n"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Patterns of ncsim.toml. What it tells programs is asked of the whole program:
+// Patterns of ncsim.toml. Effects on programs are tested with the whole program in
 // cli/project_test.cpp.
 #include "ncsim/setup/project_file.h"
 

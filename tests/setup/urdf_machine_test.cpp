@@ -55,8 +55,9 @@ std::string joint(const std::string& name, const std::string& type, const std::s
 
 const std::string kBox = "<visual><geometry><box size=\"0.1 0.2 0.3\"/></geometry></visual>";
 
-// A table that tilts (A) on a slide (Y), both on the bed; X and Z on the other side. The nose is
-// 0.5 m above the bed, 0.2 m behind it; the axis of A 0.1 m above it.
+// Returns a machine with a tilting table (A) on a slide (Y) on the bed, and X and Z on the tool
+// side. The nose is 0.5 m above the bed and 0.2 m behind the bed; the axis of A is 0.1 m above the
+// bed.
 std::string machine_of(const std::string& y_axis = "0 -1 0", const std::string& more = "") {
     return "<?xml version=\"1.0\"?>\n<robot name=\"mill\">\n" + link("bed", kBox) +
            link("slide", kBox) + link("cradle", kBox) + link("workpiece") + link("beam", kBox) +
@@ -84,10 +85,10 @@ TEST(UrdfMachine, IsTheChainThatItsJointsTell) {
     for (const machine::Joint& j : file.kinematics->chain.joints)
         letters += j.letter;
     EXPECT_EQ(letters, "AYXZ");
-    // As the tool goes against the part: the cradle turns the part by the right hand about X.
+    // Motion of the tool relative to the part: the cradle turns the part by the right hand about X.
     const machine::Joint& a = *file.kinematics->chain.find('A');
     EXPECT_EQ(a.direction, (Vec3{-1, 0, 0}));
-    // As the spindle nose has it.
+    // Relative to the spindle nose.
     EXPECT_NEAR(a.through.y, -150, 1e-9);
     EXPECT_NEAR(a.through.z, -400, 1e-9);
     for (const auto& [letter, direction] :
@@ -100,7 +101,7 @@ TEST(UrdfMachine, IsTheChainThatItsJointsTell) {
     EXPECT_NEAR(file.machine.travel[1]->max, 300, 1e-9);
     EXPECT_NEAR(file.machine.rapid[1].value(), 30'000, 1e-6);
     EXPECT_FALSE(file.machine.travel[0]);
-    // Links, as they stand with all joints at 0; what is only a place is no link.
+    // Links with all joints at 0; a frame without body is not a link.
     ASSERT_EQ(file.bodies.size(), 5U);
     EXPECT_TRUE(file.other_links.empty());
     EXPECT_EQ(file.part_link, "cradle");
@@ -111,7 +112,7 @@ TEST(UrdfMachine, IsTheChainThatItsJointsTell) {
     EXPECT_NEAR(corner.x, -50, 1e-9);
     EXPECT_NEAR(corner.y, -150 - 100, 1e-9);
     EXPECT_NEAR(corner.z, -400 - 150, 1e-9);
-    // The slide goes away by positive values, and the cradle with it.
+    // Positive values move the slide with the cradle in -Y.
     machine::Values values{};
     values[1] = 10;
     const auto moved = corners_at(file.bodies[2], values);
@@ -126,7 +127,7 @@ TEST(UrdfMachine, ATableThatCountsAsItGoesIsAGuess) {
     EXPECT_NEAR(file.machine.travel[1]->max, 100, 1e-9);
 }
 
-// Meshes are in metres, where they are told; collision comes before visual.
+// Meshes are in metres at the given origin; collision meshes have priority over visual meshes.
 TEST(UrdfMachine, PlacesItsMeshes) {
     std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     std::string text = machine_of();
@@ -137,12 +138,12 @@ TEST(UrdfMachine, PlacesItsMeshes) {
     const MachineFile file = read(text, {{"../a.obj", obj}});
     const auto& mesh = file.bodies[0].mesh;
     ASSERT_EQ(mesh.vertices.size(), 4U);
-    // The bed is 200 before the nose and 500 below it.
+    // The bed is 200 mm in front of the nose and 500 mm below the nose.
     const Vec3 x = mesh.vertices[0] + Vec3{0, 200, 500};
     double volume = 0.0;
     for (const auto& t : mesh.triangles)
         volume += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6.0;
-    EXPECT_NEAR(volume, 1e6 / 6.0, 1e-3);  // mirrored, and still outwards
+    EXPECT_NEAR(volume, 1e6 / 6.0, 1e-3);  // mirrored, with outward orientation
     EXPECT_NEAR(x.x, 500, 1e-9);
     bool has_x = false, has_z = false;
     for (const Vec3& p : mesh.vertices) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_step_cases <folder>: STEP as others write it, by OpenCASCADE: an assembly, inches, curved
-// bodies, and what is no solid.
+// write_step_cases <folder>: writes STEP files with OpenCASCADE as CAD systems would: an assembly,
+// inches, curved bodies, and shapes that are not solids.
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -39,7 +39,8 @@ TopoDS_Shape moved(const TopoDS_Shape& shape, double x) {
     return shape.Moved(TopLoc_Location(by));
 }
 
-// With so many faces less; its shell alone, where it is not to be closed.
+// Returns the shell of `solid` without the first `less` faces; the shell is closed only if `less`
+// is 0.
 TopoDS_Shell shell_of(const TopoDS_Shape& solid, int less) {
     BRep_Builder builder;
     TopoDS_Shell shell;
@@ -61,7 +62,8 @@ int main(int argc, char** argv) {
     bool good = true;
     const auto write = [&](const TopoDS_Shape& shape, const std::string& name,
                            STEPControl_StepModelType as, const char* unit = "MM") {
-        // Looked at when the writer is made, and again when it writes.
+        // OpenCASCADE reads the settings when the writer is created, and again when the writer
+        // writes.
         STEPControl_Controller::Init();
         Interface_Static::SetCVal("write.step.unit", unit);
         Interface_Static::SetIVal("write.step.assembly", 1);
@@ -73,7 +75,7 @@ int main(int argc, char** argv) {
     write(box, "box.step", STEPControl_AsIs);
     write(box, "inch.step", STEPControl_AsIs, "INCH");
     write(box, "metre.step", STEPControl_AsIs, "M");
-    // Two instances of one body.
+    // Two instances of a body.
     write(together({box, moved(box, 40.0)}), "assembly.step", STEPControl_AsIs);
     const gp_Ax2 beside(gp_Pnt(0, 15, 0), gp::DZ());
     write(together({BRepPrimAPI_MakeSphere(2.5).Solid(),

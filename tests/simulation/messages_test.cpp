@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is said of a program before it is cut and while it is, word for word: every row of
+// Messages about a program before and during the simulation, word for word: each row of
 // messages.def.
 #include "messages.h"
 

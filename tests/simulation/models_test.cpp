@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of models: what it says of a model is so.
+//
+// The table of models: each stated property of a model is tested.
 #include "ncsim/simulation/models.h"
 
 #include "support/oracle.h"
@@ -23,7 +24,7 @@ using cda::WorkpieceModel;
 using test::kLattice;
 using test::mm_box;
 
-// A block with a slot, and a bore that goes into it.
+// Returns a block with a slot and a bore that enters the slot.
 std::unique_ptr<WorkpieceModel> slotted(std::string_view model) {
     auto part = make_model(model, {.threads = 2})->create(mm_box(0, 0, 0, 4, 4, 4), kLattice);
     Cell slot = mm_box(-1, 1, 2, 5, 3, 5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Words that turn the tool, on machines of which a chain of joints is told.
+// Words that turn the tool, on machines with a specified chain of joints.
 #include "ncsim/machine/presets.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
@@ -18,7 +18,7 @@ namespace {
 using gcode::Motion;
 using toolpath::Pose;
 
-// The moves of a program on the machine of `chain`, with its axes where they are told.
+// Returns the moves of a program on the machine of `chain`, from the start X0 Y0 Z0.
 std::vector<Motion> moves_of(const std::string& program, const machine::Chain& chain,
                              const machine::Travels& travels = {}) {
     setup::JobOptions options;
@@ -66,7 +66,8 @@ TEST(Orientation, OfATableAndOfAHead) {
     EXPECT_NEAR(end_of(other.back())->c.degrees(), 120, 1e-9);
 }
 
-// Whatever the machine, the tip comes where the plane says, and the tool stands upright on it.
+// On each machine, the tip reaches the position in the plane, and the tool is perpendicular to the
+// plane.
 TEST(Orientation, IsTheSameOnThePartOnEveryMachine) {
     for (const char* name :
          {"xyzac-trt", "xyzbc-trt", "bridge-cb", "head-b-table-c", "nutating-cb"}) {
@@ -86,7 +87,7 @@ TEST(Orientation, IsTheSameOnThePartOnEveryMachine) {
         const gcode::Triple tip = frame.turned({1, 2, 2}), axis = frame.normal();
         EXPECT_LT(norm(X_WT.translation - cda::Vec3{tip[0] + 10, tip[1] + 20, tip[2] - 5}), 1e-9);
         EXPECT_LT(norm(axis_of(X_WT) - cda::Vec3{axis[0], axis[1], axis[2]}), 1e-9) << name;
-        // What one move ends at the next one starts from, whatever the numbers mean.
+        // Each move starts at the end of the previous move, in either mode of coordinates.
         for (std::size_t i = 1; i < moves.size(); ++i) {
             const Pose before = toolpath::Poses(&placed, moves[i - 1]).at(*end_of(moves[i - 1]));
             const Pose after = toolpath::Poses(&placed, moves[i]).at(*start_of(moves[i]));
@@ -95,7 +96,7 @@ TEST(Orientation, IsTheSameOnThePartOnEveryMachine) {
     }
 }
 
-// What U, V and W move the tip by stays where it is, in both ways to tell a place.
+// The offset of the tip by U, V and W is the same in both modes of coordinates.
 TEST(Orientation, TheTipStaysWhereItIsWhenTheModeChanges) {
     machine::Chain quill = *machine::preset("bridge-cb");
     for (machine::Joint& joint : quill.joints)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts of round tools are shaded as what their facets stand for.
+// Parts cut by round tools are shaded as the surfaces that the facets approximate.
 #include "ncsim/simulation/shading.h"
 
 #include "ncsim/export/camera.h"
@@ -32,7 +32,8 @@ struct Milled {
     Shading shading;
 
     const cda::Boundary& boundary() const { return *simulation.boundary; }
-    // Corners of faces that are longer than 30 mm along X, and turned up by less than that.
+    // Returns the corners of cut faces longer than 30 mm along X whose normals have a Z of at most
+    // `most_up`.
     std::set<std::uint32_t> corners_of_long_faces(double most_up) const {
         std::set<std::uint32_t> corners;
         for (const cda::BoundaryFace& face : boundary().faces) {
@@ -44,7 +45,8 @@ struct Milled {
         }
         return corners;
     }
-    // For each corner of each round face: its number, its place, its normal, that of the facet.
+    // Calls `visit` for each corner of each round face, with number, position, normal, and normal
+    // of the facet.
     void for_each_round(
         const std::function<void(std::uint32_t v, Vec3 p, Vec3 n, Vec3 own)>& visit) const {
         for (std::uint32_t f = 0; f < boundary().faces.size(); ++f) {
@@ -67,7 +69,7 @@ struct Milled {
     }
 };
 
-// A block of 80 x 60 x 20 with a corner in the zero and its top in Z20.
+// Simulates moves on a block of 80 x 60 x 20 mm with a corner at the zero and its top at Z20.
 Milled mill(const std::string& moves, double tool_tolerance = 0.05, unsigned threads = 1) {
     Plan plan;
     plan.job =
@@ -105,7 +107,7 @@ TEST(Shading, WallsOfBoresLookAtTheAxis) {
     for (const double tolerance : {0.5, 0.05, 0.01}) {
         SCOPED_TRACE(tolerance);
         const Milled milled = mill(kBore, tolerance);
-        // 16 sides at least.
+        // At least 16 sides.
         EXPECT_GE(milled.round_faces(), 16U);
         milled.for_each_round([](std::uint32_t, Vec3 p, Vec3 n, Vec3) {
             expect_near(n, normalized({40 - p.x, 30 - p.y, 0.0}), 1e-6);
@@ -122,7 +124,7 @@ TEST(Shading, GroovesOfBallsLookAtTheWayOfTheMiddle) {
     std::size_t joints = 0, ends = 0;
     milled.for_each_round([&](std::uint32_t v, Vec3 p, Vec3 n, Vec3) {
         if (of_walls.contains(v)) {
-            // Half a side beside the circle in which the ball at rest begins.
+            // Up to half a side from the circle in which the ball at rest begins.
             ++joints;
             expect_near(n, normalized({0.0, 30 - p.y, 21 - p.z}), 2e-3);
         } else {
@@ -141,7 +143,7 @@ TEST(Shading, RoundedCornersAreRings) {
         const Vec3 out = normalized({p.x - 40, p.y - 30, 0.0});
         if (p.z > 12 - 1e-3) {
             expect_near(n, -out, p.z < 12 + 1e-3 ? 1e-3 : 1e-6);
-        } else if (p.z > 10.3) {  // where the ring touches neither floor nor wall
+        } else if (p.z > 10.3) {  // where the torus touches neither floor nor wall
             ++corners;
             expect_near(n, normalized(Vec3{40, 30, 12} + 4.0 * out - p), 1e-6);
         }
@@ -163,8 +165,8 @@ TEST(Shading, TipsOfDrillsAreCones) {
     EXPECT_GT(corners, 16U);
 }
 
-// Walls of the slot are flat to the last bit, and its ends go on where they stop: a polygon meets
-// its wall up to half a side, 12°, beside the line where they touch.
+// Walls of the slot are exactly planar, and the ends continue the walls smoothly: a polygon meets
+// its wall up to half a side, 12°, from the line of tangency.
 TEST(Shading, EndsOfSlotsBeginAsTheirWallsEnd) {
     const Milled milled = mill("T1 M6\nG0 X20 Y30 Z25\nG1 Z10\nG1 X60\nG0 Z25\n");
     const std::set<std::uint32_t> of_walls = milled.corners_of_long_faces(0.5);
@@ -195,13 +197,13 @@ TEST(Shading, EndsOfSlotsBeginAsTheirWallsEnd) {
 }
 
 TEST(Shading, EdgesStaySharp) {
-    // Two grooves that cross: on the ridge between them each has a normal of its own.
+    // Two crossing grooves: on the ridge between the grooves, each groove has a separate normal.
     const Milled milled =
         mill("T3 M6\nG0 X-10 Y28 Z18\nG1 X90\nG0 Z25\nG0 Y33\nG0 X-10\nG1 Z18\nG1 X90\n");
     std::optional<double> least, greatest;
     milled.for_each_round([&](std::uint32_t, Vec3 p, Vec3 n, Vec3) {
         if (std::abs(p.y - 30.5) > 0.2) return;
-        // On paper: the ball of 4 mm, 2.5 mm to the side.
+        // Calculation by hand: the ball of radius 4 mm, 2.5 mm to the side.
         EXPECT_NEAR(std::abs(n.y), 2.5 / 4.0, 5e-3);
         least = std::min(least.value_or(n.y), n.y);
         greatest = std::max(greatest.value_or(n.y), n.y);
@@ -224,8 +226,8 @@ TEST(Shading, IsTheSameForAnyNumberOfThreads) {
     EXPECT_NE(written(1), written(1, false));
 }
 
-// The largest step of brightness from pixel to pixel over the wall of half a bore of 40 mm, which
-// is seen from the front.
+// Returns the largest step of brightness from pixel to pixel over the wall of half a bore of 40 mm,
+// seen from the front.
 int largest_step(const Milled& milled, const Shading& shading) {
     exporter::RenderOptions options;
     options.width = 640;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What run, check and diff do, asked by a program instead of a command line.
+// The functions behind ncsim run, check and diff, called without a command line.
 #include "ncsim/cda/mesh.h"
 #include "ncsim/simulation/check.h"
 #include "ncsim/simulation/compare_parts.h"
@@ -51,7 +51,8 @@ TEST(Simulation, KeepsWhatItIsAskedFor) {
     EXPECT_NEAR(part.removed_by_block.at({0, 6}), 6 * 40 * 5, 1e-9);
 }
 
-// Volumes by tool cost an evaluation of the part at each tool change: only where they are shown.
+// Volumes by tool cost an evaluation of the part at each tool change, so they are measured only on
+// request.
 TEST(Simulation, VolumesByToolAreMeasuredOnRequest) {
     const std::string tools = "(T1 D=6. CR=0. - flat end mill)\n(T2 D=6. CR=0. - flat end mill)\n";
     Plan plan = plan_of(tools + kStock +
@@ -67,8 +68,8 @@ TEST(Simulation, VolumesByToolAreMeasuredOnRequest) {
     EXPECT_NEAR(hidden.part_volume, shown.part_volume, 1e-12 * shown.part_volume);
 }
 
-// However often a slot is gone through on the way down, its walls are those of the last pass, and
-// the part is the one that a single pass would have made; what each took is told all the same.
+// A slot in several passes of increasing depth: the walls belong to the last pass, and the part
+// equals the part of a single pass. The removed volume of each pass is reported.
 TEST(Simulation, AWallIsWhoseToolWentDeepest) {
     const auto milled = [](const std::string& depths) {
         Plan plan = plan_of(kTool + kStock + depths);
@@ -92,8 +93,8 @@ TEST(Simulation, AWallIsWhoseToolWentDeepest) {
     EXPECT_EQ(thrice.removed_by_block.size(), 3U);
 }
 
-// Three turns of a helix and a circle at its end: the bore has the walls and the floor of the
-// circle, and each line took what it took.
+// Three turns of a helix and a final circle: walls and floor of the bore belong to the circle, and
+// the volume of each line is reported.
 TEST(Simulation, ABoreIsOfTheCircleAtItsEnd) {
     const auto milled = [](const std::string& text, std::string model = "cda") {
         Plan plan = plan_of(kTool + kStock + text);
@@ -118,8 +119,8 @@ TEST(Simulation, ABoreIsOfTheCircleAtItsEnd) {
         EXPECT_EQ(flat.boundary->faces[i].origin, part.boundary->faces[i].origin);
 }
 
-// Rows in short moves, some of them sloping: what each line took is what it takes if moves are
-// taken away one by one.
+// Rows in short moves, some inclined: the volume of each line equals the volume from subtracting
+// the moves one by one.
 TEST(Simulation, EachLineOfAStraightWayIsToldWhatItTook) {
     std::string text = "G21 G90 T1 M6 S8000 M3 F300\nG0 X-5. Y18. Z5.\nG1 Z-2.\n";
     for (int row = 0; row < 3; ++row) {
@@ -149,12 +150,12 @@ TEST(Simulation, EachLineOfAStraightWayIsToldWhatItTook) {
     }
 }
 
-// A slot in fifty short moves: floor and walls have a line that was no farther away than the tool
-// is wide, and there are a few faces of them, not fifty times as many.
+// A slot in fifty short moves: floor and walls belong to a line at most a tool width away, and the
+// number of faces is small, not fifty times as large.
 TEST(Simulation, AStraightWayInPiecesIsOfALineNearBy) {
     std::string text = "G21 G90 T1 M6 S8000 M3 F300\nG0 X-5. Y20. Z5.\nG1 Z-5.\n";
     for (int x = -4; x <= 45; ++x)
-        text += "G1 X" + std::to_string(x) + ".\n";  // line 6 is to X-4
+        text += "G1 X" + std::to_string(x) + ".\n";  // line 6 moves to X-4
     const auto milled = [&](std::string model) {
         Plan plan = plan_of(kTool + kStock + text + "G0 Z5.\nM30\n");
         plan.model = std::move(model);
@@ -178,8 +179,8 @@ TEST(Simulation, AStraightWayInPiecesIsOfALineNearBy) {
         EXPECT_EQ(flat.boundary->faces[i].origin, part.boundary->faces[i].origin);
 }
 
-// A turn beside the stock, of which the second half does not come near: what follows has a number
-// of its own.
+// A turn next to the stock whose second half does not meet the stock: the following motion has a
+// separate number.
 TEST(Simulation, ATurnThatEndsOutsideIsOfItsOwnLine) {
     Plan plan = plan_of(kTool + kStock +
                         "G21 G90 T1 M6 S8000 M3 F300\nG0 X-3.5 Y18. Z5.\nG1 Z-4.\nG3 Y22. J2.\n"
@@ -259,7 +260,7 @@ TEST(Check, AsksOnlyWhatIsSelected) {
     EXPECT_TRUE(checked.verdict.findings.empty());
 }
 
-// The slot is 80 µm deeper than the triangles of the design say, which may be 30 µm from it.
+// The slot is 80 µm deeper than the triangles of the design, whose deviation is up to 30 µm.
 TEST(Check, FindsWhatTheTrianglesOfADesignMayHide) {
     Plan made = plan_of(kTool + kStock + kSlot);
     made.keep_boundary = true;

@@ -10,8 +10,8 @@
 namespace ncsim::simulation {
 namespace {
 
-// Where the way of the ball bends facets stay at first. The moves beside it, 3 um off a line, are
-// one in the draft, and not in cuts with a quarter of its tolerance.
+// Facets remain at first where the path of the ball bends. The zigzag moves, 3 µm off a line, are
+// merged in the draft but not in cuts with a quarter of the tolerance.
 TEST(RefinedSolid, JoinsFewerMovesInFinerCuts) {
     Plan plan;
     plan.job = setup::job_of(

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs of inclined moves in a vertical plane.
 #include "upright_runs.h"
 
 #include "ncsim/gcode/interpreter.h"
@@ -40,8 +42,8 @@ const Linear& line(const Motion& motion) {
     return std::get<Linear>(motion.what);
 }
 
-// By how much the first ends off the upright plane from the start of the first to the end of the
-// last of these.
+// Returns the distance of the end of move `first` from the vertical plane through the start of
+// `first` and the end of `last`.
 double off_plane(const std::vector<Motion>& motions, std::size_t first, std::size_t last) {
     const auto& from = line(motions[first]).from;
     const auto& to = line(motions[last]).to;
@@ -50,7 +52,7 @@ double off_plane(const std::vector<Motion>& motions, std::size_t first, std::siz
     return std::abs(x * (p.y.mm() - from.y.mm()) - y * (p.x.mm() - from.x.mm())) / std::hypot(x, y);
 }
 
-// What is on the plane by then has its neighbour there, too; Z stays, and so do both ends.
+// A neighbour of a line moved onto the plane is on the plane, too; Z and both ends of the run stay.
 TEST(UprightRuns, PutRoundedLinesIntoOnePlane) {
     const Taken taken = take(
         "G0 X0 Y0 Z5\nG1 Z0\nG1 X0.051 Y-0.041 Z-0.1\nG1 X0.11 Y-0.088 Z-0.15\n"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangle mesh of a cube.
 #pragma once
 
 #include "ncsim/cda/mesh.h"
 
 namespace ncsim::test {
 
-/// A cube of 1 mm, two triangles a face: bottom, top, and the four sides in order.
+/// Returns a cube of 1 mm with two triangles per face: bottom, top, and the four sides in order.
 inline cda::TriangleMesh cube() {
     cda::TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},

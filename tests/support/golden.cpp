@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares pixels with golden pictures, or rewrites the pictures.
 #include "support/golden.h"
 
 #include "ncsim/export/png.h"
@@ -17,7 +19,7 @@ namespace ncsim::exporter::test {
 
 namespace {
 
-// Pixels that differ by more than this in a channel count; one in two hundred may.
+// Largest permitted difference of a colour channel. One pixel in kAllowedShare may differ by more.
 constexpr int kTolerance = 16;
 constexpr std::size_t kAllowedShare = 200;
 

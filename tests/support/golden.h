@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whole pictures against those in folders named golden, which somebody has looked at.
+// Compares whole pictures with the reviewed pictures in folders named golden.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -9,9 +9,9 @@
 
 namespace ncsim::exporter::test {
 
-/// Fails where the picture is not as in tests/<file>. Other versions of Mesa may round an edge
-/// differently, so a few pixels may differ. With NCSIM_UPDATE_GOLDENS set in the environment the
-/// file is written anew: look at it before you commit it.
+/// Fails if `image` differs from the picture in tests/<file>. A few pixels may differ, because
+/// versions of Mesa round edges differently. If NCSIM_UPDATE_GOLDENS is set in the environment, the
+/// file is written anew; look at the picture before you commit the file.
 void expect_like_golden(const Image& image, const std::string& file);
 
 }  // namespace ncsim::exporter::test

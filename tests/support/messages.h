@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables of messages (messages.def): which of their rows is said.
+// Matches message texts against the rows of message tables (messages.def).
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
@@ -10,12 +10,12 @@
 
 namespace ncsim::test {
 
-/// "code: text", as cases have what must be said.
+/// Returns "code: text", the form in which test cases state expected messages.
 inline std::string said(const gcode::Diagnostic& d) {
     return d.code + ": " + d.message;
 }
 
-/// Whether `said` is `row` with something for each "{}".
+/// True if `said` is the text of `row` with any text in place of each "{}".
 inline bool says(std::string_view said, const gcode::MessageText& row) {
     const std::string begin = std::string(row.code) + ": ";
     if (!said.starts_with(begin)) return false;

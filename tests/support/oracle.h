@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The obvious way to know what a part is: a grid of unit cubes, or the definition itself.
+// Simple models of a part for comparison: a grid of unit cubes, and the definition itself.
 #pragma once
 
 #include "support/random_shapes.h"
@@ -11,8 +11,8 @@
 
 namespace ncsim::test {
 
-/// Boxes with whole corners (mm) on a small grid: each unit cube is material or not, so volume
-/// and exposed area are counted, and every coincidence of faces happens.
+/// Grid of unit cubes that are material or empty (mm). Boxes with integer corners are removed;
+/// volume and exposed area are counted, and all coincidences of faces occur.
 class UnitCubes {
 public:
     static constexpr int kSize = 6;
@@ -65,7 +65,7 @@ private:
 inline std::array<int, 6> random_grid_box(Random& random) {
     std::array<int, 6> box{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // One beyond the grid on either side: cuts that reach out of the stock.
+        // Corners may lie 1 mm outside the grid, so cuts also reach beyond the stock.
         const auto a = static_cast<int>(random.between(-1, UnitCubes::kSize + 1));
         const auto b = static_cast<int>(random.between(-1, UnitCubes::kSize + 1));
         box[axis] = std::min(a, b);

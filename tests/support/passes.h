@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cells to be taken away from a cube of 6 mm about the origin: at random, or as passes of tools
-// that meet each other's floors and walls.
+// Cells to be subtracted from a cube of 6 mm about the origin: random hulls, or passes of tools
+// that meet floors and walls of earlier passes.
 #pragma once
 
 #include "ncsim/cda/hull.h"
@@ -24,8 +24,8 @@ inline std::vector<cda::Cell> random_cuts(std::uint64_t seed, int count, std::in
     return cuts;
 }
 
-// A cone that goes to and fro over the same few ways, a lattice unit or two beside itself: what a
-// pass takes away is next to nothing, and now and then sums of volumes say less than nothing.
+// Returns passes of a cone that repeats a few straight paths with offsets of one or two lattice
+// units. A pass removes almost no volume, and rounding can make a sum of volumes negative.
 inline std::vector<cda::Cell> jittered_passes(std::uint64_t seed, int count) {
     Random random(seed);
     std::vector<cda::LatticePoint> cone{{0, 0, 0}};
@@ -53,7 +53,7 @@ inline std::vector<cda::Cell> jittered_passes(std::uint64_t seed, int count) {
     return passes;
 }
 
-// Two boxes and a cone, mostly on floors and walls of each other.
+// Returns passes of two boxes and a cone, mostly along floors and walls of earlier passes.
 inline std::vector<cda::Cell> passes_of_several_tools(std::uint64_t seed, int count) {
     std::vector<cda::TranslationSweep> tools;
     for (const std::int64_t size : {30000, 50000}) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seeded numbers for tests: the same in every run, on every machine.
+// Seeded random numbers for tests: identical in each run and on each machine.
 #pragma once
 
 #include <cstdint>
 
 namespace ncsim::test {
 
-/// splitmix64, of its own: what judges the program uses nothing of it.
+/// Random number generator splitmix64. Code that judges ncsim shares no code with ncsim.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -17,15 +17,15 @@ public:
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
         return z ^ (z >> 31);
     }
-    /// From low to high, both possible.
+    /// Returns an integer in [low, high].
     std::int64_t between(std::int64_t low, std::int64_t high) {
         return low + static_cast<std::int64_t>(next() % static_cast<std::uint64_t>(high - low + 1));
     }
-    /// In [0, 1).
+    /// Returns a number in [0, 1).
     double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-    /// In [low, high).
+    /// Returns a number in [low, high).
     double within(double low, double high) { return low + (high - low) * unit(); }
-    /// One time in `n`.
+    /// True with probability 1 / `n`.
     bool one_in(std::int64_t n) { return between(1, n) == 1; }
 
 private:

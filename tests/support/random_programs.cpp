@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Generator of random NC programs, and simulation of the programs.
 #include "support/random_programs.h"
 
 #include "ncsim/cda/shape.h"
@@ -20,7 +22,7 @@ namespace ncsim::test {
 
 namespace {
 
-// Lengths are whole numbers of 10 nm here, so that nothing depends on how numbers are printed.
+// Lengths in units of 10 nm, so the result is independent of the printing of numbers.
 using Length = std::int64_t;
 constexpr Length kMm = 100000;
 
@@ -45,7 +47,7 @@ public:
     NcProgram run() {
         choose_stock();
         choose_tools();
-        // Large parts are to take no longer than small ones.
+        // Coarser tolerances for large parts, so the running time does not grow with the size.
         const double coarse = largest_size() > 30 * kMm ? 5.0 : 1.0;
         program_.tolerance_mm = coarse * one_of({0.006, 0.02, 0.05});
         program_.tool_tolerance_mm = coarse * one_of({0.01, 0.05, 0.1});
@@ -67,7 +69,7 @@ private:
 
     void line(const std::string& text) { program_.text += text + "\n"; }
 
-    // With a few decimals only, most often.
+    // Rounds to a random unit, mostly to few decimals.
     Length rounded(Length length) {
         const Length unit = one_of({kMm, kMm / 10, kMm / 100, kMm / 1000, Length{1}});
         return (length + unit / 2) / unit * unit;
@@ -114,7 +116,8 @@ private:
     }
     Length largest_size() const { return std::max({size_[X], size_[Y], size_[Z]}); }
 
-    // Somewhere near the stock; in its planes, where the tool was, or nearly there.
+    // Returns a coordinate near the stock: on a face of the stock, at an earlier position of the
+    // tool, or close to such a position.
     Length place(Axis axis) {
         const Length low = corner_[axis];
         const Length high = low + size_[axis];
@@ -131,8 +134,8 @@ private:
         return random_.between(low - margin, high + margin) / unit_ * unit_;
     }
 
-    // One after the other: what is chosen must not depend on the order in which a compiler
-    // evaluates the parts of a sum.
+    // Appends a word. Separate statements fix the order of the random draws; the order of
+    // evaluation within an expression depends on the compiler.
     static void add(std::string& block, const char* letter, Length value) {
         block += letter;
         block += to_text(value);
@@ -193,7 +196,7 @@ private:
         move_to("G0", {X, Y});
     }
 
-    // A full circle, or a turn of a helix.
+    // Writes a full circle or a turn of a helix.
     void arc() {
         plunge();
         std::string block = one_of({"G2", "G3"});
@@ -204,7 +207,7 @@ private:
         move_to(block, {X, Y, Z});
     }
 
-    // Passes side by side: they overlap, touch, or leave a wall of 10 nm or a micrometre.
+    // Writes parallel passes that overlap, touch, or leave a wall of 10 nm or 1 µm.
     void raster() {
         plunge();
         const Length step =
@@ -239,10 +242,10 @@ private:
     NcProgram program_;
     std::array<Length, 3> corner_{}, size_{}, at_{};
     Length clear_ = 0;     // height above the stock
-    Length unit_ = 1;      // of most coordinates
-    Length diameter_ = 0;  // of the tool at hand
+    Length unit_ = 1;      // unit of most coordinates
+    Length diameter_ = 0;  // diameter of the current tool
     std::vector<Length> diameters_;
-    std::vector<std::array<Length, 3>> places_;  // where the tool has been
+    std::vector<std::array<Length, 3>> places_;  // earlier positions of the tool
 };
 
 }  // namespace

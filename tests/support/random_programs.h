@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seeded NC programs with tools and stock, as bad as people's and worse: stock of odd size near and
-// far from the origin, passes that touch, moves that differ by a hundredth of a micrometre, thin
-// walls, all kinds of tools. And what is left of the stock.
+// Seeded NC programs with tools and stock, and the parts that the programs leave. The programs are
+// harder than real programs: stock of odd size near and far from the origin, passes that touch,
+// moves that differ by 0.01 µm, thin walls, all kinds of tools.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -17,22 +17,24 @@ namespace ncsim::test {
 
 struct NcProgram {
     std::string text;
-    std::string stock;               ///< As for --stock.
-    std::vector<std::string> tools;  ///< As for --tool.
+    std::string stock;               ///< Value of --stock.
+    std::vector<std::string> tools;  ///< Values of --tool.
     double tolerance_mm = 0.005;
     double tool_tolerance_mm = 0.05;
 };
 
-/// `rotary`: some moves turn A, B or C. The same program in every run, on every machine.
+/// Returns the program of `seed`, identical in each run and on each machine. If `rotary`, some
+/// moves turn A, B or C.
 NcProgram random_program(std::uint64_t seed, bool rotary = false);
 
 struct MilledPart {
     cda::Boundary boundary;
     exporter::Provenance provenance;
-    double volume = 0.0;  ///< As the aggregate says, mm³.
+    double volume = 0.0;  ///< Volume according to the aggregate, mm³.
 };
 
-/// Runs the program. Throws std::runtime_error if the program, its stock or its tools are wrong.
+/// Runs the program.
+/// Throws: std::runtime_error if the program, the stock or a tool is invalid.
 MilledPart mill(const NcProgram& program, const cda::WorkpieceModel& prototype);
 
 }  // namespace ncsim::test

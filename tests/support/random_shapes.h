@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seeded shapes for tests: the same in every run, on every machine.
+// Seeded shapes for tests: identical in each run and on each machine.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -21,7 +21,8 @@ inline cda::LatticePoint random_point(Random& random, std::int64_t reach) {
             random.between(-reach, reach)};
 }
 
-/// A plane through the origin with a normal of components up to `size`, not 0.
+/// Returns a plane through the origin with a non-zero normal whose components have absolute values
+/// of at most `size`.
 inline cda::Plane random_normal(Random& random, std::int64_t size) {
     cda::Plane plane;
     do {
@@ -32,7 +33,7 @@ inline cda::Plane random_normal(Random& random, std::int64_t size) {
     return plane;
 }
 
-/// The hull of a few points about `centre`, in general position.
+/// Returns the hull of `points` random points about `centre`, in general position.
 inline cda::Cell random_hull(Random& random, cda::LatticePoint centre, std::int64_t reach,
                              int points, cda::Origin origin = cda::kStockOrigin) {
     while (true) {
@@ -43,14 +44,15 @@ inline cda::Cell random_hull(Random& random, cda::LatticePoint centre, std::int6
     }
 }
 
-/// The box with corners at multiples of a millimetre.
+/// Returns the box with the given corners (mm).
 inline cda::Cell mm_box(std::int64_t x0, std::int64_t y0, std::int64_t z0, std::int64_t x1,
                         std::int64_t y1, std::int64_t z1, cda::Origin origin = cda::kStockOrigin) {
     constexpr std::int64_t k = 100000;
     return cda::box_cell({x0 * k, y0 * k, z0 * k}, {x1 * k, y1 * k, z1 * k}, kLattice, origin);
 }
 
-/// Any ranks make the same part; these are three, of which none follows the order of the motions.
+/// Sets a rank of 0, 1 or 2 that does not follow the order of the motions. The ranks must not
+/// affect the part.
 inline cda::Cell ranked(cda::Cell cell) {
     cell.rank = static_cast<std::int32_t>(static_cast<std::uint32_t>(cell.origin) * 5 % 7 % 3);
     return cell;

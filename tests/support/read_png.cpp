@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Decodes PNG files.
 #include "support/read_png.h"
 
 #include <png.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures back from their files.
+// Reads pictures back from PNG files.
 #pragma once
 
 #include "ncsim/export/image.h"
@@ -9,7 +9,8 @@
 
 namespace ncsim::exporter::test {
 
-/// The picture in a PNG file's bytes; throws std::runtime_error if there is none.
+/// Returns the picture in the bytes of a PNG file.
+/// Throws: std::runtime_error if `bytes` holds no picture.
 Image read_png(const std::string& bytes);
 
 }  // namespace ncsim::exporter::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small workpiece and cuts, checked against all that is known about the result. For the fuzzer
-// and the nightly run; throws std::runtime_error that says what is wrong.
+// Checks of a small workpiece with cuts against all known properties of the result, for the fuzzer
+// and the nightly run. Throws std::runtime_error with the violated property.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -34,7 +34,8 @@ inline void require_equal(const cda::Boundary& a, const cda::Boundary& b) {
     }
 }
 
-/// Closed, and the volume of the surface is that of the aggregate.
+/// Returns the boundary of `part` after checking that the surface is closed and encloses the volume
+/// of the aggregate.
 inline cda::Boundary sound_boundary(const cda::TreeCda& part, double scale) {
     const cda::Boundary boundary = part.boundary();
     require(cda::check(boundary).is_closed(), "the surface is not closed");
@@ -43,8 +44,8 @@ inline cda::Boundary sound_boundary(const cda::TreeCda& part, double scale) {
     return boundary;
 }
 
-/// What was booked in passing is what each origin took, to 1e-9 of the stock; what took nothing has
-/// nothing.
+/// Checks that the account kept during the cuts equals the removed volume per origin, within 1e-9
+/// of the stock. An origin that removed no material must have no volume.
 inline void require_booked(const cda::RemovalByMotion& account, const cda::RemovalByMotion& taken,
                            double stock) {
     double sum = 0.0;
@@ -58,7 +59,7 @@ inline void require_booked(const cda::RemovalByMotion& account, const cda::Remov
     require(std::abs(sum) <= 1e-9 * stock, "the account does not add up");
 }
 
-/// Boxes on the grid of the unit cubes, in any order, in leaves of any size.
+/// Checks boxes on the grid of the unit cubes, in any order and with leaves of any size.
 inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint32_t leaf,
                         bool at_once) {
     constexpr int n = UnitCubes::kSize;
@@ -88,7 +89,7 @@ inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint3
     require(std::abs(cda::area(boundary) - cubes.area()) < 1e-9, "the area is wrong");
 }
 
-/// Oblique hulls in a cube of 6 mm: against the flat aggregate, face for face.
+/// Compares oblique hulls in a cube of 6 mm with the flat aggregate, face for face.
 inline void check_hulls(std::vector<cda::Cell> cells, std::uint32_t leaf) {
     std::ranges::transform(cells, cells.begin(), ranked);
     const cda::Cell stock = mm_box(-3, -3, -3, 3, 3, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks of the program: words, moves, and the way from feature to feature.
+// Blocks of the program: words, moves, and the moves from feature to feature.
 #include "support/set_up_writer.h"
 
 #include <algorithm>

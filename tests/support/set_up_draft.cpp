@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Decimal numbers of a draft.
 #include "support/set_up_draft.h"
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A seeded set-up before it becomes files: lines, tools, fixtures, travels, and the faults that may
-// be put in.
+// Draft of a seeded set-up before the files are written: lines, tools, fixtures, travels, and the
+// faults that can be inserted.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@
 
 namespace ncsim::test::set_ups {
 
-// Lengths are whole steps of the program: 1 um, or 0.0001 inch.
+// Length in steps of the program: 1 µm, or 0.0001 inch.
 using Length = std::int64_t;
 enum Axis : std::size_t { X, Y, Z };
 inline constexpr std::array<char, 3> kLetters{'X', 'Y', 'Z'};
 
-/// Of so many places, without noughts at the end.
+/// Returns `value` / 10^`places` with a decimal point and without trailing zeros.
 std::string decimal(std::int64_t value, int places);
 
 struct Fixture {
@@ -34,17 +34,20 @@ struct Tool {
     std::string kind;
     Length diameter = 0, flutes = 0, corner = 0, neck = 0, neck_length = 0, shank = 0;
     Length stick_out = 0, holder = 0;
-    Length blind = 0;                                     // that does not cut about the axis
-    Length longer_than = 0;                               // flutes, whatever is cut
-    Length deepest = 0, highest_cut = 0;                  // below the top; in one pass
-    std::vector<std::pair<std::size_t, Length>> heights;  // line, cut sideways
+    Length blind = 0;        // diameter of the core that does not cut
+    Length longer_than = 0;  // lower bound of the flute length,
+                             // independent of the cuts
+    // deepest: depth below the top; highest_cut: largest depth of a single pass
+    Length deepest = 0, highest_cut = 0;
+    std::vector<std::pair<std::size_t, Length>> heights;  // line, height of the material that the
+                                                          // tool cuts sideways
     std::size_t first_cut = 0, change = 0, spindle = 0, length = 0;  // lines
     bool specified = true;
     bool slopes = false;
-    bool has_cut = false;  // of which first_cut is the line, or 0: it is in a loop
+    bool has_cut = false;  // true if the tool cuts; first_cut is 0 if the first cut is in a loop
 };
 
-// Everything that becomes files and options.
+// Set-up from which files and options are written.
 struct Draft {
     std::vector<std::string> lines;
     std::vector<Tool> tools;
@@ -55,7 +58,7 @@ struct Draft {
     std::array<Length, 3> stock_min{}, stock_max{};
     bool inches = false;
 
-    // Lines count from 1.
+    // Returns line `number`, counted from 1.
     std::string& line(std::size_t number) { return lines.at(number - 1); }
     void insert_before(std::size_t number, const std::string& text) {
         lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(number) - 1, text);
@@ -67,18 +70,18 @@ struct Draft {
             throw std::logic_error("no " + std::string(old) + " in " + there);
         there.replace(at, old.size(), text);
     }
-    // A comment instead, so that all lines keep their numbers.
+    // Replaces a line by a comment, so the numbers of all lines stay the same.
     void drop(std::size_t number) { line(number) = "(dropped)"; }
 };
 
 struct Fault {
     std::string name, verdict, tells;
     std::set<std::string> may_tell;
-    /// Puts it in, and says in which line it shows; 0: somewhere.
+    /// Inserts the fault. Returns the line in which the fault shows; 0: not known.
     std::function<std::size_t(Draft&)> put_in;
 };
 
-// What a tool that is where it should not be meets besides.
+// Findings that may follow if a tool is in a wrong place.
 inline const std::set<std::string> kCollisions{"rapid-in-material",   "fixture-contact",
                                                "non-cutting-contact", "below-stock",
                                                "over-travel",         "drill-depth"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is cut: slots, loops, pockets, helices, arcs, holes.
+// Writes the features: slots, loops, pockets, helices, arcs, holes.
 #include "support/set_up_writer.h"
 
 #include <algorithm>
@@ -166,7 +166,7 @@ void Writer::pocket(const Feature& f) {
         cuts_if_rapid(side);
         cuts(feed_to({{X, cx - hx}}), depth, depth - before);
         if (happens(50)) {
-            go("G0", {{X, cx + hx}});  // along the wall that is finished, and back
+            go("G0", {{X, cx + hx}});  // along the finished wall and back
             go("G0", {{X, cx - hx}});
         }
         cuts(feed_to({{Y, cy - hy}}), depth, depth - before);
@@ -178,7 +178,8 @@ void Writer::pocket(const Feature& f) {
 
 void Writer::clamp_fault(const Feature& f) {
     const std::size_t here = next_line();
-    const Length thinnest = radius() * 4 / 5;  // of the shank, which may be what is that high
+    const Length thinnest = radius() * 4 / 5;  // radius of the shank, which may be the part of the
+                                               // tool at this height
     Length x = 0;
     if (clamp_max_ <= clamp_min_) return;
     if (clamp_max_ == f.x0) {
@@ -332,7 +333,7 @@ void Writer::drilling(const Feature& f) {
     }
     line("G80");
     retract(true);
-    closed_.reset();  // it stands above already
+    closed_.reset();  // the tool is already above the block
 }
 
 void Writer::incremental(const Feature& f) {

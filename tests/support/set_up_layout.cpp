@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is made of what, and where it lies.
+// Chooses tools and features, and lays the features out on the block.
 #include "support/set_up_writer.h"
 
 #include <algorithm>
@@ -58,7 +58,8 @@ Writer::Feature Writer::feature_for(std::size_t index) {
     }
     f.room = within(2, 6);
     f.width = tool.diameter + 2 * f.room + 2 * within(0.5, 2);
-    // Cones cut no higher than they are, and one pass has to do for what is not round a shank.
+    // A cone cuts no higher than the cone itself. Shapes without a cylindrical shank need a single
+    // pass.
     const bool single =
         tool.kind == "v" || tool.kind == "face" || tool.kind == "slot" || f.kind == Kind::Rotated;
     const std::int64_t passes = single ? 1 : random_.between(1, 3);
@@ -91,7 +92,7 @@ void Writer::lay_out() {
     draft_.stock_max[Z] = top_;
     draft_.stock_min[Z] = top_ - height;
 
-    // Strips in an order of their own, so that the way from one to the next crosses others.
+    // Strips in random order, so moves between features cross further features.
     std::vector<std::size_t> order(features_.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i;
@@ -120,7 +121,7 @@ void Writer::lay_out() {
     }
     clear_ = high_ + margin(1, 10);
     home_height_ = clear_ + margin(1, 60);
-    // What is no higher than a clamp may meet it.
+    // A start position no higher than the clamp may touch the clamp.
     draft_.start_specified = home_height_ == high_ || happens(70);
     const int rest = static_cast<int>(random_.between(0, 2));
     if (rest == 0) {

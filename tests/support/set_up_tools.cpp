@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tools and machine, once all is known, and what can be wrong with them.
+// Tools and machine, chosen after all features, and the faults in both.
 #include "support/set_up_writer.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void Writer::finish_tools() {
             t.neck_length = reach + margin(1, 20);
         } else {
             Length least = std::max(t.highest_cut, t.longer_than);
-            // A round corner leaves some of the wall, which is the next pass's to cut.
+            // A rounded corner leaves part of the wall for the next pass.
             if (t.kind == "ball") least += t.diameter / 2;
             least = std::max(least + t.corner, mm(1));
             if (t.kind == "v") least = std::max(least, t.diameter / 2 + mm(0.5));
@@ -46,7 +46,7 @@ void Writer::finish_tools() {
 
 void Writer::tool_faults(std::size_t index, Length clamp) {
     const Tool& t = draft_.tools[index];
-    // At the end of a ramp or a turn only, or in a corner, a micrometre shows nowhere.
+    // At the end of a ramp or helix, or in a corner, a difference of 1 µm has no visible effect.
     const bool upright = t.kind == "flat" && !t.slopes;
     const Length by = upright ? little() : mm(0.2);
     if (!t.heights.empty() && t.highest_cut - by > t.corner + mm(0.1) && t.kind != "v" &&
@@ -61,7 +61,7 @@ void Writer::tool_faults(std::size_t index, Length clamp) {
                   return where;
               });
     }
-    // The lowest the holder may begin is right above flutes and neck.
+    // The lowest possible holder begins directly above flutes and neck.
     const Length stick_out = t.deepest - by;
     const bool is_wide = std::ranges::all_of(features_, [&](const Feature& f) {
         return f.tool != index ||
@@ -71,7 +71,7 @@ void Writer::tool_faults(std::size_t index, Length clamp) {
     if (t.holder > 0 && is_wide && clamp == 0 && stick_out > t.diameter / 2 + mm(1)) {
         fault("holder in the part", "failed", "non-cutting-contact", {}, [=](Draft& d) {
             d.tools[index].stick_out = stick_out;
-            return std::size_t{0};  // already beside the block, it may be above it
+            return std::size_t{0};  // next to the block the holder may already be above it
         });
     }
     length_faults(index);
@@ -102,7 +102,7 @@ std::size_t Writer::first_above(const std::vector<std::pair<std::size_t, Length>
 void Writer::length_faults(std::size_t index) {
     const std::size_t tools = draft_.tools.size();
     const std::size_t block = draft_.tools[index].length;
-    // Only on the way down does the length count.
+    // The length matters only if the tool moves down.
     const std::size_t where = home_height_ > clear_ ? block : 0;
     fault("tool without a description", "not-proven", "tool-guess", {"not-simulated"},
           [=](Draft& d) {
@@ -164,7 +164,7 @@ void Writer::travel_fault(Axis axis, Length end, int sign) {
     std::size_t first = 0;
     for (const auto& [where, value] : reached_[axis]) {
         if (sign * value <= sign * limit) continue;
-        if (where == 0) {  // somewhere in a loop
+        if (where == 0) {  // a line in a loop
             first = 0;
             break;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes the draft of a set-up, feature by feature, and notes what could be wrong with it where it
-// knows what then has to be told.
+// Writes the draft of a set-up, feature by feature. Records possible faults where the construction
+// determines the expected finding.
 #pragma once
 
 #include "support/random.h"
@@ -28,10 +28,11 @@ private:
     struct Feature {
         Kind kind = Kind::OpenSlot;
         std::size_t tool = 0;
-        Length width = 0, x0 = 0;  // of its strip of the block
+        Length width = 0, x0 = 0;  // strip of the block for the feature
         Length depth = 0;
         std::vector<Length> passes;  // depths
-        Length room = 0;             // from the middle of the strip for the middle of the tool
+        Length room = 0;             // from the middle line of the strip to the outermost tool
+                                     // centre
     };
 
     template <typename T>
@@ -41,7 +42,7 @@ private:
     bool happens(int percent) { return random_.between(1, 100) <= percent; }
     Length mm(double value) const;
     Length within(double low, double high) { return random_.between(mm(low), mm(high)); }
-    // Nothing, the least there is, or so much.
+    // Returns 0, one step, or a length between `low` and `high` mm.
     Length margin(double low, double high);
     Length little() { return one_of({Length{1}, Length{10}, Length{100}, Length{1000}}); }
 
@@ -51,7 +52,7 @@ private:
     void fault(std::string name, std::string verdict, std::string tells,
                std::set<std::string> may_tell, std::function<std::size_t(Draft&)> put_in);
 
-    // --- what is made of what
+    // --- choice of tools and features
 
     void choose_features();
     Feature feature_for(std::size_t index);
@@ -67,21 +68,22 @@ private:
     void reach(Axis axis, Length value, std::size_t where);
     std::size_t go(const char* code, std::initializer_list<std::pair<Axis, Length>> to,
                    const std::string& more = {});
-    // Feed moves name F when they like to; the first has to.
+    // Returns the word F, always for the first feed move and at random for later moves.
     std::string feed();
     std::size_t feed_to(std::initializer_list<std::pair<Axis, Length>> to);
     void note_feed(std::size_t where);
     Tool& tool() { return draft_.tools[tool_]; }
 
-    // This move cuts, by construction: no other feature is there.
+    // Records that the move in line `where` cuts by construction: no earlier feature has removed
+    // the material.
     void cuts(std::size_t where, Length depth, Length sideways);
     void cuts_if_rapid(std::size_t where);
 
-    // --- from feature to feature
+    // --- moves from feature to feature
 
     void write();
     void change_tool();
-    // To where a feature begins, above all.
+    // Moves to the start of a feature above all bodies.
     void traverse(Length x, Length y, bool above_stock);
     void traverse_faults(Length from, Length to, std::size_t where);
     void retract(bool closed);
@@ -90,33 +92,36 @@ private:
     Length radius() { return tool().diameter / 2; }
     Length middle_y() const { return (draft_.stock_min[Y] + draft_.stock_max[Y]) / 2; }
 
-    // A tool beside the block at this depth is above the jaws, or in them.
+    // Records a fault in which the jaws reach higher than the tool, which is next to the block at
+    // height `z`.
     void jaw_fault(std::size_t where, Length z);
     void open_slot(const Feature& f);
-    // What does not cut at its centre, from above.
+    // Records a fault in which a tool that does not cut at the centre plunges.
     void plunge_fault(std::size_t down);
-    // The same pass again and again, each a step deeper.
+    // Writes a loop that repeats a pass, each time one step deeper.
     void loop(const Feature& f);
     void cuts_in_loop(std::size_t where, Length step, Length depth);
     Length lower_to_start();
     void pocket(const Feature& f);
-    // The next pass around the pocket goes on sideways, into the clamp.
+    // Records a fault in which the next pass around the pocket continues sideways into the clamp.
     void clamp_fault(const Feature& f);
-    // Straight down by more than any ramp allows.
+    // Records a fault in which a mill with a core that does not cut plunges by `by`, which is more
+    // than any ramp permits.
     void blind_fault(std::size_t where, Length by);
-    // The chords of a turn lie a rounding beside those of the last: flutes have to be longer.
+    // Lengthens the required flutes, because chords of successive helix turns differ by rounding.
     void spare(const Feature& f);
     void helix(const Feature& f);
     void arc_note(std::size_t where, Length cx, Length cy, Length r);
-    // A slot along three quarters of a circle.
+    // Writes a slot along three quarters of a circle.
     void arcs(const Feature& f);
     void drilling(const Feature& f);
     void incremental(const Feature& f);
     void rotated(const Feature& f);
-    // With a neck that is thinner than the cutter: in from the side, and out again.
+    // Writes a slot for a tool with a neck thinner than the cutter: the tool enters from the side
+    // and leaves the same way.
     void side_slot(const Feature& f);
 
-    // --- tools and machine, once all is known
+    // --- tools and machine, after all features are written
 
     void finish_tools();
     void tool_faults(std::size_t index, Length clamp);
@@ -130,7 +135,7 @@ private:
     Draft draft_;
     std::vector<Fault> faults_;
     std::vector<Feature> features_;
-    Length top_ = 0, high_ = 0, clear_ = 0;  // of the block; of all; where traverses are
+    Length top_ = 0, high_ = 0, clear_ = 0;  // heights: top of the block; highest body; traverses
     Length home_height_ = 0;
     Length clamp_min_ = 0, clamp_max_ = 0;
     std::optional<Length> jaw_top_;
@@ -141,9 +146,10 @@ private:
     bool approaching_ = false, has_feed_ = false;
     std::size_t header_ = 0, home_ = 0, offset_ = 0, first_feed_ = 0, clear_line_ = 0;
     std::optional<std::size_t> closed_;  // line of the retract out of a closed pocket
-    std::set<std::size_t> cancelled_;    // tools before which stands G49
-    std::array<std::vector<std::pair<std::size_t, Length>>, 3> reached_;  // line and place
-    std::array<std::vector<Length>, 3> within_;                           // nothing goes beyond
+    std::set<std::size_t> cancelled_;    // tools whose change follows a G49
+    std::array<std::vector<std::pair<std::size_t, Length>>, 3> reached_;  // line and coordinate
+    std::array<std::vector<Length>, 3> within_;  // coordinates that the motions
+                                                 // do not pass
     std::vector<std::string> subprograms_;
 };
 

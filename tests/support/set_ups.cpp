@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A draft becomes a program, a machine file and options; the faults are chosen here.
+// Chooses faults and writes a draft as program, machine file and options.
 #include "support/set_ups.h"
 
 #include "support/set_up_writer.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seeded programs with all that has to be told of them: block, tools, vice, clamp, table, travels.
-// Each is right, though often by nothing: flutes exactly as long as a pass is deep, a traverse that
-// slides on a clamp, the end of a travel reached. And each of them with one fault put in, of which
-// the construction knows what has to be told, and where.
+// Seeded programs with complete set-ups: block, tools, vice, clamp, table, travels. Each is
+// correct, often with zero margin: flutes exactly as long as a pass is deep, a traverse that slides
+// on a clamp, a move to the end of a travel. Each program also exists with a single inserted fault,
+// for which the construction specifies the expected finding and its line.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,25 @@
 
 namespace ncsim::test {
 
-/// A program, its set-up, and the verdict that is right.
+/// Program with set-up and the correct verdict.
 struct Judged {
     std::string text;
     std::string machine;               ///< TOML.
-    std::vector<std::string> options;  ///< Of `ncsim check`, but for the machine.
-    std::string fault;                 ///< Name; empty: none.
-    std::string verdict = "clean";     ///< As in the JSON report.
-    std::string tells;                 ///< Rule or reason for doubt; empty: none.
-    std::size_t line = 0;              ///< Where; 0: the construction does not know.
-    std::set<std::string> may_tell;    ///< What may follow from the fault besides.
+    std::vector<std::string> options;  ///< Options of `ncsim check`, without --machine.
+    std::string fault;                 ///< Name of the inserted fault; empty: no fault.
+    std::string verdict = "clean";     ///< Verdict as in the JSON report.
+    std::string tells;                 ///< Expected rule or reason for doubt; empty: none.
+    std::size_t line = 0;              ///< Expected line; 0: the construction does not determine
+                                       ///< the line.
+    std::set<std::string> may_tell;    ///< Further findings that the fault may cause.
 };
 
-/// Without a fault. The same in every run, on every machine.
+/// Returns a set-up without faults, identical in each run and on each machine.
 Judged right_set_up(std::uint64_t seed);
-/// The same with a fault; `name` chooses which, if the program has room for it. Without a name any.
+/// Returns the set-up of `seed` with a fault. `name` selects the fault, if the program has room for
+/// it; an empty `name` permits any fault.
 Judged wrong_set_up(std::uint64_t seed, const std::string& name = {});
-/// The faults that the program of this seed has room for.
+/// Returns the names of the faults for which the program of `seed` has room.
 std::set<std::string> faults_of(std::uint64_t seed);
 
 }  // namespace ncsim::test

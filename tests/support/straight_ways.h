@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies that go straight on in several steps: the cells of the steps, and the one that stands for
-// all of them.
+// Bodies that move in several collinear steps: the cells of the steps, and the single cell of the
+// whole motion.
 #pragma once
 
 #include "ncsim/cda/hull.h"
@@ -15,18 +15,17 @@
 
 namespace ncsim::test {
 
-/// What a body took that went straight on.
+/// Cells of a straight motion: one per step, and the cell of the whole motion.
 struct StraightWay {
     std::vector<cda::Cell> steps;
     cda::Cell all;
 };
-/// Bodies on ways about the origin, one after the other, there and back and across. Origins are
-/// counted from 1.
+/// Returns successive motions about the origin: there, back, and across. Origins count from 1.
 inline std::vector<StraightWay> straight_ways(std::uint64_t seed, int count) {
     Random random(seed);
     std::vector<cda::TranslationSweep> bodies;
     for (int i = 0; i < 3; ++i) {
-        // Corners whose planes fit, and so do walls along the ways.
+        // Corners whose planes stay on the lattice, as do the walls along the motions.
         std::vector<cda::LatticePoint> corners;
         for (int k = 0; k < 12; ++k) {
             const cda::LatticePoint p = random_point(random, 90);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads STL and glTF files and checks the meshes.
 #include "support/written_mesh.h"
 
 #include <algorithm>
@@ -24,7 +26,7 @@ T at(const std::string& bytes, std::size_t offset) {
     return value;
 }
 
-// `corners`: three for each triangle.
+// Merges equal corners. `corners` has three points per triangle.
 WrittenMesh welded(const std::vector<Point>& corners) {
     WrittenMesh mesh;
     mesh.points = corners;
@@ -109,7 +111,8 @@ Soundness soundness(const WrittenMesh& mesh) {
         for (const float x : p)
             found.largest = std::max(found.largest, std::abs(static_cast<double>(x)));
     }
-    // Directed, each with its place: three times the triangle, plus the corner where it begins.
+    // Directed edges with their places. Place = 3 · triangle + index of the corner where the edge
+    // begins.
     std::vector<std::array<std::uint32_t, 3>> edges;
     double sixfold = 0.0;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -135,7 +138,7 @@ Soundness soundness(const WrittenMesh& mesh) {
                                 });
     };
 
-    // Around each corner its triangles hang together over edges: one fan, or several.
+    // Triangles around a corner are joined across edges into one or more fans.
     std::vector<std::uint32_t> fan(edges.size());
     std::iota(fan.begin(), fan.end(), 0U);
     const auto first_of = [&](std::uint32_t i) {
@@ -150,7 +153,7 @@ Soundness soundness(const WrittenMesh& mesh) {
             ++found.unpaired;
             continue;
         }
-        // Across the edge, one place on from where it begins there, it is the same corner.
+        // The next place in the adjacent triangle belongs to the same corner.
         const std::uint32_t other = (*back)[2];
         fan[first_of(place)] = first_of(other - other % 3 + (other % 3 + 1) % 3);
     }

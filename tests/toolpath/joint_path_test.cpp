@@ -74,7 +74,7 @@ TEST(JointPath, BringsTheTipWhereItIsProgrammed) {
     }
 }
 
-// What W moves along the tool X, Y and Z of the machine do: it has no joint for that.
+// W along the tool is done by X, Y and Z of the machine, which has no joint for W.
 TEST(JointPath, NoJointMovesAlongTheTool) {
     Kinematics machine = machine_of("bridge-cb", {0, 20, -310});
     machine.chain.joints.push_back(machine::along_tool('W'));
@@ -97,7 +97,7 @@ TEST(JointPath, NoJointMovesAlongTheTool) {
     }
 }
 
-// Places of the joints as the inverse of LinuxCNC's 5axiskins has them (2.9), pivot 250.
+// Joint positions as the inverse of 5axiskins of LinuxCNC 2.9 computes them, pivot 250.
 TEST(JointPath, AlongTheToolAsLinuxCncDoesIt) {
     Kinematics machine = machine_of("bridge-cb", {0, 0, 250});
     machine.zero = {};
@@ -113,7 +113,7 @@ TEST(JointPath, AlongTheToolAsLinuxCncDoesIt) {
     EXPECT_NEAR((*values)[2], -12.153903092, 6e-10);
 }
 
-// Straight, on arcs, and with tip control, which bends the ways of all axes.
+// Straight moves, arcs, and tip control, under which all axes follow curves.
 TEST(JointPath, TheAxesKeepTheirBounds) {
     Random random(5);
     double closest = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Machines that somebody told: the bounds of what hulls of their poses miss and gain.
+// Machines from kinematic chains: bounds of the volume that hulls of poses miss and gain.
 #include "ncsim/machine/presets.h"
 #include "ncsim/toolpath/extent.h"
 #include "ncsim/toolpath/machine.h"
@@ -38,7 +38,7 @@ Vec3 direction(test::Random& random) {
     }
 }
 
-// One to three rotary joints, anywhere before, between and behind X, Y and Z.
+// Returns a machine with one to three rotary joints, at any position in the chain with X, Y and Z.
 Kinematics random_machine(test::Random& random) {
     Kinematics specified;
     const Vec3 along[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -68,7 +68,7 @@ struct Cylinder {
     double radius, height;
 };
 
-// How far it reaches in a direction.
+// Returns the support function of the tool at the pose in direction `d`.
 double support(const Pose& X_WT, const Cylinder& tool, Vec3 d) {
     const Vec3 axis = axis_of(X_WT);
     const double lean = dot(axis, d);
@@ -155,7 +155,7 @@ TEST(SpecifiedMachine, NoSweepIsMissedByMoreThanTheBound) {
         for (int j = 0; j < 5; ++j) {
             const Pose now = c.pose((static_cast<double>(k) + random.unit()) / steps);
             const Vec3 d = direction(random);
-            if (c.where) {  // then it is about places there
+            if (c.where) {  // the bound holds for points in the box only
                 const double angle = random.within(0, 6.2831853);
                 const Vec3 p =
                     now * Vec3{c.tool.radius * std::cos(angle), c.tool.radius * std::sin(angle),
@@ -194,7 +194,7 @@ TEST(SpecifiedMachine, NoHullGainsMoreThanTheBound) {
             const double z = random.one_in(2) ? height : random.within(0, height);
             return Vec3{r * std::cos(angle), r * std::sin(angle), z};
         };
-        // Of slabs, each has a hull.
+        // Skipped if the tool is divided into slabs, because each slab has a separate hull.
         if (c.samples.turning.slab_mm < c.tool.height) continue;
         const double s = random.unit();
         const Vec3 x =
@@ -221,7 +221,7 @@ TEST(SpecifiedMachine, NoHullGainsMoreThanTheBound) {
     EXPECT_GT(worst, 0.1) << "the bound is no bound of this";
 }
 
-// Whatever moves and turns: tools are cut off above that height.
+// For any motion: tools are truncated above the stated height.
 TEST(SpecifiedMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
     test::Random random(13);
     double nearest = std::numeric_limits<double>::infinity();
@@ -284,7 +284,7 @@ TEST(SpecifiedMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
     EXPECT_GT(worst, 0.6) << "the bound is no bound of this";
 }
 
-// At 15 degrees it leaves the upper side of a wide stock at once.
+// At 15 degrees the tool leaves the upper side of a wide stock at once.
 TEST(SpecifiedMachine, AToolIsCutOffWhereItLeavesTheStock) {
     const cda::Box stock{{-100, -100, -30}, {100, 100, 0}};
     const ToolExtent tool = extent_of(flat_end_mill(6, 40));
@@ -301,7 +301,8 @@ TEST(SpecifiedMachine, AToolIsCutOffWhereItLeavesTheStock) {
     EXPECT_LT(top_of(of_axes, nullptr), 8.0);
 }
 
-// A head that leans by 30 degrees drills by W what another program drills by X and Z.
+// A head inclined by 30 degrees drills with W the same hole that a second program drills with X and
+// Z.
 TEST(SpecifiedMachine, AWordAlongTheToolIsAMoveOfXAndZ) {
     Kinematics specified{*machine::preset("bridge-cb"), {5, 6, 7}};
     for (machine::Joint& joint : specified.chain.joints)
@@ -323,8 +324,7 @@ TEST(SpecifiedMachine, AWordAlongTheToolIsAMoveOfXAndZ) {
         EXPECT_LT(norm(box.min - Vec3{1 - 10 * s, 2, 3 - 10 * c}), 1e-12);
         EXPECT_EQ(box.max, (Vec3{1, 2, 3}));
     }
-    // Of a table that is turned the spindle goes along the tool, too, and along no axis of the
-    // part.
+    // With a turned table the spindle also moves along the tool, and along no axis of the part.
     const Kinematics table{*machine::preset("xyzac-trt"), {}};
     Position at_90 = at(1, 2, 3, 90, 0, 0);
     at_90.w = Length::from_mm(-10);
@@ -369,7 +369,8 @@ TEST(SpecifiedMachine, TheTipStaysInItsPlaceWhileTheTableTurns) {
         1e-15);
 }
 
-// C turns the part under an upright tool, which does not see it: the hull is exact.
+// C turns the part under an upright tool. A round tool is invariant under the rotation, so the hull
+// is exact.
 TEST(SpecifiedMachine, AnUprightToolUnderTipControlOnlyMoves) {
     const Kinematics specified{*machine::preset("xyzac-trt"), {}};
     const Samples samples =
@@ -380,7 +381,7 @@ TEST(SpecifiedMachine, AnUprightToolUnderTipControlOnlyMoves) {
     EXPECT_EQ(samples.poses.front().rows, samples.poses.back().rows);
 }
 
-// The same poses, told as places of the tip and as those of the axes.
+// The same poses, given as positions of the tip and of the axes.
 TEST(SpecifiedMachine, BothModesMeetInTheSamePoses) {
     test::Random random(13);
     for (int i = 0; i < 1000; ++i) {
@@ -395,7 +396,7 @@ TEST(SpecifiedMachine, BothModesMeetInTheSamePoses) {
         tip.y = Length::from_mm(X_WT.translation.y);
         tip.z = Length::from_mm(X_WT.translation.z);
         EXPECT_EQ(Poses(&specified, line(tip, tip, gcode::Coordinates::Tip)).at(tip), X_WT);
-        // U, V and W move it by the same in both.
+        // U, V and W move the tip equally in both modes.
         for (const auto axis : {&Position::u, &Position::v, &Position::w})
             p.*axis = tip.*axis = Length::from_mm(random.within(-20, 20));
         const Vec3 by_axes = Poses(&specified, axes).at(p).translation;

@@ -27,7 +27,7 @@ TEST(PoseAt, SecondaryAxesAddUp) {
 }
 
 TEST(PoseAt, QuarterTurnsAreExactAndRightHanded) {
-    // Above the part, then turned by A90 about X: the tool comes from -y.
+    // Above the part, then A90 about X: the tool comes from -y.
     EXPECT_EQ(pose_at(at(5, 0, 30, 90)) * Vec3{}, (Vec3{5, -30, 0}));
     EXPECT_EQ(pose_at(at(0, 0, 30, 0, 90)) * Vec3{}, (Vec3{30, 0, 0}));
     EXPECT_EQ(pose_at(at(30, 0, 0, 0, 0, 90)) * Vec3{}, (Vec3{0, 30, 0}));
@@ -62,13 +62,13 @@ TEST(PoseAt, QuarterTurnsOfTwoAxesAreExact) {
     }
 }
 
-// z goes to the axis that A, B and C make of it, and the line at right angles to both stays.
+// The rotation maps z to the tool axis of A, B and C and keeps the line perpendicular to both.
 TEST(PoseAt, ARoundToolIsTurnedByTheLeastRotation) {
     for (double a = -179.9999; a < 180.0; a += 29.3) {
         for (double b = -179.9999; b < 180.0; b += 31.7) {
             for (const double c : {0.0, 1.0, 100.0, 250.0}) {
                 const Pose X_WT = pose_at(at(0, 0, 0, a, b, c));
-                // Where the tip goes from a millimetre above the origin is the axis, too.
+                // The image of a tip 1 mm above the origin is the tool axis, too.
                 const Vec3 axis = pose_at(at(0, 0, 1, a, b, c)).translation;
                 EXPECT_LT(norm(axis_of(X_WT) - axis), 1e-15);
                 const Vec3 across{-axis.y, axis.x, 0.0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is said of comments and tool files, word for word: every row of messages.def.
+// Messages about comments and tool files, word for word: each row of messages.def.
 #include "tools/messages.h"
 
 #include "ncsim/toolpath/tool_file.h"
@@ -18,7 +18,7 @@ namespace ncsim::toolpath {
 namespace {
 
 struct Case {
-    bool is_program;  // else a tool file
+    bool is_program;  // false: a tool file
     std::string text;
     std::string said;
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions for tests of tool paths.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
 
 namespace ncsim::toolpath {
 
-/// Millimetres and degrees.
+/// Returns a position from millimetres and degrees.
 inline gcode::Position at(double x, double y, double z, double a = 0, double b = 0, double c = 0) {
     using gcode::Angle;
     using gcode::Length;

@@ -34,7 +34,7 @@ Motion arc(Position from, Position to, gcode::Plane plane, double c1, double c2,
 
 const ToolExtent kTool = extent_of(flat_end_mill(8.0, 30.0));
 
-// Against the path itself, at 20,000 places.
+// Compared with the path at 20,000 positions.
 TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {
     std::mt19937 random(7);
     const auto number = [&](double from, double to) {
@@ -101,7 +101,7 @@ TEST(Sample, OfAMoveThatGoesNowhereIsTwoEqualPoses) {
     EXPECT_EQ(s.poses[0], s.poses[1]);
 }
 
-// Largest distance of the middle of a chord from the circle, measured.
+// Returns the largest measured distance of a chord's midpoint from the circle.
 double worst_sagitta(const Samples& s, Vec3 centre, double r) {
     double worst = 0;
     for (std::size_t i = 1; i < s.poses.size(); ++i) {
@@ -206,8 +206,8 @@ TEST(Sample, ATurningToolIsDividedUntilBothBoundsHold) {
     EXPECT_GT(s.poses.size(), 10U);
     EXPECT_LE(s.bounds.missed_mm, options.rotation_miss_mm);
     EXPECT_LE(s.bounds.gained_mm, options.rotation_gain_mm);
-    // The miss bound against the truth: a point of the tool between two poses and the chord of
-    // its path.
+    // Miss bound against the exact deviation: a point of the tool between two poses and the chord
+    // of the point's path.
     const Vec3 p_T{0, 5, 29};
     const std::size_t n = s.poses.size() - 1;
     double worst = 0;
@@ -220,7 +220,7 @@ TEST(Sample, ATurningToolIsDividedUntilBothBoundsHold) {
     EXPECT_LE(worst, s.bounds.missed_mm);
 }
 
-// The arc and the turn together: each alone would be within the tolerance in fewer steps.
+// The arc and the rotation together; each alone would need fewer steps for the tolerance.
 TEST(Sample, OfAnArcThatTurnsTheToolKeepsTheToleranceOfBoth) {
     const SamplingOptions options;
     for (const double turn : {1.0, 5.0, 20.0, 125.0}) {
@@ -230,7 +230,8 @@ TEST(Sample, OfAnArcThatTurnsTheToolKeepsTheToleranceOfBoth) {
     }
 }
 
-// High above a place that matters nothing is missed or gained; the path is one to be drawn.
+// High above a relevant box, no volume is missed or gained; the path must still have enough steps
+// for drawing.
 TEST(Sample, ATurnIsNeverOneStepThroughThePart) {
     const cda::Box place{{-10, -10, -10}, {10, 10, 10}};
     const Motion m = line(at(0, 0, 80), at(0, 0, 80, 720));
@@ -252,8 +253,8 @@ TEST(Sample, StopsAtMaxStepsAndSaysWhatThatCosts) {
 }
 
 TEST(Sample, OfACubicSplineStaysOnTheCurve) {
-    // A Bézier curve as a B-spline, its middle known by hand: (0 + 3·0 + 3·10 + 10)/8,
-    // (0+3·10+3·10+0)/8.
+    // A Bézier curve as a B-spline with a known midpoint: (0 + 3·0 + 3·10 + 10)/8, (0 + 3·10 + 3·10
+    // + 0)/8.
     gcode::Spline spline;
     spline.from = at(0, 0, -1);
     spline.to = at(10, 0, -1);

@@ -44,7 +44,8 @@ Vec3 at(const SplinePiece& piece, double t) {
     return piece.centre + angle.cos * out + angle.sin * Vec3{-out.y, out.x, 0.0};
 }
 
-// From any point of the pieces to the nearest of many of the curve.
+// Returns the largest distance from a point of the pieces to the nearest of many points of the
+// curve.
 double farthest(const Spline& spline, const std::vector<SplinePiece>& pieces) {
     const SplineCurve curve(spline);
     constexpr int kPoints = 4000, kOfPiece = 20;
@@ -92,7 +93,7 @@ TEST(SplineArcs, GoOnInOneDirectionNearTheCurve) {
     }
 }
 
-// A quarter of a circle as a rational spline is one, in two arcs.
+// A quarter circle as a rational spline is a quarter circle, in two arcs.
 TEST(SplineArcs, OfACircleAreTheCircle) {
     const Spline quarter =
         spline_of({{5, 0, 1}, {5, 5, std::sqrt(0.5)}, {0, 5, 1}}, 3, {0, 0, 0, 1, 1, 1});
@@ -105,7 +106,7 @@ TEST(SplineArcs, OfACircleAreTheCircle) {
     }
 }
 
-// Where the knots let it turn it has a corner; what goes straight is a line.
+// A multiple knot makes a corner; straight spans become lines.
 TEST(SplineArcs, HaveLinesAndCorners) {
     const Spline angle = spline_of({{0, 0, 1}, {10, 0, 1}, {10, 10, 1}}, 2, {0, 0, 1, 2, 2});
     const auto pieces = arcs_of(angle, 1e-3);

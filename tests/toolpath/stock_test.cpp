@@ -119,7 +119,7 @@ TEST(DerivedStock, OfCutsAboveZeroEndsAtTheHighestTip) {
     EXPECT_LT(s.stock.box.min.z, 2);
 }
 
-// Passes at 8, 6, 4 and 2: the first of them took 2 mm, too.
+// Passes at 8, 6, 4 and 2: the first pass also removed 2 mm.
 TEST(DerivedStock, OfPassesInEqualStepsEndsAStepAboveTheFirst) {
     HighestLevels levels;
     HighestLevels others;
@@ -131,7 +131,7 @@ TEST(DerivedStock, OfPassesInEqualStepsEndsAStepAboveTheFirst) {
     levels.add(others);
     EXPECT_EQ(levels.step(), 2.0);
     EXPECT_EQ(derive_stock({{0, 0, 0}, {10, 10, 40}}, 8.0, levels).stock.box.max.z, 10);
-    // Far below Z0: the zero is somewhere else, the part is where the cuts are.
+    // Cuts far below Z0: the zero is not on the part, and the part is around the cuts.
     EXPECT_EQ(derive_stock({{0, 0, -47}, {10, 10, 40}}, -45.0).stock.box.max.z, -45);
     EXPECT_EQ(derive_stock({{0, 0, -47}, {10, 10, 40}}, -30.0).stock.box.max.z, 0) << "a deep wall";
     EXPECT_EQ(derive_stock({{0, 0, -25}, {10, 10, 40}}, -25.0).stock.box.max.z, 0) << "one pass";

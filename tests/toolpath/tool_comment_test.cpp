@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How many of the comments that describe a tool are read, and how many of those that are read
-// describe one: over a labelled set, in the forms that programs have.
+// Recall and precision of reading tool comments, over a labelled set of comments in the forms of
+// real programs.
 #include "ncsim/toolpath/tool_table.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ const char* name_of_kind(const ToolSpec& spec) {
     return name == kNames.end() ? "other" : name->second;
 }
 
-// What a program that has this comment and nothing else knows of its tool.
+// Returns the tool data of a program with this single comment.
 std::string said_by(const Labelled& labelled) {
     std::string program = labelled.unit == "in" ? "G20\n;" : "G21\n;";
     program.append(labelled.comment).append("\nG0 X0\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The drawings of docs/tools.md: one tool of each kind, as `--tool` makes it.
+// Drawings of docs/tools.md: a tool of each kind, as `--tool` makes the tool.
 // NCSIM_UPDATE_GOLDENS=1 in the environment writes docs/tools/*.svg anew.
 #include "ncsim/toolpath/tool_spec.h"
 
@@ -49,8 +49,8 @@ std::string number(double value) {
     return {text.data(), end.ptr};
 }
 
-// One side of a profile from the axis at the lower end to the axis at the upper end; `side` is 1 or
-// -1, heights point up in the drawing.
+// Returns half of a profile from the axis at the lower end to the axis at the upper end. `side` is
+// 1 or -1; heights point up in the drawing.
 std::string outline(const std::vector<ProfilePoint>& profile, double side, double top) {
     const auto place = [&](double radius, double height) {
         return number(side * radius) + " " + number(top - height);
@@ -129,7 +129,7 @@ TEST(ToolDrawings, ShowTheToolsAsTheyAreMade) {
         EXPECT_NE(page.find(std::string("`") + drawn.option + "`"), std::string::npos)
             << "docs/tools.md does not have " << drawn.option;
     }
-    // Each kind but the free form has a drawing.
+    // Each kind except the free form has a drawing.
     for (int kind = 0; kind < static_cast<int>(ToolKind::Other); ++kind)
         EXPECT_TRUE(kinds.contains(static_cast<ToolKind>(kind)))
             << name_of(static_cast<ToolKind>(kind));

@@ -8,7 +8,7 @@
 namespace ncsim::toolpath {
 namespace {
 
-// Every tool in one line, then every diagnostic.
+// Returns a line per tool, followed by all diagnostics.
 std::string tools_of(const std::string& text, bool inches = false) {
     const ToolFile file = read_tool_file({"tools", text}, inches);
     std::string out = file.format + "\n";
@@ -67,7 +67,7 @@ TEST(ToolFile, OfLinuxCncHasShapesInRemarksAndSizesInTheColumn) {
     EXPECT_EQ(described("50", "Messerkopf"), "face mill D50 L50");
     EXPECT_EQ(described("5", "Tap M6"), "tap D5 L50");
     EXPECT_EQ(described("6", "bought in May"), "flat end mill D6 L50");
-    // The column has the diameter of the tip.
+    // The column holds the diameter of the tip.
     const ToolFile file = read_tool_file({"t.tbl", "T1 P1 D0.1 ;60 deg V bit tip 0.1\n"}, false);
     ASSERT_EQ(file.tools.size(), 1U);
     EXPECT_EQ(file.tools[0].spec.tip_diameter, 0.1);
@@ -104,7 +104,7 @@ TEST(ToolFile, OfCamoticsIsAProjectWithItsWorkpiece) {
 }
 
 TEST(ToolFile, OfFusionHasWholeAssemblies) {
-    // Shoulder, shaft and holder; a shaft of its own; mills that cut under themselves.
+    // Shoulder, shaft and holder; a separate shaft; mills with undercut.
     EXPECT_EQ(tools_of(R"({"data":[
           {"type":"flat end mill","unit":"millimeters",
            "geometry":{"DC":6,"SFDM":8,"LCF":10,"shoulder-length":16,"shoulder-diameter":5.5,"LB":30},

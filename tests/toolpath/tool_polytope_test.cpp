@@ -33,8 +33,8 @@ std::int64_t largest_x(const PiecePolytope& piece) {
     return x;
 }
 
-// Signed distance of a point from a ball end mill of radius r, from outside positive, where the
-// point stands at or below the upper end.
+// Returns the signed distance of a point from a ball end mill of radius r, positive outside. The
+// point is at or below the upper end.
 double outside_ball_nose(cda::Vec3 p, double r) {
     const double aside = std::hypot(p.x, p.y);
     return p.z < r ? std::hypot(aside, p.z - r) - r : aside - r;
@@ -77,7 +77,7 @@ TEST(ToolPolytope, OfAShankAsThickAsWhatIsBelowHasItsCorners) {
                 return p.x == q.x && p.y == q.y;
             }));
         }
-        // One that is thicker has corners of its own.
+        // A thicker piece has separate corners.
         const ToolPiece thick{{{3.0, 6.0, 0}, {3.0, 30.0, 0}}, false};
         EXPECT_EQ(approximate_above(ball, thick, kLattice, accuracy).points_T,
                   approximate(thick, kLattice, accuracy).points_T);
@@ -108,8 +108,8 @@ TEST(ToolPolytope, StaysWithinTheToleranceItReports) {
     }
 }
 
-// 35.978 mm are 8 · 25 · 17989 units: multiples of the only divisor of a suitable size, 0.18 mm,
-// are too far apart for the tip.
+// 35.978 mm are 8 · 25 · 17989 units. Multiples of the only divisor of suitable size, 0.18 mm, are
+// too far apart for the tip.
 TEST(ToolPolytope, StaysWithinItsToleranceWhereTheRadiusHasNoFineDivisor) {
     for (const Side side : {Side::Circumscribed, Side::Inscribed}) {
         const PiecePolytope piece =
@@ -127,7 +127,7 @@ TEST(ToolPolytope, CircumscribedContainsTheBallAndInscribedIsContainedInIt) {
         const ToolPiece piece = ball_end_mill(diameter, r + 10).pieces[0];
         const PiecePolytope around = approximate(piece, kLattice, {0.05, Side::Circumscribed});
         const PiecePolytope within = approximate(piece, kLattice, {0.05, Side::Inscribed});
-        // No facet of the outer polytope may come closer to the ball's centre than r.
+        // No facet of the outer polytope may be closer to the centre of the ball than r.
         const cda::ConvexPolytope outer = polytope_of(around);
         for (const auto& facet : outer.facets()) {
             const double d = offset_mm(facet.plane, kLattice) - r * unit_normal(facet.plane).z;
@@ -144,9 +144,9 @@ TEST(ToolPolytope, CircumscribedContainsTheBallAndInscribedIsContainedInIt) {
     }
 }
 
-// A cone that ends in a disc at a height between two lattice points: moved to the one beyond, the
-// rim alone would draw the cone in, by nanometres. The last one is the cone of a holder that begins
-// in such a disc.
+// A cone ends in a disc at a height between two lattice points. Rounding only the rim to the next
+// lattice height would shrink the cone by nanometres. The last case is the cone of a holder that
+// begins in a disc at such a height.
 TEST(ToolPolytope, CircumscribedContainsAConeWithoutACylinderBesideIt) {
     Tool holder;
     add_holder_segment(holder, 5, 5, 3.123456789);
@@ -166,8 +166,9 @@ TEST(ToolPolytope, CircumscribedContainsAConeWithoutACylinderBesideIt) {
     }
 }
 
-// Planes with rounded normals miss each other in the corners, which then are as many as planes meet
-// there: a hole with a drill's point had 20,000 edges of nanometres where it has 9,000 in all.
+// Planes with rounded normals do not meet in a common corner, so each corner splits into several.
+// With exact corners, a hole with a drill point has 9,000 edges; with split corners, 20,000 more of
+// nanometre length.
 TEST(ToolPolytope, FacetsOfConesMeetInTheirCorners) {
     std::vector<Tool> tools;
     for (int tenths = 4; tenths <= 200; tenths += 7) {
@@ -190,14 +191,14 @@ TEST(ToolPolytope, FacetsOfConesMeetInTheirCorners) {
                 const auto corners = std::ranges::count_if(points, [&](const auto& p) {
                     return plane.nx * p.x + plane.ny * p.y + plane.nz * p.z == plane.d;
                 });
-                // The one under a tip is none of its facets.
+                // The plane below the tip is not a facet.
                 EXPECT_TRUE(corners >= 3 || plane == (cda::Plane{0, 0, -1, 0}));
             }
         }
     }
 }
 
-// The last corner above the equator stands on the top, not below it.
+// The last corner above the equator is at the top and not below the top.
 TEST(ToolPolytope, CircumscribedContainsAWholeBall) {
     for (const double diameter : {20.0, 3.0218, 146.663238843, 0.713}) {
         SCOPED_TRACE(diameter);
@@ -215,12 +216,13 @@ TEST(ToolPolytope, CircumscribedContainsAWholeBall) {
     }
 }
 
-// Strips between two rings have a facet for every direction in which either has a side: nothing
-// fell apart into triangles. Rings near the tip have fewer sides.
+// Strips between two circles of corners have a facet for each direction in which either circle has
+// a side, so no facet splits into triangles. Circles near the tip have fewer sides.
 TEST(ToolPolytope, FacetsOfABallAreFlatAndNoMoreThanNeeded) {
     struct Case {
         double diameter, tolerance;
-        std::size_t most;  // 1.2 R/eps to the equator would be the least, flat or not
+        std::size_t most;  // lower bound up to the equator: 1.2 R/eps, with planar facets or
+                           // without
     };
     for (const Case& c : {Case{6, 0.05, 136}, Case{2, 0.05, 50}, Case{10, 0.05, 212},
                           Case{6, 0.15, 58}, Case{50, 0.05, 990}}) {
@@ -260,7 +262,7 @@ TEST(ToolPolytope, ShapedEndsAreWithinTheirErrorToo) {
         const double around = polytope_of(outer).volume() * 1e-15;
         const double within = polytope_of(inner).volume() * 1e-15;
         EXPECT_LT(within, around);
-        // A shell as thick as both errors lies between them.
+        // The difference is at most a shell as thick as the sum of both errors.
         const double side = std::numbers::pi * cutting_diameter_of(tool) *
                             (cutting_height_of(tool) + cutting_diameter_of(tool));
         EXPECT_LT(around - within, side * (outer.error_mm + inner.error_mm));
@@ -277,8 +279,8 @@ TEST(ToolPolytope, AWholeBallHasBothItsHalves) {
     EXPECT_LT(volume, exact * 1.05);
 }
 
-// A ball that ends where it is thickest was led on along its last tangent, as wide as its rings
-// come: up to a tenth of a millimetre too high.
+// A ball that ends at the equator must not be extended along the last tangent by the spacing of the
+// circles, which would be up to 0.1 mm too high.
 TEST(ToolPolytope, ABallWithoutACylinderEndsAtItsHeight) {
     for (const double diameter : {1.90992, 9.9598, 44.204636, 57.122758, 78.481112}) {
         for (const double share : {0.004, 0.01, 0.03}) {
@@ -297,7 +299,7 @@ TEST(ToolPolytope, ABallWithoutACylinderEndsAtItsHeight) {
     }
 }
 
-// Where an arc ends upright, its last chord is led to the height at which it ends.
+// If an arc ends vertically, the last chord is extended to the height of the end.
 TEST(ToolPolytope, InscribedLosesNoMoreThanItReports) {
     for (const double diameter : {15.361, 6.0, 0.97}) {
         SCOPED_TRACE(diameter);
@@ -330,9 +332,9 @@ double reach_of(const PiecePolytope& piece, cda::Vec3 n) {
     return reach;
 }
 
-// Upright walls and floors of fair tools are those of circumscribed ones; over what is rounded they
-// err to both sides, on average a little outwards: so much is left again by ridges between passes
-// (FairTools.LeaveTheVolumeThatRoundOnesLeave).
+// Vertical walls and floors of fair tools equal walls and floors of circumscribed tools. On rounded
+// parts, fair tools err to both sides and on average slightly outwards; ridges between passes
+// compensate the excess (FairTools.LeaveTheVolumeThatRoundOnesLeave).
 TEST(ToolPolytope, FairErrsToBothSides) {
     std::mt19937 random(5);
     const auto unit = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
@@ -353,7 +355,8 @@ TEST(ToolPolytope, FairErrsToBothSides) {
             EXPECT_TRUE(p.facet_in({0, -1, 0, radius}));
             double sum = 0.0, weights = 0.0, least = 0.0, most = 0.0;
             for (int i = 0; i < 20000; ++i) {
-                // As much of each normal as is seen from above; gentle slopes count for more.
+                // Normals weighted by the projection seen from above; gentle slopes have more
+                // weight.
                 const double aside = std::sqrt(unit());
                 const double around = 2 * std::numbers::pi * unit();
                 const cda::Vec3 n{aside * std::cos(around), aside * std::sin(around),
@@ -365,8 +368,8 @@ TEST(ToolPolytope, FairErrsToBothSides) {
                 least = std::min(least, more);
                 most = std::max(most, more);
             }
-            // About a fifth of the depth, as near as radii and heights in steps and the tolerance
-            // let it; a circumscribed tool is a whole tolerance less a third of it off.
+            // About a fifth of the depth, as far as the steps of radii and heights and the
+            // tolerance permit. A circumscribed tool deviates by two thirds of the tolerance.
             EXPECT_GT(sum / weights, 0.0);
             EXPECT_LT(sum / weights, 0.5 * tolerance);
             EXPECT_LT(least, -0.3 * tolerance);
@@ -375,10 +378,10 @@ TEST(ToolPolytope, FairErrsToBothSides) {
     }
 }
 
-// --- Random tools against the support function of the round ones ---
+// --- Random tools against the support function of the round tools ---
 
-// How far a body of revolution reaches along a unit vector: to one of the corners of its profile,
-// or to where an arc has that normal.
+// Returns the support function of a body of revolution for a unit vector: a corner of the profile,
+// or the point of an arc with this normal.
 double reach_of(const ToolPiece& piece, cda::Vec3 n) {
     const double aside = std::hypot(n.x, n.y);
     double reach = -std::numeric_limits<double>::infinity();
@@ -397,7 +400,7 @@ double reach_of(const ToolPiece& piece, cda::Vec3 n) {
         const double leg = p.fillet * std::tan((b - a) / 2);
         const double r = p.radius - leg * std::cos(a) - p.fillet * std::sin(a);
         const double h = p.height - leg * std::sin(a) + p.fillet * std::cos(a);
-        const double normal = std::atan2(n.z, aside);  // of an arc they go from a - 90° to b - 90°
+        const double normal = std::atan2(n.z, aside);  // normals of an arc cover a - 90° to b - 90°
         const double nearest =
             std::clamp(normal, a - std::numbers::pi / 2, b - std::numbers::pi / 2);
         reach = std::max(reach, aside * (r + p.fillet * std::cos(nearest)) +
@@ -412,7 +415,7 @@ struct RandomTools {
     double between(double low, double high) {
         return low + (high - low) * (static_cast<double>(random()) / 0x1p32);
     }
-    // To the micrometre, most of the time.
+    // Mostly rounded to micrometres.
     double size(double low, double high) {
         const double v = low * std::pow(high / low, between(0, 1));
         return random() % 4 == 0 ? v : std::round(v * 1000) / 1000;
@@ -432,7 +435,8 @@ struct RandomTools {
             case 8: return lollipop_mill(d).pieces[0];
             default: break;
         }
-        // A form: rounded below, conical, rounded above, and narrower from there on.
+        // A form tool: rounded below, conical, rounded above, and narrower above the second
+        // rounding.
         const double r = d / 2;
         return {{{0.6 * r, 0, between(0.05, 0.5) * r},
                  {r, between(0.6, 1.5) * r, between(0.02, 0.2) * r},
@@ -448,8 +452,8 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
         double r = 0.0;
         for (const ProfilePoint& p : piece.profile)
             r = std::max(r, p.radius);
-        // As fine as the lattice allows (tool_polytope.h), or much coarser.
-        // Forms have two radii that multiples of one number have to suit.
+        // Tolerances as fine as the lattice permits (tool_polytope.h), or coarser. Form tools have
+        // two radii, and both need multiples of a single number.
         const double units = piece.profile.size() > 2 ? 4 : 2;
         const double finest = std::max(r / 1000, units * std::sqrt(r * 1e-5));
         const double tolerance =
@@ -494,7 +498,7 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
     }
 }
 
-// Of 127 units, a prime, no ring is an exact part.
+// With a radius of 127 units, a prime, no circle of corners divides the radius exactly.
 TEST(ToolPolytope, OfWholeBallsOfAFewUnitsIsAsFineAsTheLatticeAllows) {
     for (int units = 4; units < 400; ++units) {
         for (const double over : {2.0, 2.6}) {
@@ -510,8 +514,8 @@ TEST(ToolPolytope, OfWholeBallsOfAFewUnitsIsAsFineAsTheLatticeAllows) {
     }
 }
 
-// A polygon that is wider than the ring, since its radius has to be a multiple, has corners that
-// stand out by that share more.
+// The radius of the polygon must be a multiple, so the polygon can be wider than the circle. Its
+// corners then extend further by the same ratio.
 TEST(ToolPolytope, CornersOfAConeStandOutByNoMoreThanItTells) {
     for (const double degrees : {1.0, 3.0, 12.0, 35.0}) {
         for (const double d : {6.26386, 3.217, 11.4083}) {

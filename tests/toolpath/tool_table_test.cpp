@@ -12,7 +12,8 @@ ProgramNotes notes(const std::string& text) {
     return read_notes({"test.nc", text});
 }
 
-// One comment and a call of tool 1 in metric: what is known of the tool, in one line.
+// Returns the known data of the tool, in a line, for a metric program with a single comment and a
+// call of tool 1.
 std::string tool_of(const std::string& comment) {
     const ProgramNotes n = notes(std::string("G21\n(").append(comment).append(")\nT1 M6\nG0 X0\n"));
     if (n.tools.empty()) return "nothing";
@@ -33,7 +34,7 @@ TEST(ToolComments, OfAToolSurviveTheWayHomeBeforeItsCall) {
         EXPECT_EQ(n.tools[0].spec.number, 2) << between;
         EXPECT_EQ(n.tools[0].spec.pitch, 1.0);
     }
-    // Behind a move at work, the comment is of the tool in the spindle.
+    // After a feed move the comment is about the tool in the spindle.
     const ProgramNotes n = notes("G21\nT7 M6\n(M6X1 TAP)\nG0 X1 Y1\nT2 M6\nG0 X0\n");
     ASSERT_EQ(n.tools.size(), 1U);
     EXPECT_EQ(n.tools[0].spec.number, 7);
@@ -82,7 +83,7 @@ TEST(ToolComments, AreReadInAllTheirForms) {
         {"tool#=2 flute=0.25 len=1 unit=imperial", "T2 flat end mill D6.35 L25.4"},
         {"DIAMETER: 6.0", "T1 flat end mill D6 L50"},
         {"Change tool: End mill 3mm", "T1 flat end mill D3 L50"},
-        // None of these is a tool.
+        // Comments that do not describe a tool.
         {"", "nothing"},
         {"drill 4 holes", "nothing"},
         {"DRILL 6MM HOLES", "nothing"},
@@ -114,7 +115,7 @@ TEST(ToolComments, KeepTheirOwnUnitInAProgramOfTheOther) {
     EXPECT_EQ(n.tools.at(0).spec.diameter, 12.7);
 }
 
-// FreeCAD's posts: the tool change is a comment, and the diameter is in mm in any program.
+// FreeCAD posts: the tool change is a comment, and the diameter is in mm in any program.
 TEST(ToolComments, BelongToTheToolThatACommentCalls) {
     const ProgramNotes n =
         notes("G20\nG0 Z1\n( M6 T3 )\n(Compensated Tool Path. Diameter: 8.0)\nG0 X0\n");
@@ -212,7 +213,8 @@ TEST(ToolComments, OfEstlcamsListAreInTheOrderOfTheCalls) {
     EXPECT_EQ(n.tools[0].spec.diameter, 3);
     EXPECT_EQ(n.tools[1].spec.number, 6);
     EXPECT_EQ(n.tools[1].spec.kind, ToolKind::BallEndMill);
-    // What the change itself says beats the list, and a program without calls has one tool.
+    // The comment of the tool change has priority over the list. A program without tool calls has a
+    // single tool.
     const ProgramNotes said =
         notes(std::string("G21\n") + list + "T5 M06 (Change tool: Drill 2mm)\nG0 X0\n");
     EXPECT_EQ(said.tools.at(0).spec.diameter, 2);
@@ -253,7 +255,7 @@ TEST(StockComments, OfSimulatorsAndPostsAreRead) {
               block);
     EXPECT_EQ(box("; Material Size: X80.0 Y40.0 Z10.0\n; Material Origin: X0.0 Y0.0 Z0.0\nG21\n"),
               block);
-    // Where it lies then, nobody says here.
+    // The position of the material relative to the zero is unknown here.
     EXPECT_EQ(box("; Material Size: X80 Y40 Z10\n; Material Origin: X5 Y0 Z0\nG21\n"), cda::Box{});
     // Extents of a tool path.
     EXPECT_EQ(box("(X Min: 0 - X Max: 80)\n(Y Min: 0 - Y Max: 40)\n(Z Min: -10 - Z Max: 0)\n"),
@@ -302,9 +304,9 @@ TEST(StockComments, OfSetUpSheetsHaveLengthsByAxisAndANamedZero) {
     EXPECT_EQ(box(block + "(ORIGIN UPPER LEFT CORNER, TOP)"),
               (cda::Box{{0, -60, -20}, {90, 0, 0}}));
     EXPECT_EQ(box(block + "(ZERO LEFT CENTER TOP)"), (cda::Box{{0, -30, -20}, {90, 30, 0}}));
-    // The corner of a drawing, or one of the part: not known.
+    // The corner may be of a drawing or of the part: the position is unknown.
     EXPECT_TRUE(notes(block + "(ZERO TOP LEFT)\nG21\n").stock->place_assumed);
-    // Other words say something else.
+    // Words with a different meaning.
     EXPECT_TRUE(notes(block + "(WORK ON THE LEFT TOP CLAMP)\nG21\n").stock->place_assumed);
     EXPECT_TRUE(notes(block + "(ZERO LEFT)\nG21\n").stock->place_assumed);
     EXPECT_EQ(box("(STOCK DX 4IN DY 2IN DZ 1/2IN)").size(), (cda::Vec3{101.6, 50.8, 12.7}));
@@ -381,10 +383,10 @@ TEST(ToolOption, TellsTheWholeAssembly) {
               "flat end mill D10 L22, D12 to 60, D20-32 to 70");
     EXPECT_EQ(described("T1=flat:D10:L22:N9x10:S12:E60"),
               "flat end mill D10 L22, D9 to 32, D12 to 60");
-    // Nobody says how long the shank is: the holder begins as low as it can be.
+    // The length of the shank is unknown, so the holder begins as low as possible.
     EXPECT_EQ(described("T1=flat:D10:L22:S12:H28x15,40x25"),
               "flat end mill D10 L22, D28 to 37, D40 to 62");
-    // Nor what is between: as thick as the cutter.
+    // The body between flutes and holder is unknown, so the cutter's diameter is used.
     EXPECT_EQ(described("T1=flat:D10:L22:E40:H28x15"),
               "flat end mill D10 L22, D10 to 40, D28 to 55");
     EXPECT_EQ(described("T1=flat:D10:E40:H28x15"), "flat end mill D10 L40, D28 to 55");

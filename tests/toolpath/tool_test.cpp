@@ -68,7 +68,7 @@ TEST(Tool, MillsThatCutUnderThemselvesAreWidestBelow) {
     const Tool dovetail = dovetail_mill(20, 45, 6);
     EXPECT_EQ(dovetail.pieces[0].profile[0], (ProfilePoint{10, 0, 0}));
     EXPECT_NEAR(dovetail.pieces[0].profile[1].radius, 4, 1e-12);
-    // It would close before its height.
+    // The tapered sides would meet below the requested height.
     EXPECT_GT(dovetail_mill(4, 60, 30).pieces[0].profile[1].radius, 0.0);
     EXPECT_EQ(lollipop_mill(6).pieces[0].profile, (Profile{{3, 0, 3}, {3, 6, 3}}));
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cells that a tool removes between two poses.
 #include "ncsim/toolpath/trace.h"
 
 #include "ncsim/cda/polytope.h"
@@ -35,7 +37,7 @@ cda::ConvexPolytope polytope(const cda::Cell& cell) {
     return *cda::ConvexPolytope::of(cell, kLattice);
 }
 
-// Up to the rounding of points to the lattice.
+// True up to the rounding of points to the lattice.
 bool inside(const cda::Cell& cell, Vec3 p_mm) {
     for (const cda::Plane& plane : cell.planes) {
         if (dot(unit_normal(plane), p_mm) > offset_mm(plane, kLattice) + 2e-5) return false;
@@ -51,7 +53,7 @@ TEST(Trace, OfAToolAtRestIsTheTool) {
     EXPECT_EQ(polytope(cells[0]).facets().size(), static_cast<std::size_t>(cutter.sides()) + 2);
 }
 
-// Of a tool that turned with its table, too: its axis tells what is deep.
+// Also for a turned tool: depth is measured along the tool axis.
 TEST(Trace, TheDeeperTheLowerTheRank) {
     Cutter cutter(flat_end_mill(10, 20), kLattice, {});
     const auto rank = [&cutter](double z0, double z1, double a) {
@@ -94,7 +96,7 @@ TEST(Trace, OfATiltedToolHasATiltedFloor) {
     Cutter cutter(flat_end_mill(10, 20), kLattice, {});
     const auto cells = trace(cutter, pose(0, 0, 0, 10), pose(30, 0, 0, 10));
     ASSERT_EQ(cells.size(), 1U);
-    // The floor's normal is the tool's axis, turned by A10, downwards.
+    // The normal of the floor is the tool axis, turned by A10, pointing down.
     const trig::SinCos a = trig::sin_cos(10);
     bool found = false;
     for (const cda::Plane& plane : cells[0].planes) {

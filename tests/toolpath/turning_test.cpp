@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bounds of turning.h against what tools do: points of hulls and of sweeps, drawn at random.
+// Bounds of turning.h against the motions of tools: random points of hulls and sweeps.
 #include "ncsim/toolpath/turning.h"
 
 #include "ncsim/cda/polytope.h"
@@ -35,7 +35,7 @@ struct Point2 {
     double r, h;
 };
 
-// The half section of a round piece from the axis to the axis; chords within a micrometre for arcs.
+// Returns the half section of a round piece from axis to axis; arcs become chords within 1 µm.
 std::vector<Point2> section_of(const ToolPiece& piece, double high, double low = -kInf) {
     const auto profile = slice(piece, low, high).profile;
     std::vector<Point2> line{{0.0, profile.front().height}};
@@ -45,7 +45,7 @@ std::vector<Point2> section_of(const ToolPiece& piece, double high, double low =
     return line;
 }
 
-// Distance from the piece, 0 inside.
+// Returns the distance from the piece, 0 inside.
 double distance_from(const std::vector<Point2>& line, Vec3 p_T) {
     const Point2 p{std::sqrt(p_T.x * p_T.x + p_T.y * p_T.y), p_T.z};
     bool inside = true;
@@ -54,7 +54,7 @@ double distance_from(const std::vector<Point2>& line, Vec3 p_T) {
         const Point2 a = line[i - 1];
         const Point2 way{line[i].r - a.r, line[i].h - a.h};
         const double squared = way.r * way.r + way.h * way.h;
-        if (squared < 1e-18) continue;  // arcs that meet, but for rounding
+        if (squared < 1e-18) continue;  // arcs that meet up to rounding
         const Point2 to{p.r - a.r, p.h - a.h};
         inside = inside && way.r * to.h - way.h * to.r >= 0.0;
         const double t = std::clamp((way.r * to.r + way.h * to.h) / squared, 0.0, 1.0);
@@ -86,7 +86,7 @@ struct Case {
         p.c = Angle::from_degrees(between(from.c.degrees(), to.c.degrees()));
         return p;
     }
-    // In one step.
+    // Samples of the motion in a single step.
     Samples samples() const {
         gcode::Motion motion;
         motion.what = gcode::Linear{from, to};
@@ -94,7 +94,8 @@ struct Case {
         options.max_steps = 1;
         return sample(motion, {{extent_of(piece)}}, options, place);
     }
-    // From the nearest of the tools on the way; none is nearer by more than `error`.
+    // Returns the distance from the nearest of many poses of the tool; the true distance is smaller
+    // by at most `error`.
     double distance_from_sweep(Vec3 p_W) const {
         const std::vector<Point2> section = section_of(piece, kInf);
         const auto distance = [&](double t) {
@@ -116,7 +117,7 @@ struct Case {
     }
 };
 
-// On the surface, mostly where it has edges.
+// Returns a point of the surface, mostly on an edge.
 Vec3 point_of(const std::vector<Point2>& section, test::Random& random) {
     const std::size_t i = 1 + random.next() % (section.size() - 1);
     const Point2 a = section[i - 1], b = section[i];
@@ -146,7 +147,7 @@ ToolPiece tool_of(test::Random& random) {
     }
 }
 
-// A: about X alone, above or beside it; or as it comes.
+// Random case: A about X alone, above or next to the axis; or arbitrary rotations.
 Case random_case(test::Random& random) {
     Case c{tool_of(random), {}, {}, {}};
     const auto angle = [&] { return random.within(-180, 180); };
@@ -167,7 +168,7 @@ Case random_case(test::Random& random) {
     c.from = place_at(x[0], x[1], x[2], x[3], x[4], x[5]);
     c.to = place_at(x[0] + v[0], x[1] + v[1], x[2] + v[2], x[3] + v[3], x[4] + v[4], x[5] + v[5]);
     if (random.one_in(2)) {
-        // Around a point of the tool, most of which is elsewhere then.
+        // A box around a point of the tool; most of the tool is outside the box.
         const Vec3 at = pose_at(c.from) * Vec3{0, 0, random.within(0, 20)};
         const double size = random.within(2, 20);
         c.place = cda::Box{at - Vec3{size, size, size}, at + Vec3{size, size, size}};
@@ -175,7 +176,7 @@ Case random_case(test::Random& random) {
     return c;
 }
 
-// Largest ratio of what was found and what may be.
+// Largest ratio of a measured value to its bound.
 struct Worst {
     double ratio = 0.0;
     void add(double found, double bound) { ratio = std::max(ratio, found / bound); }
@@ -204,7 +205,7 @@ TEST(Turning, NoPointOfAHullIsFartherFromTheSweepThanTheBound) {
     }
 }
 
-// Each slab of a long tool by itself: what it gains is measured from the sweep of the whole tool.
+// For each slab of a long tool separately: the gain is measured from the sweep of the whole tool.
 double worst_gain_in_slabs(const Case& c, int points, test::Random& random) {
     const Samples s = c.samples();
     const PieceExtent whole = extent_of(c.piece);
@@ -243,7 +244,8 @@ TEST(Turning, NoPointOfTheHullOfASlabIsFartherFromTheSweepThanItsBound) {
     EXPECT_GT(worst, 0.4) << "the bound is not far from the truth";
 }
 
-// What a cutter really leaves, corner by corner: each of its cells is a slab as long as was told.
+// Gain of the cells that a cutter really removes, corner by corner: each cell is a slab of the
+// stated length.
 double worst_gain_of_cells(const Case& c, int points, test::Random& random) {
     const cda::Lattice lattice;
     Tool tool;
@@ -285,8 +287,8 @@ TEST(Turning, NoCornerOfACellIsFartherFromTheSweepThanTheBoundOfItsSlab) {
     }
 }
 
-// Where it begins to be a cylinder is a ring of its corners: a height in units, which is not always
-// the same in millimetres and back.
+// The cylinder begins at a circle of corners, at a height in lattice units; conversion to
+// millimetres and back is not always exact.
 TEST(Turning, ASlabIsAsLongAsItWasToldWhereverTheCylinderBegins) {
     const cda::Lattice lattice;
     const Pose from = pose_at(place_at(0, 0, 0, -0.1, 0, 0));
@@ -310,7 +312,8 @@ TEST(Turning, ASlabIsAsLongAsItWasToldWhereverTheCylinderBegins) {
     }
 }
 
-// It is rounded below, though it is cut off flat: what a ball rolls around reaches down by that.
+// A slab counts as rounded below, although a plane truncates the slab: the rolling ball in the
+// bound extends below the plane by the radius of the ball.
 TEST(Turning, ASlabGainsWhereTheBallThatRollsAroundItReaches) {
     const Case c{flat_end_mill(20, 100).pieces[0],
                  place_at(0, 0, 50, 0, 0, 0),
@@ -329,7 +332,7 @@ TEST(Turning, ASlabGainsWhereTheBallThatRollsAroundItReaches) {
     EXPECT_EQ(gained_mm(s.poses[0], s.poses[1], lower, third), 0.0);
 }
 
-// One end goes one way, the other the other: the hull of the whole gains with its length.
+// Both ends move in opposite directions, so the gain of the undivided hull grows with the length.
 TEST(Turning, ALongToolIsCutIntoSlabsInsteadOfTurningInSmallSteps) {
     const auto taken_by = [](double length) {
         gcode::Motion motion;
@@ -350,8 +353,8 @@ TEST(Turning, ALongToolIsCutIntoSlabsInsteadOfTurningInSmallSteps) {
     EXPECT_LT(taken_by(96).poses.size(), 4 * taken_by(12).poses.size());
 }
 
-// Half of it would not do: neither where the tool turns about a point of its own, nor far from the
-// axis, where only its width counts, nor where it moves on meanwhile.
+// Half of the bound would be too small: for a tool that turns about a point on its axis, for a tool
+// far from the axis of rotation, where only the width matters, and for a tool that also translates.
 TEST(Turning, TheBoundOfWhatIsGainedIsNotFarFromTheTruth) {
     test::Random random(2);
     const ToolPiece flat = flat_end_mill(10, 40).pieces[0];
@@ -364,7 +367,7 @@ TEST(Turning, TheBoundOfWhatIsGainedIsNotFarFromTheTruth) {
     EXPECT_GT(worst_gain(goes_on, 4000, random), 0.5);
 }
 
-// About a point of its own axis.
+// Rotation about a point of the tool axis.
 TEST(Turning, ACylinderGainsByItsHeightOrByItsWidthAndNotByBoth) {
     test::Random random(6);
     double worst = 0.0;
@@ -387,7 +390,7 @@ TEST(Turning, ACylinderGainsByItsHeightOrByItsWidthAndNotByBoth) {
     EXPECT_GT(worst, 0.7) << "the bound is not far from the truth";
 }
 
-// A table that stands at C90, with the stock on it, changes nothing about what A and B do.
+// A table at C90 with the stock does not change the effect of A and B.
 TEST(Turning, AxesThatStandStillTurnTheOnesBeforeThem) {
     const auto bounds = [](double b, double c, cda::Box place) {
         return Case{ball_end_mill(10, 60).pieces[0], place_at(0, 50, 5, 0, b, c),
@@ -420,7 +423,7 @@ TEST(Turning, NoPointOfTheSweepIsFartherFromTheHullThanTheBound) {
         const Case c = random_case(random);
         Samples s = c.samples();
         const auto section = section_of(c.piece, kInf);
-        // Or what slabs miss, all of them together.
+        // In half the cases, the total that slabs miss.
         if (random.one_in(2)) s.turning.slab_mm = random.within(1, 30);
         Tool tool;
         tool.pieces.push_back(c.piece);
@@ -449,8 +452,8 @@ TEST(Turning, NoPointOfTheSweepIsFartherFromTheHullThanTheBound) {
     EXPECT_GT(worst, 0.5);
 }
 
-// A shank is longer than its cutter: what its hull gains is more. Who judges it asks for steps that
-// are small enough for it, too.
+// A shank is longer than the cutter, so its hull gains more. A check of the shank requests steps
+// small enough for the shank, too.
 TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
     Tool tool = flat_end_mill(10.0, 5.0);
     add_holder_segment(tool, 10.0, 10.0, 60.0);
@@ -475,7 +478,8 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
     EXPECT_LE(worst_of_shank(true), SamplingOptions{}.rotation_gain_mm);
 }
 
-// What whole steps leave of the gain is for facets, and no step is made for their sake.
+// The number of steps is an integer, so part of the permitted gain is left over; facets use the
+// rest, and no step is added for facets.
 TEST(Walk, LeavesFacetsWhatStepsDoNotGain) {
     const Tool tool = flat_end_mill(6.0, 6.0);
     const cda::Box stock{{-20, -20, -20}, {20, 20, 0}};

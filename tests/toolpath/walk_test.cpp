@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The walk knows where a whole turn ends that leaves no core.
+// The walk recognises the end of a whole turn that leaves no core, and the end of a straight path
+// in pieces.
 #include "ncsim/toolpath/walk.h"
 
 #include "ncsim/cda/tree.h"
@@ -36,7 +37,7 @@ gcode::Motion line(gcode::Position from, gcode::Position to) {
     return motion(gcode::Linear{from, to});
 }
 
-// About (x, y), by so many turns more than the part of one.
+// Returns an arc about (x, y) with `turns` as in gcode::Arc.
 gcode::Motion arc(gcode::Position from, gcode::Position to, int turns = 1, double x = 0.0,
                   double y = 0.0) {
     gcode::Arc arc;
@@ -50,10 +51,11 @@ const cda::Box kStock{{-20, -20, -20}, {20, 20, 0}};
 
 struct Walked {
     std::vector<cda::Cell> cells, covering;
-    std::vector<std::size_t> steps;  // after how many cells the others came
+    std::vector<std::size_t> steps;  // number of cells before each covering cell
 };
 
-// Whatever covers is in the cells before it: taken away after them, it takes nothing.
+// Walks the motions. A covering cell is a subset of the cells before it, so a covering cell removes
+// no volume when subtracted last.
 Walked walked(const std::vector<gcode::Motion>& motions, const Tool& tool) {
     const auto lattice = cda::Lattice::for_stock(kStock);
     Walk walk(lattice, kStock, {}, {});
@@ -99,7 +101,7 @@ TEST(Walk, CoversACircleInHalvesAndQuarters) {
     EXPECT_EQ(walked({arc(at(4, 0, -5), at(-4, 0, -5)), arc(at(-4, 0, -5), at(4, 0, -5))}, kFlat)
                   .covering.size(),
               1U);
-    // The middles are told with an error of some micrometres; an arc leads in, and one out.
+    // Centres have an error of some micrometres; an arc leads in and a second arc leads out.
     const Walked w =
         walked({arc(at(2, -2, -5), at(4, 0, -5), 1, 2, 0), arc(at(4, 0, -5), at(0, 4, -5)),
                 arc(at(0, 4, -5), at(-4, 0, -5), 1, 0, 0.002),
@@ -122,11 +124,11 @@ TEST(Walk, CoversEachTurnOfAHelix) {
     const Walked once =
         walked({arc(at(4, 0, 0), at(4, 0, -6), 3), arc(at(4, 0, -6), at(4, 0, -6))}, kFlat);
     EXPECT_EQ(once.covering.size(), 4U);
-    // Up again, it has been there.
+    // The same helix upwards adds no further covering cell.
     EXPECT_EQ(walked({arc(at(4, 0, -6), at(4, 0, -2))}, kFlat).covering.size(), 1U);
 }
 
-// Of a round nose, what is above it.
+// For a tool with a round nose, the part above the nose.
 TEST(Walk, CoversWhatTheCylinderOfAToolTakes) {
     const Walked w = walked({arc(at(3, 0, -9), at(3, 0, -9))}, ball_end_mill(10, 40));
     ASSERT_EQ(w.covering.size(), 1U);
@@ -144,13 +146,14 @@ TEST(Walk, CoversNothingElse) {
                          line(at(-4, 0, 5), at(-4, 0, -5)), arc(at(-4, 0, -5), at(4, 0, -5))}));
     // There and back.
     EXPECT_FALSE(covers({arc(at(4, 0, -5), at(-4, 0, -5)), arc(at(-4, 0, -5), at(4, 0, -5), -1)}));
-    // A turn in which the table turns as well.
+    // A turn during which the table turns as well.
     gcode::Position turned = at(4, 0, -5);
     turned.c = gcode::Angle::from_degrees(30);
     EXPECT_FALSE(covers({arc(at(4, 0, -5), turned)}));
 }
 
-// And away from the part: what went straight on is told where it does not.
+// Appends a move away from the part, because a straight path is reported at the first motion that
+// does not continue the path.
 std::vector<gcode::Motion> and_away(std::vector<gcode::Motion> motions) {
     const gcode::Position end = std::get<gcode::Linear>(motions.back().what).to;
     gcode::Position up = end;
@@ -168,12 +171,12 @@ std::vector<gcode::Motion> straight(int count, double x, double y, double z) {
     return motions;
 }
 
-// A straight way in pieces is one cell, as far as the tool is wide: which of the lines was there
-// first, nobody can tell of a place more exactly.
+// A straight path in pieces becomes a single cell if the pieces are no longer than the tool is
+// wide. The line that removed a point first is known only to this accuracy.
 TEST(Walk, CoversAStraightWayInPieces) {
     for (const Tool& tool : {kFlat, ball_end_mill(10, 40)}) {
         for (const double slope : {0.0, 0.25}) {
-            // Seven of them are 9.3 mm at most, eight 10.4 or more.
+            // Seven pieces are at most 9.3 mm long, eight at least 10.4 mm.
             const Walked w = walked(and_away(straight(8, 1.2, 0.5, slope)), tool);
             ASSERT_EQ(w.covering.size(), 1U);
             EXPECT_EQ(w.covering[0].origin, cda::Origin{7});
@@ -186,12 +189,12 @@ TEST(Walk, CoversAStraightWayInPieces) {
     }
 }
 
-// Arcs, other tools and motions that turn end a straight way as well.
+// Arcs, tool changes and rotary moves end a straight path as well.
 TEST(Walk, TellsAStraightWayWithWhateverComesNext) {
     std::vector<gcode::Motion> motions = straight(4, 1, 0, 0);
     motions.push_back(arc(at(-5, 0, -5), at(-5, 0, -5), 1, -5, 2));
     const Walked w = walked(motions, kFlat);
-    ASSERT_EQ(w.covering.size(), 2U);  // and the circle
+    ASSERT_EQ(w.covering.size(), 2U);  // the straight path and the circle
     EXPECT_EQ(w.steps[0], 4U);
     EXPECT_EQ(w.covering[0].origin, cda::Origin{4});
     EXPECT_EQ(w.covering[1].origin, cda::Origin{5});
@@ -203,8 +206,8 @@ TEST(Walk, TellsAStraightWayWithWhateverComesNext) {
     EXPECT_EQ(walked(motions, kFlat).covering.size(), 1U);
 }
 
-// Moves that do not meet the stock may have the number of another motion: the line of a straight
-// way is the last that did, and a tile says the same, wherever it is.
+// Moves that do not meet the stock may have the number of a different motion. The line of a
+// straight path is the last line that met the stock, and each tile reports the same line.
 TEST(Walk, NamesAStraightWayByTheLastMoveThatMeetsTheStock) {
     std::vector<gcode::Motion> motions;
     for (int i = 0; i < 6; ++i)
@@ -222,13 +225,14 @@ TEST(Walk, NamesAStraightWayByTheLastMoveThatMeetsTheStock) {
                           covering.insert(covering.end(), s.straight.begin(), s.straight.end());
                       });
         }
-        // The tool reaches 5 mm to the left: to 19.5 with the third, to 20.5 with the fifth.
+        // The tool extends 5 mm to the left: to 19.5 with the third, to 20.5 with the fifth.
         ASSERT_EQ(covering.size(), 1U);
         EXPECT_EQ(covering[0].origin, cda::Origin{4});
     }
 }
 
-// Past a corner of the stock: the bounds of both steps overlap it, though neither's do.
+// A path past a corner of the stock: the joint bounds of both steps overlap the stock, but neither
+// step's bounds do.
 TEST(Walk, TellsNoStraightWayThatDidNotMeetTheStock) {
     const Walked w = walked(and_away({line(at(22.2, 28.2, -5), at(25.2, 25.2, -5)),
                                       line(at(25.2, 25.2, -5), at(28.2, 22.2, -5))}),
@@ -237,14 +241,14 @@ TEST(Walk, TellsNoStraightWayThatDidNotMeetTheStock) {
     EXPECT_TRUE(w.covering.empty());
 }
 
-// Whatever the slope: what is told is in the steps to the last bit, and not told where their walls
-// are rounded.
+// For any slope: a covering cell is contained in the steps exactly, and is omitted if rounding of
+// the walls prevents containment.
 TEST(Walk, CoversStraightWaysExactlyOrNot) {
     test::Random random(5);
     int specified = 0, kept_back = 0;
     for (int i = 0; i < 60; ++i) {
         SCOPED_TRACE(i);
-        // Decimals as programs have them: of a tenth to a thousandth of a millimetre.
+        // Decimals as in programs: a tenth to a thousandth of a millimetre.
         const std::int64_t unit = random.between(0, 2) == 0 ? 10
                                   : random.between(0, 1)    ? 100
                                                             : 1000;
@@ -256,7 +260,8 @@ TEST(Walk, CoversStraightWaysExactlyOrNot) {
         const std::size_t count =
             walked(and_away(straight(4, x, y, z)), i % 3 == 0 ? ball_end_mill(8, 40) : kFlat)
                 .covering.size();
-        EXPECT_TRUE(i % 2 != 0 || i % 3 == 0 || count == 1U) << count;  // level, upright walls
+        EXPECT_TRUE(i % 2 != 0 || i % 3 == 0 || count == 1U)
+            << count;  // horizontal, vertical walls
         (count > 0 ? specified : kept_back) += 1;
     }
     EXPECT_GT(specified, 20);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests sines, cosines, angles and lengths for exact values and against the C library.
 #include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +66,7 @@ TEST(SinCos, OfUnwoundAnglesIsThatOfTheAngleItself) {
     EXPECT_EQ(sin_cos(360.0 * 4096 + 12.5).cos, sin_cos(12.5).cos);
 }
 
-// What is left of turns and quarter turns is that of the library: as if they had not been there.
+// After the removal of turns and quarter turns, the result is the library's result for the rest.
 TEST(SinCos, TakesTurnsAwayExactly) {
     std::mt19937_64 random(3);
     for (int i = 0; i < 200000; ++i) {

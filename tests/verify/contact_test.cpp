@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shanks, holders and blind cores that meet the part, and what meets fixtures. For every rule: a
-// program that breaks it at a known line by a known amount, one that only just keeps it, and one
-// where it cannot be asked.
+// Contacts of shanks, holders and non-cutting cores with the part, and contacts with fixtures. Each
+// rule has a program that violates the rule at a known line by a known amount, a program that just
+// keeps the rule, and a program for which the rule cannot be checked.
 #include "verify/expected.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ using verify::Finding;
 using verify::Severity;
 
 TEST(NonCuttingContact, IsFoundWithTheStickOutThatIsMissing) {
-    // The shank begins 5 mm above the tip: at 8 mm deep it stands 3 mm in the material.
+    // The shank begins 5 mm above the tip: at depth 8 mm the shank is 3 mm deep in material.
     const auto verdict = verdict_of(kStart + "G0 Z-8\nG1 X30\n", setup_with_holder());
     const Finding f = only(verdict, "non-cutting-contact");
     expect_at(f, 3, 3.0, 1e-9);
@@ -34,7 +34,8 @@ TEST(NonCuttingContact, IsNotFoundWhereTheShankOnlyTouches) {
 }
 
 TEST(NonCuttingContact, FindsAHolderThatFollowsTheCutterDown) {
-    // The shank goes where the cutter was; the holder, 30 mm up, comes down to the block.
+    // The shank follows the path of the cutter; the holder, 30 mm above the tip, comes down to the
+    // block.
     verify::Setup setup = setup_with_holder();
     setup.tools.at(1).tool = toolpath::flat_end_mill(10.0, 5.0);
     toolpath::add_holder_segment(setup.tools.at(1).tool, 10.0, 10.0, 3.0);
@@ -51,8 +52,8 @@ TEST(NonCuttingContact, FindsAHolderThatFollowsTheCutterDown) {
 }
 
 TEST(NonCuttingContact, IsNotFoundWhereAShankAsThickAsARoundToolFollowsIt) {
-    // A ball is another polygon than a cylinder of its diameter; corners stood out of it by less
-    // than the tolerance, however fine that was.
+    // The polygon of a ball differs from the polygon of a cylinder with the same diameter. With
+    // separate polygons, corners of the shank would extend beyond the ball at any tolerance.
     for (toolpath::Tool tool :
          {toolpath::ball_end_mill(5.188, 3.0), toolpath::bull_nose_end_mill(5.188, 1.297, 3.0),
           toolpath::bull_nose_end_mill(9.2456, 1.53924, 4.3434)}) {
@@ -62,7 +63,8 @@ TEST(NonCuttingContact, IsNotFoundWhereAShankAsThickAsARoundToolFollowsIt) {
         setup.tools.at(1).tool = tool;
         const auto verdict = verdict_of(kStart + "G0 X0\nG1 Z-9\nG1 Z5\n", setup);
         EXPECT_TRUE(findings_of(verdict, "non-cutting-contact").empty());
-        // It still does not cut: across, it has to stand above the rest of the block.
+        // The shank still does not cut: in the sideways move the shank must be above the rest of
+        // the block.
         const auto across = verdict_of(kStart + "G0 X0\nG1 Z-9\nG1 X5\n", setup);
         const Finding f = only(across, "non-cutting-contact");
         EXPECT_EQ(f.place.span.line, 4U);
@@ -102,7 +104,8 @@ TEST(Plunge, IsFoundForToolsThatDoNotCutAtTheirCentre) {
 }
 
 TEST(Plunge, IsFoundHoweverLittleItGoesAside) {
-    // A micrometre; a helix of 1 mm; a ramp of 30 degrees; to and fro by less than the core.
+    // A plunge of 1 µm; a helix of diameter 1 mm; a ramp of 30 degrees; a reciprocating move
+    // shorter than the core.
     verify::Setup setup = plain_setup();
     setup.tools.at(1).blind_diameter = 6.0;
     for (const char* program :
@@ -124,7 +127,7 @@ TEST(Plunge, IsFoundHoweverLittleItGoesAside) {
 TEST(Plunge, IsNotFoundOnARampBesideTheBlockOrForOtherTools) {
     verify::Setup setup = plain_setup();
     setup.tools.at(1).blind_diameter = 4.0;
-    // With its rim over the edge of the block only; then on a ramp.
+    // Only the rim extends over the edge of the block; then a ramp.
     const std::string program = "G0 X-22\nG1 Z-2\nG1 X10 Z-4\nG0 Z5\n";
     EXPECT_TRUE(findings_of(verdict_of(kStart + program, setup), "plunge").empty());
     EXPECT_TRUE(findings_of(verdict_of(kStart + "G0 X0\nG1 Z-2\n"), "plunge").empty());
@@ -156,7 +159,7 @@ TEST(FixtureContact, IsNotFoundWhereTheToolOnlyTouches) {
 }
 
 TEST(FixtureContact, IsFoundForTheHolder) {
-    // The holder begins 30 mm above the tip and reaches 20 mm sideways; the jaw stands at Z5.
+    // The holder begins 30 mm above the tip and extends 20 mm sideways; the jaw ends at Z5.
     const auto clear = verdict_of(kStart + "G0 Y0 Z-25\n", with_jaw(0));
     EXPECT_TRUE(findings_of(clear, "fixture-contact").empty());
     const auto verdict = verdict_of(kStart + "G0 Y0 Z-25.1\n", with_jaw(0));
@@ -178,7 +181,7 @@ TEST(FixtureClearance, IsAnErrorOfItsOwn) {
 }
 
 TEST(FixtureContact, IsNotFoundWhereAConeOnlyTouches) {
-    // Its planes are rounded outwards, by less than the fixture would notice.
+    // Rounding moves the planes of the cone outwards, by less than the fixture check detects.
     verify::Setup setup = plain_setup();
     setup.tools.at(1).tool = toolpath::v_cutter(6.0, 0.0, 60.0, 30.0);
     verify::Fixture table;
@@ -191,7 +194,7 @@ TEST(FixtureContact, IsNotFoundWhereAConeOnlyTouches) {
     EXPECT_EQ(only(lower, "fixture-contact").place.span.line, 3U);
 }
 
-// The same jaw as a closed surface of triangles.
+// Returns the set-up with the jaw as a closed triangle mesh.
 verify::Setup with_jaw_of_triangles(double clearance) {
     verify::Setup setup = with_jaw(clearance);
     cda::TriangleMesh& mesh = setup.machine.fixtures[0].mesh;
@@ -216,8 +219,8 @@ TEST(FixtureContact, IsFoundForAMesh) {
     EXPECT_TRUE(findings_of(clear, "fixture-contact").empty());
 }
 
-// Triangles of STEP lie inside of what is round: what they hide may be met, and what they do not
-// hide is met for certain only if it is deeper than that.
+// Triangles of a STEP file are inside a convex curved surface. A contact in the gap is possible; a
+// contact with the triangles is certain only if the contact is deeper than the gap.
 TEST(FixtureContact, IsOpenWhereTrianglesHideTheSurface) {
     verify::Setup setup = with_jaw_of_triangles(0);
     setup.machine.fixtures[0].deflection_mm = 0.01;

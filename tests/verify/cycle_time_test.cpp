@@ -34,9 +34,10 @@ double seconds_of(const std::vector<PlannedMove>& moves, double deviation = 0.01
 }
 
 TEST(CycleTime, OfOneMoveIsATrapezoid) {
-    // 100 mm at 50 mm/s and 500 mm/s²: 0.1 s up and down on 2.5 mm each, 1.9 s between.
+    // 100 mm at 50 mm/s and 500 mm/s²: 0.1 s of acceleration and of deceleration over 2.5 mm each,
+    // 1.9 s between.
     EXPECT_NEAR(seconds_of({along_x(100, 50, 500)}), 2.1, 1e-12);
-    // 5 mm are a triangle that reaches exactly 50 mm/s.
+    // 5 mm give a triangular velocity profile with a peak of exactly 50 mm/s.
     EXPECT_NEAR(seconds_of({along_x(5, 50, 500)}), 0.2, 1e-12);
     EXPECT_NEAR(seconds_of({along_x(100, 50, 0)}), 2.0, 1e-12);
 }
@@ -104,7 +105,8 @@ TEST(Ledger, BalancesAndNamesWhatEachBlockTookAndHowLong) {
     EXPECT_NEAR(*ledger.rapid_seconds, 7.0 / 100, 1e-12) << "the first move has no known start";
 }
 
-// Booked in the end, or, where a rule has to know of each motion, before the next one.
+// Volumes are booked at the end or, if a rule needs the volume of each motion, before the next
+// motion.
 TEST(Ledger, IsTheSameWheneverItIsMeasured) {
     const std::string program =
         "G21 G90 G17 T1 M6 S1000 M3 G0 X-30 Y0 Z5\nG0 Z-2\nG1 X30 F600\n"
@@ -145,8 +147,8 @@ TEST(Ledger, HasNoTimeWhereARateIsNotTold) {
     EXPECT_FALSE(verdict.ledger.rows[1].seconds);
 }
 
-// A slot of a tool with a round end against the formula: 6 mm wide, 25 mm long, 5 mm deep, in a
-// block of 40 x 40 x 10 mm: what is left is within the chord bound of 15,108.63 mm3, and closed.
+// A slot with a round end against the formula: 6 mm wide, 25 mm long, 5 mm deep, in a block of 40 x
+// 40 x 10 mm. The volume left is 15,108.63 mm³ within the chord bound, and the surface is closed.
 TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
     const cda::Box block{{0, 0, -10}, {40, 40, 0}};
     const cda::Lattice lattice = cda::Lattice::for_stock(block);

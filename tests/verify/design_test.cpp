@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts of a few boxes against designs of a few boxes: everything can be worked out by hand.
+// Parts of few boxes against designs of few boxes, with results that are known by hand calculation.
 #include "ncsim/verify/design.h"
 
 #include "ncsim/cda/check.h"
@@ -26,7 +26,7 @@ cda::Cell box(Vec3 min, Vec3 max, std::uint32_t origin = 0) {
     return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{origin});
 }
 
-// A block of 40 x 30 x 10 mm with its top at Z0, less some boxes.
+// Returns a block of 40 x 30 x 10 mm with its top at Z0, minus `boxes`.
 cda::TreeCda block_less(const std::vector<cda::Cell>& boxes) {
     cda::TreeCda part(box({-20, -15, -10}, {20, 15, 0}), kLattice);
     for (const cda::Cell& cell : boxes)
@@ -81,8 +81,8 @@ TEST(Design, WithAShallowerPocketShowsTheGougeAndWhoCutIt) {
     EXPECT_NEAR(c.deviation_mm, 0.1, 1e-9);
 }
 
-// What is missing of a wall is as deep as the wall is thick, half of it from either side; the wall
-// is 2 mm high.
+// The depth of missing material in a wall is half the thickness, because both sides are surface;
+// the wall is 2 mm high.
 TEST(Design, TellsHowFarBelowItsSurfaceSomethingIsMissing) {
     const cda::Cell left = box({-21, -12, -2}, {21, 0, 1}, 3),
                     right = box({-21, 0.1, -2}, {21, 12, 1}, 4);
@@ -98,7 +98,7 @@ TEST(Design, TellsHowFarBelowItsSurfaceSomethingIsMissing) {
     const auto flat = compare(deep.boundary(), mesh_of(shallow), kTolerance);
     ASSERT_EQ(flat.gouge.regions.size(), 1U);
     EXPECT_NEAR(flat.gouge.regions.front().below_mm, 0.5, 1e-9);
-    // The same of what is left: a thin wall, and a shallow pocket.
+    // The same for excess material: a thin wall, and a shallow pocket.
     const auto left_over = compare(design.boundary(), mesh_of(part), kTolerance);
     ASSERT_EQ(left_over.excess.regions.size(), 1U);
     EXPECT_NEAR(left_over.excess.regions.front().depth_mm, 2.0, 0.05);
@@ -120,12 +120,12 @@ TEST(Design, WithinTheToleranceIsKept) {
 }
 
 TEST(Design, FindsWhatNoCornerTells) {
-    // A needle of 0.2 x 0.2 mm in the middle of a wide floor, which no corner of the part is near.
+    // A needle of 0.2 x 0.2 mm in the middle of a wide floor, far from all corners of the part.
     const auto part = block_less({});
     const auto design = block_less({box({3.1, 2.3, -4}, {3.3, 2.5, 1})});
     const auto c = compare(part.boundary(), mesh_of(design), kTolerance);
     ASSERT_EQ(c.excess.regions.size(), 1U);
-    // Nearest to the deepest point is the top face, not the walls of the hole.
+    // The top face is nearest to the deepest point; the walls of the hole are not.
     EXPECT_NEAR(c.excess.regions.front().depth_mm, 4.0, 1e-9);
     EXPECT_EQ(c.excess.regions.front().origin, cda::kStockOrigin);
     EXPECT_NEAR(c.excess.volume_mm3.value(), 0.16, 1e-6);
@@ -154,10 +154,10 @@ TEST(Design, TellsPlacesApartTheDeepestFirst) {
     EXPECT_LT(c.excess.regions[1].box.max.x, -11.9);
 }
 
-// --- What stands below it ----------------------------------------------------------------------
+// --- Common volume ------------------------------------------------------------------------------
 
 TEST(CommonVolume, IsThatOfTheAggregateWithAllCuts) {
-    // Boxes on a grid, so that faces, edges and corners coincide all the time.
+    // Boxes on a grid, so faces, edges and corners coincide often.
     std::mt19937 random(20011);
     const auto coordinate = [&](double low, int steps) {
         return low + static_cast<double>(random() % static_cast<unsigned>(steps));
@@ -192,7 +192,7 @@ TEST(CommonVolume, IsNothingForBodiesThatTouchAndAllForTheSame) {
 }
 
 TEST(TriangleTree, KnowsWhatIsInsideAndHowFarItIs) {
-    const auto part = block_less({kSlot, box({-10, -3, -8}, {10, 3, -4})});  // and a hollow
+    const auto part = block_less({kSlot, box({-10, -3, -8}, {10, 3, -4})});  // and a cavity
     const cda::TriangleMesh mesh = mesh_of(part);
     const cda::TriangleTree tree(mesh);
     std::mt19937 random(1997);
@@ -205,7 +205,7 @@ TEST(TriangleTree, KnowsWhatIsInsideAndHowFarItIs) {
             least = std::min(least, cda::distance(p, cda::corners_of(mesh, t)));
         EXPECT_NEAR(tree.nearest(p).distance_mm, least, 1e-12);
     }
-    // Straight above corners and edges.
+    // Directly above corners and edges.
     EXPECT_FALSE(tree.contains({-20, -15, 1}));
     EXPECT_TRUE(tree.contains({0, 0, -3}));
     EXPECT_FALSE(tree.contains({0, 0, -5}));

@@ -76,7 +76,7 @@ TEST(Evidence, OfTilesIsThatOfAll) {
     EXPECT_EQ(all[2].point, higher.point);
 }
 
-// Each of them is judged by itself, in the order in which it was met.
+// Each link and fixture is judged separately, in the order of the contacts.
 TEST(Evidence, KeepsLinksAndFixturesApart) {
     Observation two = seen(1, Observation::kAtEnd, Subject::Fixture), one = two;
     two.index = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What tests of rules share: how a program starts, and what is expected of a finding.
+// Common code of rule tests: the start of a program, and checks of a finding.
 #pragma once
 
 #include "verify/verified.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Links that meet each other, the part, fixtures and the tool: by a hundredth of a millimetre, and
-// not by one; along whole motions, and not where nobody can tell.
+// Collisions of links with links, the part, fixtures and the tool: found at an overlap of 0.01 mm,
+// not at a gap of 0.01 mm; along whole motions, and open if a value is unknown.
 #include "ncsim/cda/hull.h"
 #include "ncsim/cda/separation.h"
 #include "ncsim/verify/machine_bodies.h"
@@ -41,7 +41,7 @@ cda::TriangleMesh box(Vec3 a, Vec3 b) {
     return mesh;
 }
 
-// Both, as one closed surface of two shells.
+// Returns both meshes as a single mesh of two shells.
 cda::TriangleMesh both(cda::TriangleMesh a, const cda::TriangleMesh& b) {
     const auto first = static_cast<std::uint32_t>(a.vertices.size());
     a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
@@ -52,17 +52,18 @@ cda::TriangleMesh both(cda::TriangleMesh a, const cda::TriangleMesh& b) {
 
 const Joint kX = joint_of('X', false, {1, 0, 0}), kY = joint_of('Y', false, {0, 1, 0}),
             kZ = joint_of('Z', false, {0, 0, 1});
-// The cradle turns about X, 20 mm below the program's zero.
+// Axis of the cradle, along X, 20 mm below the program's zero.
 const Vec3 kAxis{0, 0, -320};
 
-// A table that tilts (A), a head that goes along X, Y and Z. The program's zero is at (0, 0, -300)
-// of the machine, T1 is 80 mm long: the nose is at Z - 220.
+// Returns a tilting table (A) and a head that moves along X, Y and Z. The program's zero is at (0,
+// 0, -300) of the machine; T1 is 80 mm long, so the nose is at Z - 220.
 LinkBodies tilting() {
     const Chain cradle{{joint_of('A', true, {1, 0, 0}, kAxis)}};  // by the right hand
     LinkBodies specified;
     specified.part_moved_by = cradle;
     specified.tool_moved_by = {{kX, kY, kZ}};
-    // Corners 50 mm aside and 30 mm below the axis; its top is the bottom of the block.
+    // Corners 50 mm from the axis and 30 mm below the axis; the top of the cradle is the bottom of
+    // the block.
     specified.links.push_back({"cradle", box({-100, -50, -350}, {100, 50, -310}), cradle});
     specified.links.push_back({"head", box({-40, -40, 0}, {40, 40, 100}), specified.tool_moved_by});
     specified.links.push_back({"column", box({-200, 200, -500}, {200, 240, 100}), {}});
@@ -88,7 +89,7 @@ Setup setup_of(LinkBodies specified) {
     return setup;
 }
 
-// T1 has 80 mm.
+// T1 is 80 mm long.
 const std::string kLength = "G21 G90 G10 L1 P1 Z80\nT1 M6\nG43 H1\n";
 
 std::vector<Finding> collisions(const std::string& program, const Setup& setup) {
@@ -99,13 +100,13 @@ std::string at_height(double z) {
     return "G0 X120 Y0 Z" + std::to_string(z) + "\n";
 }
 
-// The corner of the cradle that is highest on the way: sqrt(50² + 30²) above the axis.
+// Greatest height above the axis that a corner of the cradle reaches: sqrt(50² + 30²).
 const double kCorner = std::sqrt(50.0 * 50.0 + 30.0 * 30.0);
-// The Z of the program with which the nose is there.
+// Program Z at which the nose has this height.
 const double kTouching = kAxis.z + kCorner + 300.0 - 80.0;
 
 TEST(MachineCollision, AHundredthOfAMillimetreIsFound) {
-    // The top of the way is within the motion, and at neither end.
+    // The highest position is inside the motion, at neither end.
     const auto found =
         collisions(at_height(100) + at_height(kTouching - 0.01) + "G0 A180\n", setup_of(tilting()));
     ASSERT_EQ(found.size(), 1U);
@@ -142,19 +143,19 @@ TEST(MachineCollision, IsFoundAtFeedAndAtRapid) {
 }
 
 TEST(MachineCollision, TheHeadMeetsTheColumnOnItsWayAndNotBeforeIt) {
-    // Its side is 40 mm aside of the nose, the column at Y200.
+    // The side of the head is 40 mm from the nose; the column is at Y200.
     const std::string up = "G0 X0 Y0 Z200\n";
     EXPECT_TRUE(collisions(up + "G0 Y159.99\n", setup_of(tilting())).empty());
     const auto found = collisions(up + "G0 Y160.02\nY0\n", setup_of(tilting()));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].message, "the link 'head' meets the link 'column'");
     EXPECT_NEAR(found[0].quantity->value, 0.02, 1e-4);
-    // Along the column, a hair's breadth before it.
+    // Along the column at a distance of 0.01 mm.
     EXPECT_TRUE(collisions(up + "G0 Y159.99\nX100\nZ-100\nX-100\n", setup_of(tilting())).empty());
 }
 
 TEST(MachineCollision, NeighboursAreAskedWhereThatIsTold) {
-    // The column stands on the bed, and so does the cradle's bearing.
+    // The column is fixed on the bed, and so is the bearing of the cradle.
     LinkBodies specified = tilting();
     specified.links[2].mesh = box({-200, 45, -500}, {200, 240, -330});
     const std::string program = "G0 X0 Y-100 Z200\nG0 A5\n";
@@ -188,8 +189,8 @@ TEST(MachineCollision, AFixtureIsTurnedIntoTheHead) {
 }
 
 TEST(MachineCollision, APartsCornerMeetsTheColumn) {
-    // The block is 10 mm high, and 15 mm wide to either side of X: from the axis to its corner it
-    // is 25 mm. A column that is nearer stands in its way as it turns.
+    // The block is 10 mm high and extends 15 mm to either side of X: the distance from the axis to
+    // its corner is 25 mm. A closer column blocks the rotation.
     LinkBodies specified = tilting();
     specified.links[0].mesh = {};
     const double reach = std::sqrt(15.0 * 15.0 + 20.0 * 20.0);
@@ -203,7 +204,7 @@ TEST(MachineCollision, APartsCornerMeetsTheColumn) {
     EXPECT_EQ(found[0].certainty, Certainty::Certain);
 }
 
-// The part is what is left of it: a nose that fits into a pocket may go there.
+// The part is the remaining material, so a nose that fits into a pocket may enter the pocket.
 TEST(MachineCollision, AHeadDipsIntoAPocketWhereItFits) {
     // A square nose 2 mm above the tip of T1, whose radius is 5 mm.
     const auto with_nose = [](double half) {
@@ -212,7 +213,7 @@ TEST(MachineCollision, AHeadDipsIntoAPocketWhereItFits) {
         return setup_of(specified);
     };
     const std::string slot = "S1000 M3\nG0 X0 Y0 Z5\nG1 Z-6 F200\nX10\nX0\nG0 Z5\n";
-    EXPECT_TRUE(collisions(slot, with_nose(3.5)).empty());  // its corners: 4.95 mm
+    EXPECT_TRUE(collisions(slot, with_nose(3.5)).empty());  // corner distance 4.95 mm
     const auto found = collisions(slot, with_nose(3.6));    // 5.09 mm
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].message, "the link 'head' meets the part");
@@ -220,8 +221,8 @@ TEST(MachineCollision, AHeadDipsIntoAPocketWhereItFits) {
     EXPECT_EQ(found[0].place.span.line, 6U);
 }
 
-// An arm that goes ahead of the cutter meets what the same move cuts away later: after the motion
-// nothing is there any more, and nobody can tell.
+// An arm ahead of the cutter meets material that the same move removes later. After the motion the
+// material is gone, so the verdict is open.
 TEST(MachineCollision, WhatGoesAheadOfTheCutterIsNotClear) {
     LinkBodies specified = tilting();
     specified.links[1].mesh = box({20, -2, -78}, {24, 2, 100});
@@ -230,7 +231,7 @@ TEST(MachineCollision, WhatGoesAheadOfTheCutterIsNotClear) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].message, "the link 'head' meets the part");
     EXPECT_EQ(found[0].certainty, Certainty::Within);
-    // What is above the cutter follows it.
+    // A body above the cutter follows the cutter.
     specified.links[1].mesh = box({-2, -2, -78}, {2, 2, 100});
     EXPECT_TRUE(collisions(slot, setup_of(specified)).empty());
 }
@@ -282,7 +283,7 @@ TEST(MachineCollision, ALengthThatNobodyToldIsADoubt) {
     EXPECT_TRUE(doubts_of(verdict).contains("length-offset"));
 }
 
-// A length of 0 leaves no tool below the nose; that is no tool that meets nothing.
+// With length 0 no tool is left below the nose; the verdict is a doubt and not clean.
 TEST(MachineCollision, ALengthThatLeavesNoToolIsADoubt) {
     const std::string program = "G0 X0 Y0 Z100\nG0 A10\n";
     for (const char* length : {"Z0", "Z-5"}) {
@@ -300,7 +301,7 @@ TEST(MachineCollision, AMeshCountsAsItsHullWhereThatWasTold) {
     specified.links[0].mesh =
         both(box({-100, -50, -350}, {100, 50, -310}), box({-100, -20, -340}, {100, 20, -330}));
     const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
-    // Bodies of one mesh may overlap.
+    // Bodies of a single mesh may overlap.
     const auto known = collisions(deep, setup_of(specified));
     ASSERT_EQ(known.size(), 1U);
     EXPECT_EQ(known[0].certainty, Certainty::Certain);
@@ -313,13 +314,14 @@ TEST(MachineCollision, AMeshCountsAsItsHullWhereThatWasTold) {
             .empty());
 }
 
-// A shell that looks inwards is no hole in nothing: refused, and there as a hull.
+// A shell with inward orientation is not a hole in a body: the shell is refused and replaced by its
+// hull.
 TEST(MachineCollision, AShellThatIsInsideOutIsRefused) {
     LinkBodies specified = tilting();
     cda::TriangleMesh cradle = box({-100, -50, -350}, {100, 50, -310});
     for (auto& t : cradle.triangles)
         std::swap(t[0], t[1]);
-    // The rest of the link, far from all, is larger and looks outwards.
+    // The remaining shell of the link, far from all bodies, is larger and has outward orientation.
     specified.links[0].mesh = both(box({-400, -400, -2000}, {400, 400, -1500}), cradle);
     const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
     EXPECT_THROW(setup_of(specified), std::runtime_error);
@@ -327,7 +329,7 @@ TEST(MachineCollision, AShellThatIsInsideOutIsRefused) {
     EXPECT_FALSE(collisions(deep, setup_of(specified)).empty());
 }
 
-// A mesh that may be off by a tenth of a millimetre proves nothing to be nearer than that.
+// A mesh with a deviation of up to 0.1 mm does not prove a contact at a smaller depth.
 TEST(MachineCollision, WhatAMeshMayBeOffIsOpen) {
     LinkBodies specified = tilting();
     specified.links[0].deflection_mm = 0.1;
@@ -342,7 +344,7 @@ TEST(MachineCollision, WhatAMeshMayBeOffIsOpen) {
     EXPECT_TRUE(found(0.11).empty());
 }
 
-// Under tip control the head goes around a tip that rests on the part.
+// Under tip control the head moves around a tip that rests on the part.
 TEST(MachineCollision, TheWayOfTheAxesUnderTipControlCounts) {
     verify::Setup setup = setup_of(tilting());
     gcode::Motion motion;
@@ -357,14 +359,14 @@ TEST(MachineCollision, TheWayOfTheAxesUnderTipControlCounts) {
     motion.coordinates = gcode::Coordinates::Tip;
     motion.length = gcode::Length::from_mm(80.0);
     const toolpath::JointPath path(*setup.kinematics, motion);
-    // 120 mm above the axis, and turned by 60 degrees: 103.9 mm aside, 60 above.
+    // 120 mm above the axis, turned by 60 degrees: 103.9 mm to the side, 60 mm above.
     const auto values = path.at(1.0);
     ASSERT_TRUE(values);
     EXPECT_NEAR(std::abs((*values)[1]), 120.0 * std::sqrt(3.0) / 2.0, 1e-9);
     EXPECT_NEAR((*values)[2], -320.0 + 60.0 + 80.0, 1e-9);
 }
 
-// The axis is 20 mm below the tip, which goes around it on an arc.
+// The axis is 20 mm below the tip, which moves around the axis on an arc.
 TEST(PathDeviation, IsTheSagittaOfATurn) {
     verify::Setup setup = setup_of(tilting());
     const std::string turn = "G0 X120 Y0 Z50\nZ0\nG1 A60 F500\n";
@@ -377,12 +379,12 @@ TEST(PathDeviation, IsTheSagittaOfATurn) {
     setup.machine.path_deviation = sagitta - 0.01;
     const Finding f = only(verdict_of(kLength + turn, setup), "path-deviation");
     expect_at(f, 6, sagitta, 1e-3);
-    // Rapid moves cut nothing.
+    // Rapid moves do not cut.
     const std::string rapid = "G0 X120 Y0 Z50\nZ0\nG0 A60\n";
     EXPECT_TRUE(findings_of(verdict_of(kLength + rapid, setup), "path-deviation").empty());
 }
 
-// Of two bodies of one piece each, mm.
+// Returns the distance of two bodies of a single piece each, mm.
 double distance(const verify::RigidBody& one, const verify::RigidBody& other,
                 const machine::Pose& X, const cda::Lattice& lattice) {
     std::vector<cda::LatticePoint> a, b;
@@ -390,11 +392,11 @@ double distance(const verify::RigidBody& one, const verify::RigidBody& other,
         a.push_back(lattice.round(p));
     for (const Vec3& p : other.pieces()[0].outer)
         b.push_back(lattice.round(X * p));
-    // Nothing is that far apart.
+    // Larger than any distance here.
     return cda::nearness(a, b, std::int64_t{1} << 35).distance * lattice.unit_mm;
 }
 
-// Random bodies on random ways, against the same bodies at hundreds of times.
+// Random bodies on random paths, compared at hundreds of times.
 TEST(PairSearch, IsRightAtHundredsOfTimes) {
     test::Random random(11);
     const auto vector = [&](double reach) {
@@ -429,7 +431,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
             return p;
         };
         gcode::Position begin = place(), end = place();
-        // Half of them go no farther than moves in a program do, and some of those high above.
+        // Half of the motions are as short as moves in programs, some of them high above.
         if (i % 2 == 0) {
             begin.z = begin.z + gcode::Length::from_mm(i % 4 == 0 ? 60.0 : 0.0);
             end = toolpath::between(begin, end, 0.05);
@@ -444,7 +446,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
         const verify::Encounter found = verify::meet(pair, table, head, kLattice, true);
         bool meets = false;
         double deepest = 0.0;
-        // How far apart they are somewhere else, and how far they go from there.
+        // Distance of the bodies at a different position, and the motion from there.
         machine::Values before = *from;
         for (const std::size_t axis : {0U, 1U, 2U, 3U})
             before[axis] += random.within(-3, 3);
@@ -511,7 +513,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
     EXPECT_GT(certain, 30);
     EXPECT_EQ(open, 0);
     EXPECT_GT(kept_apart, 5);
-    // The worst is looked for, not proven.
+    // The search looks for the largest depth without a proof.
     EXPECT_LT(shallow, certain / 20);
 }
 

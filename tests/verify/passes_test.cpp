@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions that an upright tool has passed.
 #include "passes.h"
 
 #include "verified.h"
@@ -70,7 +72,8 @@ TEST(Passes, AreThoseOfAnUprightTool) {
     EXPECT_FALSE(passes.cover(way({0, 0, 0}, {9, 0, 0}).step(), 0.0));
 }
 
-// Flutes of 3 mm are told; what is above them may go where they were, and nowhere else.
+// True if more than the specified 3 mm of flutes is needed. The part of the tool above the flutes
+// may only enter space that the flutes have cleared.
 bool needs_longer_flutes(const std::string& program, Setup setup = verify_test::plain_setup()) {
     setup.tools.at(1).certain_flutes = 3.0;
     return verify_test::doubts_of(verify_test::verdict_of(program, setup)).contains("flutes-guess");
@@ -94,7 +97,7 @@ TEST(Passes, DoNotHideThatFlutesAreTooShort) {
         << "the first was above the block";
 }
 
-// It is an error already; unless nobody asks for it.
+// The move is already an error, unless the rule is disabled.
 TEST(UncertainFlutes, AreNotDoubtedWhereARapidMoveCuts) {
     const std::string program = "G21 G90\nT1 M6\nS5000 M3 F500\nG0 X-30 Y0 Z2\nG0 Z-6\nG0 X30\n";
     const auto verdict = verify_test::verdict_of(program);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Spindle, feed, depth, engagement and removal. For every rule: a program that
-// breaks it at a known line by a known amount, one that only just keeps it, and one where it cannot
-// be asked.
+// Spindle, feed, depth, engagement and removal. Each rule has a program that violates the rule at a
+// known line by a known amount, a program that just keeps the rule, and a program for which the
+// rule cannot be checked.
 #include "verify/expected.h"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(FeedLimit, IsFoundBeyondIt) {
 TEST(FeedLimit, ReadsInverseTimeAndFeedPerRevolution) {
     verify::Setup setup = plain_setup();
     setup.machine.max_feed = 1000;
-    // 60 mm in a tenth of a minute; 1.5 mm in each of 1000 turns a minute.
+    // 60 mm in 0.1 min; 1.5 mm in each of 1000 revolutions per minute.
     const auto verdict =
         verdict_of(kStart + "G93 G1 X30 F10\nG1 X-30 F20\nG95 G1 X30 F1.5\n", setup);
     const auto found = findings_of(verdict, "feed-limit");
@@ -137,7 +137,8 @@ TEST(DepthLimit, DoesNotMindDrilling) {
 }
 
 TEST(DepthLimit, IsMeasuredWithoutCutting) {
-    // The cylinder above the limit was taken away with the ball, with 680.9 mm3 instead of 449.6.
+    // The cylinder above the depth limit must not count with the ball, which would give 680.9 mm³
+    // instead of 449.6 mm³.
     verify::Setup setup = plain_setup();
     setup.ledger = true;
     setup.tools.at(1).tool = toolpath::ball_end_mill(10.0, 20.0);
@@ -155,7 +156,7 @@ TEST(EngagementAndRemovalRate, AreFoundWithTheirNumbers) {
     verify::Setup setup = plain_setup();
     setup.tools.at(1).max_engagement = 13.0;
     setup.tools.at(1).max_removal_rate = 6000.0;
-    // 800 mm3 on 60 mm at 500 mm/min.
+    // 800 mm³ over 60 mm at 500 mm/min.
     const auto verdict = verdict_of(kStart + "G0 Z-2\nG1 X30\n", setup);
     expect_at(only(verdict, "engagement-limit"), 3, 800.0 / 60);
     expect_at(only(verdict, "removal-rate"), 3, 800.0 / 60 * 500);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rapid moves that meet material, and slivers that are none. For every rule: a program that
-// breaks it at a known line by a known amount, one that only just keeps it, and one where it cannot
-// be asked.
+// Rapid moves that meet material, and slivers that do not count. Each rule has a program that
+// violates the rule at a known line by a known amount, a program that just keeps the rule, and a
+// program for which the rule cannot be checked.
 #include "verify/expected.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ TEST(RapidInMaterial, IsFoundAtItsLineWithTheVolumeItTakes) {
     EXPECT_EQ(f.box, (cda::Box{{-20, -5, -2}, {20, 5, 0}}));
 }
 
-// Once it is certain, only steps that come somewhere else are looked at: as when all are, because
-// volumes are measured.
+// After a certain finding, only steps that could extend its place are examined. The result must
+// equal a run that examines all steps because volumes are measured.
 TEST(RapidInMaterial, IsToldWhereverItIsThoughNotAllStepsAreLookedAt) {
     const std::string program = kStart + "G0 Z-3\nG0 X30 A60\nG0 X-30 Y3 A0\n";
     verify::Setup setup = plain_setup();
@@ -45,7 +45,7 @@ TEST(RapidInMaterial, IsToldWhereverItIsThoughNotAllStepsAreLookedAt) {
     }
 }
 
-// Back into its own hole a drill may go at rapid, but no deeper, and not before it is made.
+// A drill may return into its hole at rapid, but no deeper, and not before the hole exists.
 TEST(RapidInMaterial, IsNoneInAHoleThatAPeckLeft) {
     verify::Setup setup = plain_setup();
     const auto found = [&](const std::string& moves) {
@@ -55,7 +55,7 @@ TEST(RapidInMaterial, IsNoneInAHoleThatAPeckLeft) {
     EXPECT_EQ(found("G0 X0 Y0 Z1\nG1 Z-2\nG0 Z1\nG0 Z-2.01\nG0 Z1\n"), 1U);
     EXPECT_EQ(found("G0 X0 Y0 Z1\nG1 Z-2\nG0 Z1\nX0.01\nG0 Z-2\nG0 Z1\n"), 1U);
     EXPECT_EQ(found("G0 X0 Y0 Z1\nG0 Z-2\nG1 Z-2\nG0 Z1\nG0 Z-2\nG0 Z1\n"), 1U);
-    // Along a slot and back; aside of it the walls stand.
+    // Along a slot and back; next to the slot are walls.
     EXPECT_EQ(found("G0 X-30 Y0 Z-2\nG1 X10\nG0 X-30\nG0 X10\n"), 0U);
     EXPECT_EQ(found("G0 X-30 Y0 Z-2\nG1 X10\nG0 X-30 Y1\n"), 1U);
 }
@@ -68,13 +68,13 @@ TEST(RapidInMaterial, IsFoundOnTheWayUpOutOfATunnel) {
     const Finding f = only(verdict, "rapid-in-material");
     EXPECT_EQ(f.place.span.line, 4U);
     EXPECT_NEAR(f.quantity->value, 4 * 3.14159 * 25, 5.0);
-    // Of a hole nothing is left above it.
+    // Above a plunged hole no material is left.
     const auto hole = verdict_of(kStart + "G0 X0\nG1 Z-9\nG0 Z5\n", setup);
     EXPECT_TRUE(findings_of(hole, "rapid-in-material").empty());
 }
 
 TEST(RapidInMaterial, IsNotFoundWhereTheToolOnlyTouches) {
-    // Beside the block, on top of it, and back through the slot that was cut at feed.
+    // Next to the block, on top of the block, and back through the slot that was cut at feed.
     const auto verdict = verdict_of(kStart +
                                     "G0 Y-20 Z-5\nG0 X30\nG0 Z0\nG0 Y0\nG0 X-30\n"
                                     "G0 Z-2\nG1 X30\nG0 X-30\nG0 Z5\n");
@@ -83,8 +83,8 @@ TEST(RapidInMaterial, IsNotFoundWhereTheToolOnlyTouches) {
 }
 
 TEST(RapidInMaterial, IsNotFoundWhereAConeGoesBackUp) {
-    // The planes of a cone are rounded, so the end of one sweep and the beginning of the next
-    // differ by less than anything: 1e-13 mm3 here.
+    // The planes of a cone are rounded, so the end of a sweep and the beginning of the next sweep
+    // differ by a negligible volume: 1e-13 mm³ here.
     verify::Setup setup = plain_setup();
     setup.tools.at(1).tool = toolpath::v_cutter(6.35, 0.0, 90.0, 30.0);
     const auto verdict = verdict_of(
@@ -92,14 +92,15 @@ TEST(RapidInMaterial, IsNotFoundWhereAConeGoesBackUp) {
         "G1 X0.0405 Y0.1562\nG0 Z0.5\n",
         setup);
     EXPECT_TRUE(findings_of(verdict, "rapid-in-material").empty());
-    // A tenth of a micrometre is more than rounding.
+    // 0.1 µm is more than rounding.
     const auto bite = verdict_of(
         "G21 G90 G17 T1 M6 S1000 M3 F100 G0 X0 Y0 Z5\nG1 Z-1\nG1 X3\nG0 Z-1.0001\nG0 Z5\n", setup);
     EXPECT_EQ(only(bite, "rapid-in-material").place.span.line, 4U);
 }
 
-// A V-cutter goes down, sideways, and after `before_up` back up at feed: 100 times, at places where
-// the end of one sweep and the beginning of the next differ by rounding.
+// Returns the verdict of a V-cutter that moves down, sideways, and after `before_up` back up at
+// feed: 100 times, at positions where the end of a sweep and the beginning of the next sweep differ
+// by rounding.
 verify::Verdict of_cone_going_back_up(const std::string& before_up, bool ledger) {
     verify::Setup setup = plain_setup();
     setup.tools.at(1).tool = toolpath::v_cutter(6.0, 0.0, 30.0, 20.0);
@@ -125,9 +126,9 @@ TEST(Slivers, BetweenTheRoundedPlanesOfConesAreNoFindings) {
         EXPECT_TRUE(findings_of(of_cone_going_back_up("M5", ledger), "spindle-off").empty());
         const auto reversed = of_cone_going_back_up("M4", ledger);
         EXPECT_TRUE(findings_of(reversed, "spindle-reversed").empty());
-        // And a few that go where others were.
+        // A few further moves repeat earlier moves.
         EXPECT_GE(std::stoi(only(reversed, "air-cut").message), 100);
-        // A micrometre deeper is more than rounding, where no deeper cut was.
+        // 1 µm deeper is more than rounding, if no deeper cut came before.
         const auto deeper = of_cone_going_back_up("M5 G91\nG1 Z-0.001\nG90", ledger);
         EXPECT_EQ(findings_of(deeper, "spindle-off").size(), 99U);
     }
@@ -141,14 +142,14 @@ TEST(Slivers, DoNotUnsettleTheBooks) {
 }
 
 TEST(RapidInMaterial, IsFoundForTheSmallestBite) {
-    // A micrometre deep over 40 mm.
+    // 1 µm deep over 40 mm.
     const auto verdict = verdict_of(kStart + "G0 Z-0.001\nG0 X30\n");
     expect_at(only(verdict, "rapid-in-material"), 3, 0.4);
 }
 
 TEST(RapidInMaterial, ThatOnlyTheCircumscribedToolMakesIsNotCertain) {
-    // Down beside a corner of the block, 0.05 mm away from it, where the polygon of 16 sides has a
-    // corner that reaches 0.098 mm beyond the circle.
+    // Down next to a corner of the block at a distance of 0.05 mm. The polygon has 16 sides and a
+    // corner that extends 0.098 mm beyond the circle.
     verify::Setup setup = plain_setup();
     setup.accuracy.tolerance_mm = 0.2;
     const std::string down = "G21 G90 T1 M6 S1000 M3 G0 X24.19892 Y17.80563 Z5\nG0 Z-5\n";
@@ -168,14 +169,15 @@ TEST(RapidInMaterial, OfSuccessiveMovesIsOneFinding) {
 }
 
 TEST(RapidInMaterial, DependsOnThePathOfTheMachine) {
-    // Straight, the tool passes the corner of the block; as a dog-leg it goes through it.
+    // On a straight line the tool passes the corner of the block; on a dog-leg path the tool cuts
+    // through the corner.
     const std::string program = "G21 G90 T1 M6 S1000 M3 G0 X-40 Y-15 Z-5\nG0 X-19 Y-36\n";
     verify::Setup setup = plain_setup();
     EXPECT_TRUE(findings_of(verdict_of(program, setup), "rapid-in-material").empty());
     const std::string unequal = "G21 G90 T1 M6 S1000 M3 G0 X-40 Y-25 Z-5\nG0 X0 Y10\n";
     EXPECT_EQ(findings_of(verdict_of(unequal, setup), "rapid-in-material").size(), 1U);
     setup.rapid.dog_leg = true;
-    setup.rapid.rates = {1.0, 1000.0, 1.0};  // Y first, beside the block, then X into it
+    setup.rapid.rates = {1.0, 1000.0, 1.0};  // Y first, next to the block, then X into the block
     const Finding f = only(verdict_of(unequal, setup), "rapid-in-material");
     // A slot of 10 mm from X-20 to the axis at X0, 5 mm deep, and half a polygon of the tool.
     EXPECT_GT(f.quantity->value, 20 * 10 * 5.0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which rules are asked, and comments that accept what they find. For every rule: a program that
-// breaks it at a known line by a known amount, one that only just keeps it, and one where it cannot
-// be asked.
+// Selection of rules, and comments that accept findings. Each rule has a program that violates the
+// rule at a known line by a known amount, a program that just keeps the rule, and a program for
+// which the rule cannot be checked.
 #include "ncsim/verify/rule.h"
 
 #include "verify/expected.h"

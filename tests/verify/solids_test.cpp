@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Separate solids of a part: number, volumes and faces.
 #include "ncsim/verify/solids.h"
 
 #include "ncsim/cda/tree.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Travels, unknown starts, and what the interpreter says. For every rule: a program that
-// breaks it at a known line by a known amount, one that only just keeps it, and one where it cannot
-// be asked.
+// Travels, unknown starts, and messages of the interpreter. Each rule has a program that violates
+// the rule at a known line by a known amount, a program that just keeps the rule, and a program for
+// which the rule cannot be checked.
 #include "verify/expected.h"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ TEST(OverTravel, IsFoundOnTheBulgeOfAnArc) {
 }
 
 TEST(OverTravel, OfArcsIsFoundHoweverSmall) {
-    // 72 of these were missed where arcs were looked at every 0.01 mm.
+    // Sampling the arcs every 0.01 mm would miss 72 of these cases.
     std::mt19937 random(7);
     const auto between = [&random](double low, double high) {
         return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
@@ -50,8 +50,9 @@ TEST(OverTravel, OfArcsIsFoundHoweverSmall) {
     for (int i = 0; i < 150; ++i) {
         const double radius = between(5.0, 200.0);
         const double beyond = between(1e-4, 8e-3);
-        const double from = between(0.1, 1.4);  // the turn over the top begins at
-        const double to = between(0.1, 1.4);    // and ends at, from the X axis
+        // start angle from the X axis of the arc over the top
+        const double from = between(0.1, 1.4);
+        const double to = between(0.1, 1.4);  // end angle from the X axis
         const double x = -radius * std::cos(from);
         const double y = radius * std::sin(from);
         verify::Setup setup = not_simulated();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs interpreter, walk and verifier on a block in memory.
 #include "verify/verified.h"
 
 #include "ncsim/gcode/interpreter.h"

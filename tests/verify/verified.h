@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program, tools and a block: verified as the program does it, without files.
+// Verifies a program with tools and a block without files, as ncsim check does.
 #pragma once
 
 #include "ncsim/cda/tree.h"
@@ -13,27 +13,29 @@
 
 namespace ncsim::verify_test {
 
-/// A block of 40 x 30 x 10 mm, its top at Z0, centred on X0 Y0.
+/// Block of 40 x 30 x 10 mm with its top at Z0, centred on X0 Y0.
 inline constexpr cda::Box kBlock{{-20, -15, -10}, {20, 15, 0}};
 
-/// T1: a flat end mill of 10 mm that cuts 20 mm high. No machine.
+/// Returns a set-up without machine. T1 is a flat end mill of 10 mm diameter with a flute length of
+/// 20 mm.
 verify::Setup plain_setup();
-/// T1 with a shank of 10 mm from 5 to 30 mm and a holder of 40 mm above it.
+/// Returns plain_setup() with a shank of 10 mm diameter from 5 to 30 mm and a holder of 40 mm
+/// diameter above the shank.
 verify::Setup setup_with_holder();
 
-/// Verifies `program` on kBlock, or only its motions if the setup says it is not simulated.
+/// Verifies `program` on kBlock, or only the motions if `setup` disables the simulation.
 verify::Verdict verdict_of(const std::string& program, verify::Setup setup = plain_setup());
 
-/// One motion: what is there is looked at, taken away, and looked at again. `part` is null where
-/// nothing is simulated.
+/// Verifies and subtracts a motion: the verifier examines the part before and after the cut. `part`
+/// is null if the part is not simulated.
 void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& verifier,
           toolpath::Walk& walk, cda::TreeCda* part);
 
-/// The findings of a rule, in order.
+/// Returns the findings of a rule, in order.
 std::vector<verify::Finding> findings_of(const verify::Verdict& verdict, const std::string& rule);
-/// The reason why a rule was skipped; empty if it was not.
+/// Returns the reason why a rule was skipped; empty if the rule was checked.
 std::string skipped_because(const verify::Verdict& verdict, const std::string& rule);
-/// The ids of the reasons why it is not proven, each once.
+/// Returns the ids of the reasons why the program is not proven, each once.
 std::set<std::string> doubts_of(const verify::Verdict& verdict);
 
 }  // namespace ncsim::verify_test

@@ -14,7 +14,7 @@ namespace ncsim::exporter::test {
 
 namespace {
 
-// Names of the dispatch library of all vendors.
+// Functions of the dispatch libraries for the drivers of all vendors.
 struct Egl {
     SharedLibrary opengl{"libOpenGL.so.0"};
     SharedLibrary library{"libEGL.so.1"};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// OpenGL context by EGL, for comparisons with the rasteriser.
 #pragma once
 
 #include "render/offscreen.h"
@@ -7,7 +9,8 @@
 
 namespace ncsim::exporter::test {
 
-/// OpenGL by EGL without a surface. Throws std::runtime_error if EGL provides no context.
+/// Returns an OpenGL context of EGL without a surface.
+/// Throws: std::runtime_error if EGL provides no context.
 std::unique_ptr<OffscreenContext> egl_context();
 
 }  // namespace ncsim::exporter::test
