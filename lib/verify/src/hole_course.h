@@ -13,11 +13,14 @@ namespace ncsim::verify {
 
 class HoleCourse {
 public:
-    /// Fills in hole_depth_mm and leaves_cut of `move`. Requires: `move` is measured.
+    /// Fills in hole_depth_mm, leaves_cut, has_threaded and has_cut_below of `move`. Requires:
+    /// `move` is measured.
     void take(Move& move);
 
 private:
     int tool_ = 0;
+    bool has_threaded_ = false;  // a helix in material, with this tool
+    bool has_cut_ = false;       // at feed, along its axis, here
     double x_ = 0.0, y_ = 0.0;
     std::optional<double> top_;                 // of the first contact, Z; empty: outside of a hole
     std::optional<gcode::SpindleTurning> cut_;  // the last motion cut straight down

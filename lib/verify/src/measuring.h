@@ -66,6 +66,12 @@ public:
     void meet_too_high(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Flutes that nobody told.
     void meet_uncertain(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// The wall of the thread where a thread mill starts to go up.
+    void meet_wall(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// How high the material is into which the tool goes straight down.
+    void meet_mouth(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// The flat tip of a chamfer mill.
+    void meet_tip(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// The step removed `volume`, mm³; `is_exact`: if that is more than nothing, it met material.
     void take_off(const toolpath::Step& step, double volume, bool is_exact);
     /// Notes what was seen of the part, but for the core. Throws std::runtime_error if it cannot

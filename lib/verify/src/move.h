@@ -97,6 +97,14 @@ struct Move {
     double too_deep_mm = 0.0;  ///< Engaged height above the limit of the tool.
     /// Straight along its axis in a hole: the tip below the first contact with material there, mm.
     double hole_depth_mm = 0.0;
+    /// Z of the highest material above the tip where it goes straight down at feed, W, mm.
+    std::optional<double> mouth_z;
+    bool tip_cuts = false;    ///< A flat tip goes sideways through material.
+    bool is_at_wall = false;  ///< A thread mill starts in the wall of its thread.
+    /// The tool has cut a helix since it was changed.
+    bool has_threaded = false;
+    /// The tool has cut in the place where this motion goes straight up.
+    bool has_cut_below = false;
     /// The motion before cut straight down, with this spindle; this one goes straight up.
     std::optional<gcode::SpindleTurning> leaves_cut;
     /// Farther off the programmed path than the tolerance allows, mm.

@@ -82,6 +82,10 @@ void judge_sideways(const Setup&, const Move&, FindingLog&);
 void judge_tap_feed(const Setup&, const Move&, FindingLog&);
 void judge_tap_retract(const Setup&, const Move&, FindingLog&);
 void judge_drill_depth(const Setup&, const Move&, FindingLog&);
+void judge_bar_retract(const Setup&, const Move&, FindingLog&);
+void judge_thread_retract(const Setup&, const Move&, FindingLog&);
+void judge_countersink_depth(const Setup&, const Move&, FindingLog&);
+void judge_tip_cut(const Setup&, const Move&, FindingLog&);
 
 /// The rule that a diagnostic of this code belongs to; empty: another rule tells it better.
 std::string_view rule_of_diagnostic(std::string_view code);
@@ -96,6 +100,8 @@ std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
                                          Certainty certainty = Certainty::Certain);
 /// What nobody told of how the machine turns, in words; empty: nothing, or it does not turn.
 std::string kinematics_guess(const Setup& setup, const Move& move);
+/// True if a boring bar moves while the spindle is held in a direction.
+bool is_oriented_bar(const Setup& setup, const Move& move);
 /// Do rotary axes stand anywhere but at 0?
 bool is_turned(const gcode::Motion& motion);
 /// Why what `requirement` names is not told; nothing if it is.

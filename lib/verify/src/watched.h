@@ -35,9 +35,12 @@ struct Watched {
     Above uncertain;                       ///< The flutes that there certainly are.
     double uncertain_mm = 0.0;             ///< How much of that was needed so far,
     Place uncertain_place;                 ///< and where first.
-    std::vector<cda::Vec3> probes_T;       ///< Points strictly inside the cutting pieces.
-    bool prism = true;                     ///< All of what cuts.
-    bool widens = true;                    ///< What cuts is nowhere narrower above.
+    std::optional<Body> wall;              ///< A thread mill and the depth of its thread around it.
+    std::optional<Body> mouth;        ///< Column of the largest diameter, from the tip upwards.
+    std::optional<Body> tip;          ///< Flat tip of a chamfer mill.
+    std::vector<cda::Vec3> probes_T;  ///< Points strictly inside the cutting pieces.
+    bool prism = true;                ///< All of what cuts.
+    bool widens = true;               ///< What cuts is nowhere narrower above.
     /// What cuts is a cylinder of its largest radius from here on, mm above the tip.
     double straight_from_mm = 0.0;
     Passes passes;                              ///< Of what cuts.

@@ -144,6 +144,10 @@ struct Motion {
     bool turns_clamped = false;
     /// M0 came since the spindle was started: on many machines it stands still.
     bool spindle_in_doubt = false;
+    /// The spindle is held in a direction: M19, or the ways in G76 and G87 on which it is.
+    bool spindle_oriented = false;
+    /// In such a cycle: true if the tool steps aside (Q), which is not part of the motion.
+    std::optional<bool> steps_aside;
 };
 
 /// Start and end of a motion; both the machine's place for dwells and tool changes is unknown here,

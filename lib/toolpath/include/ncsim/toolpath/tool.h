@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,12 +17,16 @@ enum class ToolKind : std::uint8_t {
     BallEndMill,
     BullNoseEndMill,
     FaceMill,
-    VCutter,  ///< Chamfer mills, engravers, V-bits, spot and centre drills.
+    VCutter,  ///< Engravers, V-bits, spot and centre drills.
+    // Shape of a V-cutter.
+    ChamferMill,
+    Countersink,
     Drill,
     TaperedEndMill,
-    SlotMill,      ///< A disc on a neck: T-slots, keyseats, thread mills of one row.
-    DovetailMill,  ///< Widest at its tip.
-    LollipopMill,  ///< A ball on a neck.
+    SlotMill,            ///< A disc on a neck: T-slots, keyseats, thread mills of one row.
+    DovetailMill,        ///< Widest at its tip.
+    LollipopMill,        ///< A ball on a neck.
+    CornerRoundingMill,  ///< A concave quarter circle above its tip: rounds edges.
     // Shape of a flat end mill.
     Tap,
     Reamer,
@@ -32,6 +37,9 @@ enum class ToolKind : std::uint8_t {
 
 /// Is it wider below than above, so that it needs a neck?
 bool is_undercutting(ToolKind kind);
+
+/// True for tools with the shape of a V-cutter.
+bool is_conical(std::optional<ToolKind> kind);
 
 /// True for tools that cut along their axis alone, in a hole or into solid material: drills, taps,
 /// reamers, boring bars.
@@ -88,6 +96,13 @@ Tool slot_mill(double diameter, double corner_radius, double length);
 Tool dovetail_mill(double diameter, double taper, double length);
 /// A whole ball.
 Tool lollipop_mill(double diameter);
+
+/// A concave arc of `radius` from the edge of the tip upwards and outwards, up to `diameter`; above
+/// the arc a cylinder up to `length`. A diameter beyond the quarter circle is a flat shoulder.
+/// The arc consists of cones along its chords, one convex piece each: the tool is larger than the
+/// round one by at most kConcaveChord.
+Tool corner_rounding_mill(double diameter, double tip_diameter, double radius, double length);
+inline constexpr double kConcaveChord = 0.005;  ///< mm
 
 /// Puts a segment that does not cut on top of the tool: a shank, or one step of a holder.
 void add_holder_segment(Tool& tool, double lower_diameter, double upper_diameter, double height);

@@ -26,11 +26,11 @@ struct ToolSpec {
     std::optional<ToolKind> kind;
     std::optional<double> diameter;  ///< Of the cutting part; of the tip for TaperedEndMill.
     std::optional<double> corner_radius;
-    std::optional<double> tip_diameter;  ///< Of V-cutters.
+    std::optional<double> tip_diameter;  ///< Of V-cutters and corner rounding mills.
     std::optional<double> angle;         ///< Included angle of V-cutters, point angle of drills.
     std::optional<double> taper;         ///< Per side.
     std::optional<double> length;        ///< Of the cutting part: of the flutes.
-    std::optional<double> pitch;         ///< Of taps, mm.
+    std::optional<double> pitch;         ///< Of taps and thread mills, mm.
     bool left_hand = false;              ///< Cuts with M4.
     // Above the flutes, from below upwards: neck, shank, holder.
     std::optional<double> neck_diameter, neck_length;
@@ -67,6 +67,12 @@ bool is_complete(const ToolSpec& spec);
 /// stick-out are in the holder.
 Tool make_tool(const ToolSpec& spec, double assumed_length);
 
+/// Returns one sentence for each specified value that make_tool() cannot keep, with the letter that
+/// the value has in options: "a flat end mill has no angle (A)". Requires is_complete(). Flutes
+/// and a shank that are longer than the stick-out are in the holder and count as kept. Radii and
+/// lengths may differ by a hundredth of the diameter, to which CAM systems round.
+std::vector<std::string> unkept_values(const ToolSpec& spec);
+
 /// Is the shape of the cutting part a guess? Nobody says what kind of tool it is, the angle of a
 /// cone, or how high a disc is.
 bool guesses_shape(const ToolSpec& spec);
@@ -97,8 +103,9 @@ std::string describe(const Tool& tool);
 double dovetail_taper(double degrees);
 
 /// Reads `T1=flat:D10:L22:S12x30:H28x15,40x25`: a number, a kind (flat, ball, bull, face, v,
-/// chamfer, drill, taper, slot, dovetail, lollipop, tap, reamer, boring-bar, thread; may be left
-/// out) and values: D diameter, K pitch of a tap, R corner radius, L length of the flutes, A angle
+/// spot, engraver, chamfer, countersink, drill, taper, slot, dovetail, lollipop, corner, tap,
+/// reamer, boring-bar, thread; may be left out) and values: D diameter, K pitch of a thread, R
+/// corner radius, L length of the flutes, A angle
 /// (included; per side for taper; of dovetail see `dovetail_taper`), P tip diameter, N neck and S
 /// shank (diameter, or diameter x length), E stick-out from the tip to the holder, H the holder
 /// from below upwards (diameter x height, or lower-upper x height for a cone). Numbers are mm, or

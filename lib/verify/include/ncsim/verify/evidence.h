@@ -30,6 +30,9 @@ enum class Subject : std::uint8_t {
     Core,          ///< What does not cut; `value`: how far down it has material under it, mm.
     TooHigh,       ///< What cuts above the limit of depth; `value`: by how much, mm.
     UntoldFlutes,  ///< The same of flutes that nobody told.
+    Wall,          ///< A thread mill at the start of the step: the wall of its thread.
+    Mouth,         ///< The column above the tip; `value`: Z of the highest material in it, mm.
+    Tip,           ///< A flat tip that does not cut.
     Fixture,       ///< Fixture `index` and piece `other` of the tool.
     Link,          ///< Pair `index` of a MachineScene; `value`: deep or apart, mm.
 };

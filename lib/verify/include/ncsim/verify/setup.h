@@ -43,9 +43,11 @@ struct ToolFacts {
     std::string blind_assumption;    ///< Where that was concluded, in words.
     std::optional<double> max_ramp;  ///< Degrees, of one with such a diameter.
     bool left_hand = false;          ///< Cuts with M4.
-    std::optional<double> pitch;     ///< Of a tap, mm.
+    std::optional<double> pitch;     ///< Of a tap or a thread mill, mm.
     /// Specified height of the flutes of a drill, mm.
     std::optional<double> flute_length;
+    /// Specified diameter of the flat tip of a chamfer mill, where that is too wide to cut, mm.
+    std::optional<double> flat_tip;
 };
 
 /// The accuracy of the tools leaves open whether something touches: somewhere in `boxes` (mm, W).
