@@ -3,6 +3,7 @@ ncsim_add_test(gcode
   SOURCES
     codes_test.cpp
     control_codes_test.cpp
+    control_table_test.cpp
     controls_test.cpp
     corpus_test.cpp
     dialect_test.cpp

@@ -39,6 +39,47 @@ TEST(Simulation, OfAStringLeavesThePart) {
     EXPECT_FALSE(part.boundary);
 }
 
+// Returns: the guessed block of a contour around a part of 80 x 50 mm, D10, that begins at `start`.
+toolpath::Stock block_of_contour(const std::string& start) {
+    Plan plan = plan_of("(T1 D=10. CR=0. - flat end mill)\nG21 G90 T1 M6 S8000 M3\n" + start +
+                        "G1 X85. F300.\nY55.\nX-5.\nY-25.\nG0 Z5.\nM30\n");
+    const Survey seen = survey(plan);
+    EXPECT_TRUE(seen.stock);
+    return *seen.stock;
+}
+
+TEST(GuessedBlock, EndsAtThePartNotAtLeadIns) {
+    const cda::Box far = block_of_contour("G0 X-25. Y-5. Z5.\nG0 Z-5.\n").box;
+    EXPECT_EQ(far.min.x, -15.0);
+    EXPECT_EQ(far.max.x, 95.0);
+    EXPECT_EQ(far.min.y, -14.0);
+    EXPECT_EQ(far.max.y, 64.0);
+    // The tool goes down at rapid, so the block ends there.
+    EXPECT_EQ(block_of_contour("G0 X-12. Y-5. Z5.\nG0 Z-5.\n").box.min.x, -7.0);
+    // A plunge at feed may be in the block.
+    EXPECT_EQ(block_of_contour("G0 X-25. Y-5. Z5.\nG1 Z-5. F100.\n").box.min.x, -36.0);
+}
+
+TEST(GuessedBlock, OfOneSlotKeepsItsLength) {
+    Plan plan = plan_of(kTool + kSlot);
+    const Survey seen = survey(plan);
+    ASSERT_TRUE(seen.stock);
+    EXPECT_EQ(seen.stock->box.min.x, -2.0);
+    EXPECT_EQ(seen.stock->box.max.x, 51.0);
+    EXPECT_NE(seen.stock->text.find("lead-ins"), std::string::npos) << seen.stock->text;
+}
+
+// In a pocket that is cleared before, tools go down at rapid, too.
+TEST(GuessedBlock, KeepsPockets) {
+    const std::string pocket =
+        "G21 G90 T1 M6 S8000 M3\nG0 X20. Y20. Z5.\nG1 Z-2. F100.\nG1 X40. F300.\nY40.\nX20.\n"
+        "Y20.\nG0 Z5.\n";
+    const std::string again = "G0 X21. Y21.\nG0 Z-2.\nG1 X39.\nY39.\nX21.\nY21.\nG0 Z5.\n";
+    Plan once = plan_of(kTool + pocket + "M30\n");
+    Plan twice = plan_of(kTool + pocket + again + "M30\n");
+    EXPECT_EQ(survey(once).stock->box, survey(twice).stock->box);
+}
+
 TEST(Simulation, KeepsWhatItIsAskedFor) {
     Plan plan = plan_of(kTool + kStock + kSlot);
     plan.keep_boundary = plan.keep_paths = plan.keep_carved = plan.block_volumes = true;

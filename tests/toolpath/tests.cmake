@@ -10,6 +10,7 @@ ncsim_add_test(toolpath
     stock_test.cpp
     tool_comment_test.cpp
     tool_drawings_test.cpp
+    tool_values_test.cpp
     tool_file_test.cpp
     tool_polytope_test.cpp
     tool_table_test.cpp

@@ -153,7 +153,7 @@ TEST(ToolFile, OfFusionHasTheToolsThatHaveANumber) {
               "T1 flat end mill D6 L10, D6 to 28\n"
               "T2 bull nose end mill D12.7 R0.79375 L25.4\n"
               "T3 drill D5 L30\n"
-              "T4 v-cutter D8 L4\n"
+              "T4 chamfer mill D8 L4\n"
               "T5 tapered end mill D3.540991 R0.5 L15\n"
               "T6 lollipop mill D1 L1, D0.6 to 2.8\n");
     const ToolFile file = read_tool_file({"", library});

@@ -26,7 +26,7 @@ std::string tool_of(const std::string& comment) {
 
 TEST(ToolComments, OfAToolSurviveTheWayHomeBeforeItsCall) {
     for (const char* between : {"G28 G91 Z0.", "G53 G0 Z0", "G30 Z0", "G10 L2 P1 X0 Y0 Z0",
-                                "G92 X0", "G52 X0 Y0", "G0 G49"}) {
+                                "G92 X0", "G52 X0 Y0", "G0 G49", "G0 Z50"}) {
         const ProgramNotes n =
             notes(std::string("G21\nT7 M6\nG0 X1 Y1\nG1 Z-1 F100\n(M6X1 TAP)\n") + between +
                   "\nT2 M6\nG0 X0\n");
@@ -48,7 +48,7 @@ TEST(ToolComments, AreReadInAllTheirForms) {
         {"T2 D=6 CR=0.5 - ZMIN=-1 - bull nose end mill", "T2 bull nose end mill D6 R0.5 L50"},
         {"T4 D=6. - drill", "T4 drill D6 L50"},
         {"T4 D=2.705 CR=0. TAPER=118deg - ZMIN=-9.144 - drill", "T4 drill D2.705 L50"},
-        {"T3 D=6.35 CR=0. TAPER=45deg - ZMIN=-1.054 - chamfer mill", "T3 v-cutter D6.35 L50"},
+        {"T3 D=6.35 CR=0. TAPER=45deg - ZMIN=-1.054 - chamfer mill", "T3 chamfer mill D6.35 L50"},
         {"T1 D=6 CR=0 - ZMIN=-35 - Schaftfr\xe4ser", "T1 flat end mill D6 L50"},
         {"T5 D=3. CR=0. - ZMIN=-2.5 - FRESA CON PUNTA PLANA", "T5 flat end mill D3 L50"},
         {"T7  End mill  D=0.25 SD=0.25 FL=1 BL=3 - flat end mill",
@@ -56,7 +56,7 @@ TEST(ToolComments, AreReadInAllTheirForms) {
         {"TOOL/MILL,3.17, 0.00, 0.00, 0.00", "T1 flat end mill D3.17 L50"},
         {"TOOL/MILL,6, 3, 20, 0", "T1 ball end mill D6 L20"},
         {"TOOL/DRILL,8,118,60", "T1 drill D8 L60"},
-        {"TOOL/CHAMFER,10,90,20,2", "T1 v-cutter D10 L20"},
+        {"TOOL/CHAMFER,10,90,20,2", "T1 chamfer mill D10 L20"},
         {"TOOL/CDRILL,2,118,3,6,60,30", "T1 v-cutter D6 L30"},
         {"@MKR|TOOL|number=7|name=End mill|type=Flat End|diameter=0.25|flutelength=1",
          "T7 flat end mill D0.25 L1"},
@@ -96,7 +96,16 @@ TEST(ToolComments, AreReadInAllTheirForms) {
         {"DIAMETER: about 6", "nothing"},
         {"tool#=1 flute=0", "nothing"},
         {"TOOL/MILL,0,0,0,0", "nothing"},
-        {"TOOL/CRMILL,1,2,3,4,5", "nothing"},
+        {"TOOL/CRMILL,1,2,3,4,5", "T1 corner rounding mill D2 P1 R3 L5"},
+        {"TOOL/CRMILL,4,10,3,12,3", "T1 corner rounding mill D10 P4 R3 L3"},
+        {"TOOL/CRMILL,0.508,6.35,3.175,7.9375,3.175",
+         "T1 corner rounding mill D6.35 P0.508 R3.175 L3.175"},
+        {"TOOL/CRMILL,4,3,3,12,3", "nothing"},
+        {"T7 CORNER ROUNDING END MILL D10 R3", "T7 corner rounding mill D10 P4 R3 L3"},
+        {"T7 D=10. CR=3. - ZMIN=-3. - radius mill", "T7 corner rounding mill D10 P4 R3 L3"},
+        {"T7 VIERTELKREISFRAESER D12 R4", "T7 corner rounding mill D12 P4 R4 L4"},
+        {"T4 SENKER D12 90 GRAD", "T4 countersink D12 L50"},
+        {"T4 CHAMFER MILL D10 TIP 2", "T4 chamfer mill D10 L50"},
     };
     for (const auto& [comment, expected] : table) {
         SCOPED_TRACE(comment);

@@ -18,9 +18,10 @@ namespace ncsim::app {
 namespace {
 
 constexpr const char* kNotation = R"(
-Tools:  T1=flat:D10:L22:S12x30:H28x15,40x25  kinds flat, ball, bull, face, v, chamfer, drill,
-        taper, slot, dovetail, lollipop, tap, reamer, boring-bar, thread (a thread mill); values
-        D diameter, L length of the flutes, R corner radius, K pitch of a tap,
+Tools:  T1=flat:D10:L22:S12x30:H28x15,40x25  kinds flat, ball, bull, face, v, spot, engraver,
+        chamfer, countersink, drill, taper, slot, dovetail, lollipop, corner (rounding), tap,
+        reamer, boring-bar, thread (a thread mill); values
+        D diameter, L length of the flutes, R corner radius, K pitch of a thread,
         A angle, P tip diameter; above the flutes N neck and S shank (diameter, or diameter x
         length), E from the tip to the holder, H holder from below (diameter x height, or
         lower-upper x height); mm, or inches: D1/4in

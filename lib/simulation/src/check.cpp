@@ -36,13 +36,15 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Adds a shank taller than any cut is deep if its length is unspecified, as thick as the flutes.
+// Adds a shank up to the stick-out, as thick as the flutes. If neither stick-out nor length is
+// specified, the shank is taller than any cut is deep.
 void extend_shank(toolpath::Tool& tool, const toolpath::ToolSpec& spec) {
     constexpr double kTall = 1000.0;  // mm
-    if (spec.shank_length || spec.stick_out || !spec.shaft.empty()) return;
+    if (spec.shank_length || !spec.shaft.empty()) return;
     const toolpath::ProfilePoint top = tool.pieces.back().profile.back();
-    if (top.radius <= 0.0) return;
-    toolpath::add_holder_segment(tool, 2 * top.radius, 2 * top.radius, kTall);
+    const double height = spec.stick_out ? *spec.stick_out - top.height : kTall;
+    if (top.radius <= 0.0 || height <= 0.0) return;
+    toolpath::add_holder_segment(tool, 2 * top.radius, 2 * top.radius, height);
     tool.pieces.back().assumed = true;
 }
 
@@ -92,6 +94,11 @@ verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts
     const bool has_flutes = used.length_specified && !used.is_guess;
     if (used.tool.kind == toolpath::ToolKind::Drill && has_flutes)
         facts.flute_length = toolpath::cutting_height_of(used.tool);
+    // Small tips engrave; the flats of chamfer mills have no edges.
+    constexpr double kEngraves = 0.5;  // mm
+    if (used.tool.kind == toolpath::ToolKind::ChamferMill && !used.is_guess &&
+        used.spec.tip_diameter.value_or(0.0) > kEngraves)
+        facts.flat_tip = used.spec.tip_diameter;
     return facts;
 }
 

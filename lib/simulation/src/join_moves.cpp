@@ -38,7 +38,8 @@ bool is_alike(const gcode::Motion& a, const gcode::Motion& b) {
            a.length == b.length && a.feed == b.feed && a.feed_mode == b.feed_mode &&
            a.feed_mode != gcode::FeedMode::InverseTime && a.spindle == b.spindle &&
            a.spindle_rpm == b.spindle_rpm && a.start_assumed == b.start_assumed &&
-           a.offset_unknown == b.offset_unknown && a.spindle_in_doubt == b.spindle_in_doubt;
+           a.offset_unknown == b.offset_unknown && a.spindle_in_doubt == b.spindle_in_doubt &&
+           a.spindle_oriented == b.spindle_oriented;
 }
 
 }  // namespace

@@ -56,6 +56,9 @@ public:
         toolpath::HighestLevels levels;
         cda::Vec3 farthest_tip;  // distance from the axes X, Y and Z
         cda::Vec3 travelled;     // along X, Y and Z at feed, back and forth
+        // The same tips without lead-ins that begin in the air, and without their lead-outs.
+        cda::Box inner_tips;
+        std::vector<cda::Vec3> air;  // ends of rapid moves down to such lead-ins
         setup::ToolClues clues;
     };
 
@@ -107,6 +110,7 @@ public:
             track.cuts_after_change = true;
             if (motion.tool == 0) track.first_cut = motion.span;
         }
+        note_path(motion, *from, *to, is_turned, track);
         if (feed) track.clues.take(motion, toolpath::Poses(specified_machine_, motion));
         const toolpath::Samples samples = verify::coarse_samples(motion, specified_machine_);
         if (feed) count_pieces(motion, *from, *to, is_turned, samples.poses.size() - 1);
@@ -115,7 +119,9 @@ public:
             result_.tip_positions.add(p);
             if (!feed) continue;
             track.cutting_tips.add(p);
+            if (i == 0 && !path_.begins_in_air) track.inner_tips.add(p);
             if (i == 0) continue;
+            path_.last_move.add(p);
             for (int axis = 0; axis < 3; ++axis)
                 track.travelled[axis] += std::abs((p - samples.poses[i - 1].translation)[axis]);
             track.highest_tip = std::max(track.highest_tip, p.z);
@@ -130,12 +136,60 @@ public:
         verify::add_path(result_.distances[motion.tool], motion, samples);
     }
 
+    // Call after the last motion.
+    void finish() {
+        if (path_.track) end_path(*path_.track);
+    }
+
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
     // Returns which of X, Y, Z any move specifies.
     const std::array<bool, 3>& specified() const { return specified_; }
     gcode::SourceSpan first_cut_from_nowhere() const { return first_cut_from_nowhere_; }
 
 private:
+    // Feed moves from one rapid move to the next.
+    struct FeedPath {
+        ToolTrack* track = nullptr;
+        std::optional<cda::Vec3> came_down;  // at rapid, to here
+        bool begins_in_air = false;          // the move at hand is the first one, level
+        std::optional<cda::Vec3> air_start;  // of the first move, if that was so
+        int moves = 0;
+        cda::Box last_move;  // tips, without the first
+    };
+
+    void end_path(ToolTrack& track) {
+        constexpr int kLeadsAndMore = 3;
+        const bool has_leads = path_.air_start && path_.moves >= kLeadsAndMore;
+        if (!has_leads) track.inner_tips.add(path_.last_move);
+        if (!has_leads && path_.air_start) track.inner_tips.add(*path_.air_start);
+        path_ = {};
+    }
+
+    void note_path(const gcode::Motion& motion, const gcode::Position& from,
+                   const gcode::Position& to, bool is_turned, ToolTrack& track) {
+        const cda::Vec3 start{from.x.mm(), from.y.mm(), from.z.mm()};
+        const cda::Vec3 end{to.x.mm(), to.y.mm(), to.z.mm()};
+        if (path_.track && (path_.track != &track || motion.kind != gcode::MoveKind::Feed))
+            end_path(*path_.track);
+        if (motion.kind != gcode::MoveKind::Feed) {
+            path_.came_down.reset();
+            if (motion.kind == gcode::MoveKind::Rapid && end.z < start.z && !is_turned)
+                path_.came_down = end;
+            return;
+        }
+        path_.track = &track;
+        if (!path_.last_move.is_empty()) track.inner_tips.add(path_.last_move);
+        path_.last_move = {};
+        constexpr std::size_t kMost = 10'000;
+        path_.begins_in_air = path_.moves == 0 && path_.came_down == start && start.z == end.z &&
+                              track.air.size() < kMost;
+        if (path_.begins_in_air) {
+            path_.air_start = start;
+            track.air.push_back(start);
+        }
+        ++path_.moves;
+    }
+
     void note_slanting_rapid(const gcode::Motion& motion, const gcode::Position& from,
                              const gcode::Position& to, bool is_turned) {
         constexpr std::size_t kMost = 100'000;
@@ -172,6 +226,7 @@ private:
     std::map<int, ToolTrack> tracks_;
     std::array<bool, 3> specified_{};
     gcode::SourceSpan first_cut_from_nowhere_;
+    FeedPath path_;
 };
 
 double lowest_tip(const MotionSurvey& motions) {
@@ -261,6 +316,10 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
         if (used.specified_by == ValueSource::Assumption) used.spec.assumed = {"shape"};
         used.filled_in = toolpath::filled_in(spec, length);
         used.tool = toolpath::make_tool(spec, length);
+        for (const std::string& what : toolpath::unkept_values(spec)) {
+            tell(result, Message::ToolContradicts, track.first,
+                 {std::to_string(number), what, toolpath::describe(used.tool)});
+        }
         result.tools.emplace(number, std::move(used));
     }
 }
@@ -283,6 +342,51 @@ void leave_out_runs(cda::Box& covered, int along, double diameter) {
     if (covered.size()[along] <= 3 * diameter) return;
     covered.min[along] += diameter;
     covered.max[along] -= diameter;
+}
+
+// Disc of radius `r` about `p` without stock, because a tool goes down there at rapid.
+struct AirDisc {
+    cda::Vec3 p;
+    double r = 0.0;
+};
+
+// Moves the sides of `box` inwards to the nearest side of each disc, unless this cuts off more than
+// `r` of the milled tips `milled`. Returns true if a side moved.
+bool leave_out_air(cda::Box& box, const std::vector<AirDisc>& discs, const cda::Box& milled) {
+    bool has_moved = false;
+    for (const AirDisc& disc : discs) {
+        if (disc.p.z >= box.max.z) continue;
+        int axis_of_least = -1;
+        bool is_low = false;
+        double least = std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 2; ++axis) {
+            const double low = disc.p[axis] + disc.r, high = disc.p[axis] - disc.r;
+            if (low <= box.min[axis] || high >= box.max[axis]) {
+                axis_of_least = -1;
+                least = 0.0;  // outside of the block
+                break;
+            }
+            // Share of the block that is cut off.
+            const double size = box.max[axis] - box.min[axis];
+            const double from_low = (low - box.min[axis]) / size;
+            const double from_high = (box.max[axis] - high) / size;
+            if (low <= milled.min[axis] + disc.r && from_low < least) {
+                least = from_low;
+                axis_of_least = axis;
+                is_low = true;
+            }
+            if (high >= milled.max[axis] - disc.r && from_high < least) {
+                least = from_high;
+                axis_of_least = axis;
+                is_low = false;
+            }
+        }
+        if (axis_of_least < 0) continue;
+        (is_low ? box.min : box.max)[axis_of_least] =
+            disc.p[axis_of_least] + (is_low ? disc.r : -disc.r);
+        has_moved = true;
+    }
+    return has_moved;
 }
 
 // Returns the length that the intervals from `a` to `b` and from `min` to `max` share.
@@ -319,30 +423,55 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
         if (result.stock->place_assumed) place_at_zero(result.stock->box, tips);
         return;
     }
-    cda::Box swept;
+    cda::Box swept, inner, milled;
+    std::vector<AirDisc> discs;
     MotionSurvey::ToolTrack all;
     for (const auto& [number, track] : motions.tracks()) {
         const auto used = result.tools.find(number);
         if (used == result.tools.end() || track.cutting_tips.is_empty()) continue;
         const double r = toolpath::cutting_diameter_of(used->second.tool) / 2;
         const double height = toolpath::cutting_height_of(used->second.tool);
-        cda::Box covered = track.cutting_tips;
-        for (int axis = 0; axis < 2; ++axis) {
-            covered.min[axis] -= r;
-            covered.max[axis] += r;
+        const auto covered_by = [&](cda::Box covered) {
+            for (int axis = 0; axis < 2; ++axis) {
+                covered.min[axis] -= r;
+                covered.max[axis] += r;
+            }
+            covered.max.z += height;
+            if (used->second.tool.kind == toolpath::ToolKind::FaceMill)
+                leave_out_runs(covered, track.travelled.x < track.travelled.y ? 1 : 0, 2 * r);
+            return covered;
+        };
+        swept.add(covered_by(track.cutting_tips));
+        if (!track.inner_tips.is_empty()) {
+            inner.add(covered_by(track.inner_tips));
+            milled.add(track.inner_tips);
         }
-        covered.max.z += height;
-        if (used->second.tool.kind == toolpath::ToolKind::FaceMill)
-            leave_out_runs(covered, track.travelled.x < track.travelled.y ? 1 : 0, 2 * r);
-        swept.add(covered);
+        for (const cda::Vec3& p : track.air)
+            discs.push_back({p, r});
         all.cutting_tips.add(track.cutting_tips);
         all.highest_tip = std::max(all.highest_tip, track.highest_tip);
         all.levels.add(track.levels);
         for (int axis = 0; axis < 3; ++axis)
             all.farthest_tip[axis] = std::max(all.farthest_tip[axis], track.farthest_tip[axis]);
     }
-    const toolpath::DerivedStock derived = derive_stock(result, swept, all);
+    toolpath::DerivedStock derived = derive_stock(result, swept, all);
     if (derived.stock.box.is_empty()) return;
+    if (!discs.empty() && !inner.is_empty() && !result.turns_tools() && !result.is_flat()) {
+        inner.min.z = swept.min.z;
+        inner.max.z = swept.max.z;
+        toolpath::DerivedStock smaller = derive_stock(result, inner, all);
+        cda::Box& box = smaller.stock.box;
+        const bool has_moved = leave_out_air(box, discs, milled);
+        const cda::Vec3 size = box.size(), old = derived.stock.box.size();
+        constexpr double kLeast = 0.5;  // of the larger block; less would be no lead-in
+        const bool is_likely = size.x >= kLeast * old.x && size.y >= kLeast * old.y;
+        const bool differs = has_moved || !(box == derived.stock.box);
+        if (is_likely && differs) {
+            smaller.rule +=
+                "; without lead-ins that begin outside of it, where tools go down at rapid";
+            derived = std::move(smaller);
+        }
+    }
     result.stock = toolpath::StockEntry{derived.stock, ValueSource::Assumption, {}, derived.rule};
 }
 
@@ -414,6 +543,7 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& unspecified) {
     MotionSurvey motions(result, plan.placed.get());
     result.interpretation = gcode::interpret(plan.job.program, plan.job.interpreter,
                                              [&](const gcode::Motion& m) { motions.take(m); });
+    motions.finish();
     look.specified = motions.specified();
     result.units_assumed = !result.interpretation.units_stated && plan.job.units_assumed;
     result.rotation = rotation_of(plan, result);

@@ -13,12 +13,14 @@ namespace ncsim::verify {
 
 class HoleCourse {
 public:
-    /// Sets hole_depth_mm and leaves_cut of `move`.
+    /// Sets hole_depth_mm, leaves_cut, has_threaded and has_cut_below of `move`.
     /// Requires: `move` is measured.
     void take(Move& move);
 
 private:
     int tool_ = 0;
+    bool has_threaded_ = false;  // a helix in material, with this tool
+    bool has_cut_ = false;       // at feed, along its axis, here
     double x_ = 0.0, y_ = 0.0;
     std::optional<double> top_;  // Z of the first contact; empty: not in a hole
     // spindle state if the last motion cut straight down

@@ -137,6 +137,19 @@ void Measuring::note(const Observation& seen) {
                 now_->uncertain_place = Place{move_.motion->file, move_.motion->span};
             return;
         }
+        case Subject::Wall:
+            move_.is_at_wall = true;
+            move_.contact.add(seen.box);
+            return;
+        case Subject::Mouth: {
+            const double z = seen.value.value_or(0.0);
+            move_.mouth_z = std::max(move_.mouth_z.value_or(z), z);
+            return;
+        }
+        case Subject::Tip:
+            move_.tip_cuts = true;
+            move_.contact.add(seen.box);
+            return;
         case Subject::Core:
         case Subject::Fixture:
         case Subject::Link: break;
@@ -437,6 +450,37 @@ void Measuring::meet_too_high(const Step& step, const cda::WorkpieceModel& part)
     Observation seen = seen_now(Subject::TooHigh);
     seen.value = needed_above(now_->too_high, step, part, move_.too_deep_mm, kRaiseStep);
     if (*seen.value > move_.too_deep_mm) tell(std::move(seen));
+}
+
+void Measuring::meet_wall(const Step& step, const cda::WorkpieceModel& part) {
+    if (is_away(*now_->wall, step, 0.0)) return;
+    const Meeting meeting = now_->wall->meet(step, 0.0, part, stock_);
+    if (meeting.certainty != Certainty::Certain) return;
+    Observation seen = seen_now(Subject::Wall);
+    seen.certain = true;
+    seen.point = meeting.point;
+    seen.box = meeting.box;
+    tell(std::move(seen));
+}
+
+void Measuring::meet_mouth(const Step& step, const cda::WorkpieceModel& part) {
+    if (!now_->mouth->meets_certainly(step, 0.0, part, stock_)) return;
+    const double end = step.X_WB.translation.z;
+    const double limit = std::max(0.0, stock_.max.z - end);
+    Observation seen = seen_now(Subject::Mouth);
+    seen.value = end + needed_raise(*now_->mouth, step, 0.0, limit, kRaiseStep, part, stock_);
+    tell(std::move(seen));
+}
+
+void Measuring::meet_tip(const Step& step, const cda::WorkpieceModel& part) {
+    if (move_.tip_cuts) return;
+    const Meeting meeting = now_->tip->meet(step, 0.0, part, stock_);
+    if (meeting.certainty != Certainty::Certain) return;
+    Observation seen = seen_now(Subject::Tip);
+    seen.certain = true;
+    seen.point = meeting.point;
+    seen.box = meeting.box;
+    tell(std::move(seen));
 }
 
 // Checks the flutes above the certain flute length: only a larger raise than before is new. The

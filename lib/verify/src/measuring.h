@@ -70,6 +70,12 @@ public:
     void meet_too_high(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Checks the flutes above the certain flute length.
     void meet_uncertain(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Notes whether a thread mill is in the wall of its thread where it starts to move up.
+    void meet_wall(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Notes the height of the material into which the tool moves straight down.
+    void meet_mouth(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Notes a contact of the flat tip of a chamfer mill.
+    void meet_tip(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Notes that the step removed `volume` (mm³). `is_exact`: a positive volume proves contact.
     void add_removed(const toolpath::Step& step, double volume, bool is_exact);
     /// Notes an observation of the part, except of the core.

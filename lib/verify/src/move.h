@@ -98,6 +98,14 @@ struct Move {
     /// Depth (mm) of the tip below the first contact with material, for a motion along the tool
     /// axis in a hole.
     double hole_depth_mm = 0.0;
+    /// Z of the highest material above the tip in a straight descent at feed, W, mm.
+    std::optional<double> mouth_z;
+    bool tip_cuts = false;    ///< A flat tip moves sideways through material.
+    bool is_at_wall = false;  ///< A thread mill starts in the wall of its thread.
+    /// The tool has cut a helix since the tool change.
+    bool has_threaded = false;
+    /// The tool has cut in the place where this motion moves straight up.
+    bool has_cut_below = false;
     /// Spindle state of the preceding motion if that motion cut straight down and this motion goes
     /// straight up.
     std::optional<gcode::SpindleTurning> leaves_cut;

@@ -81,6 +81,10 @@ void judge_sideways(const Setup&, const Move&, FindingLog&);
 void judge_tap_feed(const Setup&, const Move&, FindingLog&);
 void judge_tap_retract(const Setup&, const Move&, FindingLog&);
 void judge_drill_depth(const Setup&, const Move&, FindingLog&);
+void judge_bar_retract(const Setup&, const Move&, FindingLog&);
+void judge_thread_retract(const Setup&, const Move&, FindingLog&);
+void judge_countersink_depth(const Setup&, const Move&, FindingLog&);
+void judge_tip_cut(const Setup&, const Move&, FindingLog&);
 
 /// Returns the rule of a diagnostic with this code; empty: a different rule or a doubt reports the
 /// fault.
@@ -99,6 +103,8 @@ std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
 /// Returns a description of the kinematics that is assumed for this motion; empty: no assumption,
 /// or no rotary axis is away from 0.
 std::string kinematics_guess(const Setup& setup, const Move& move);
+/// True if a boring bar moves while the spindle is held in a direction.
+bool is_oriented_bar(const Setup& setup, const Move& move);
 /// True if a rotary axis is away from 0 at the start or the end of the motion.
 bool is_turned(const gcode::Motion& motion);
 /// Returns the text about a missing value that `requirement` demands; empty: the value is

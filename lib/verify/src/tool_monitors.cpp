@@ -19,6 +19,19 @@ toolpath::ToolPiece cylinder(double diameter, double low, double high) {
     return {{{diameter / 2, low, 0.0}, {diameter / 2, high, 0.0}}, true};
 }
 
+// Returns the cylinder that reaches into the crests of the thread around a thread mill. The lowest
+// turn is omitted, because a mill that ends its helix there has left the thread.
+toolpath::ToolPiece thread_wall(const ToolFacts& facts, const toolpath::ToolAccuracy& accuracy) {
+    constexpr double kDepth = 0.5;    // of the pitch; a full thread is 0.54 deep
+    constexpr double kLeast = 0.05;   // mm, without a pitch
+    constexpr double kPolygon = 2.0;  // tolerances, in which the wall may be a polygon
+    const double height = toolpath::cutting_height_of(facts.tool);
+    const double depth = facts.pitch ? kDepth * *facts.pitch : kLeast;
+    const double reach = std::max(depth, kPolygon * accuracy.tolerance_mm);
+    const double low = std::min(facts.pitch.value_or(1.0), height / 2);
+    return cylinder(toolpath::cutting_diameter_of(facts.tool) + 2 * reach, low, height);
+}
+
 // Adds the corners of the piece's inscribed polytope, moved by a thousandth towards the centroid of
 // the corners.
 void add_probes(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
@@ -102,6 +115,24 @@ ToolMonitors watch(const ToolFacts& facts, const Selection& selection, const cda
     const double height = toolpath::cutting_height_of(facts.tool);
     if (facts.blind_diameter && *facts.blind_diameter > 0.0 && selection.includes("plunge")) {
         w.core.emplace(cylinder(*facts.blind_diameter, 0.0, height), lattice, accuracy);
+    }
+    using toolpath::ToolKind;
+    const ToolKind kind = facts.tool.kind;
+    if (kind == ToolKind::ThreadMill && selection.includes("thread-retract"))
+        w.wall.emplace(thread_wall(facts, accuracy), lattice, accuracy);
+    const bool has_mouth =
+        (kind == ToolKind::Countersink && selection.includes("countersink-depth")) ||
+        (facts.flute_length && selection.includes("drill-depth"));
+    if (has_mouth) {
+        constexpr double kTall = 1.0;     // mm; raised, it asks about all of the column
+        constexpr double kPolygon = 4.0;  // tolerances, by which it keeps off a wall around it
+        const double d = toolpath::cutting_diameter_of(facts.tool);
+        const double inner = std::max(d / 2, d - kPolygon * accuracy.tolerance_mm);
+        w.mouth.emplace(cylinder(inner, 0.0, kTall), lattice, accuracy);
+    }
+    if (facts.flat_tip && selection.includes("tip-cut")) {
+        constexpr double kThin = 0.05;  // mm
+        w.tip.emplace(cylinder(*facts.flat_tip, 0.0, std::min(kThin, height)), lattice, accuracy);
     }
     if (facts.max_depth && *facts.max_depth < height && selection.includes("depth-limit")) {
         w.too_high = above(facts.tool, *facts.max_depth, lattice, accuracy);

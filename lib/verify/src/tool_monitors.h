@@ -35,6 +35,9 @@ struct ToolMonitors {
     Above uncertain;                       ///< Limit: the certain flute length.
     double uncertain_mm = 0.0;             ///< Length of uncertain flutes needed so far.
     Place uncertain_place;                 ///< First block that needed uncertain flutes.
+    std::optional<Body> wall;              ///< Thread mill, enlarged by the depth of its thread.
+    std::optional<Body> mouth;             ///< Column of the largest diameter above the tip.
+    std::optional<Body> tip;               ///< Flat tip of a chamfer mill.
     std::vector<cda::Vec3> probes_T;       ///< Points strictly inside the cutting pieces.
     bool prism = true;                     ///< All cutting pieces are prisms.
     bool widens = true;                    ///< The cutter is nowhere narrower above.

@@ -46,6 +46,11 @@ bool falls_straight(const Step& step) {
     return is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z < 0.0;
 }
 
+bool rises_straight(const Step& step) {
+    const Vec3 way = step.X_WB.translation - step.X_WA.translation;
+    return is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z > 0.0;
+}
+
 // True if the spindle turns in the usual direction of the tool; other states need a closer check.
 bool turns_well(const gcode::Motion& motion, bool left_hand) {
     const auto right_way =
@@ -116,8 +121,10 @@ public:
 
     // True if watch() makes the same bodies of both tools.
     static bool is_same_shape(const ToolFacts& a, const ToolFacts& b) {
-        return a.tool.pieces == b.tool.pieces && a.blind_diameter == b.blind_diameter &&
-               a.max_depth == b.max_depth && a.certain_flutes == b.certain_flutes;
+        return a.tool.kind == b.tool.kind && a.tool.pieces == b.tool.pieces &&
+               a.blind_diameter == b.blind_diameter && a.max_depth == b.max_depth &&
+               a.certain_flutes == b.certain_flutes && a.pitch == b.pitch &&
+               a.flat_tip == b.flat_tip;
     }
 
     void set_frame(const gcode::ProgramFrame& frame) { path_facts_.set_frame(frame); }
@@ -176,6 +183,13 @@ public:
             } else {
                 now_->aside_since.reset();
             }
+        }
+        if (now_->wall && measuring_.step() == 1 && rises_straight(step))
+            measuring_.meet_wall(step, part);
+        if (move_.motion->kind == MoveKind::Feed && is_upright(step)) {
+            const bool falls = falls_straight(step);
+            if (now_->mouth && falls) measuring_.meet_mouth(step, part);
+            if (now_->tip && !falls && !rises_straight(step)) measuring_.meet_tip(step, part);
         }
         if (!now_->too_high.bodies.empty() && move_.motion->kind == MoveKind::Feed)
             measuring_.meet_too_high(step, part);
@@ -460,7 +474,11 @@ private:
         }
         const bool well = turns_well(motion, is_left_handed(motion.tool));
         const ToolFacts* tool = facts_of(setup_, motion.tool);
-        if (tool && toolpath::is_axial(tool->tool.kind)) return true;
+        using toolpath::ToolKind;
+        if (tool &&
+            (toolpath::is_axial(tool->tool.kind) || tool->tool.kind == ToolKind::ThreadMill ||
+             tool->tool.kind == ToolKind::Countersink))
+            return true;
         return contacts_ || ((!well || motion.spindle_in_doubt) && !idle_.is_specified() &&
                              (asked("spindle-off") || asked("spindle-reversed")));
     }

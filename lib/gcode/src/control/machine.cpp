@@ -401,7 +401,10 @@ void Machine::set_speeds_and_tools(const Command& command) {
         state_.tool_length = gauge_length();
         path_.tool_change(state_);
     }
-    if (command.group(MGroup::Spindle) != kNone) state_.spindle_in_doubt = false;
+    if (const int spindle = command.group(MGroup::Spindle); spindle != kNone) {
+        state_.spindle_in_doubt = false;
+        state_.spindle_oriented = spindle == 19;
+    }
     switch (command.group(MGroup::Spindle)) {
         case 3:
         case 13: state_.spindle = SpindleTurning::Clockwise; break;
@@ -644,6 +647,7 @@ void Machine::finish() {
     state_.spindle = SpindleTurning::Stopped;
     state_.coolant = {};
     state_.spindle_in_doubt = false;
+    state_.spindle_oriented = false;
     state_.motion = Code::G1;
     state_.programmed = {};
 }

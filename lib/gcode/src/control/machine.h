@@ -210,6 +210,8 @@ private:
     std::optional<Drilling> begin_drilling(const Command& command, Code motion);
     bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
     bool hole_at(Drilling& drilling, const Axes& hole, AxisMask mask);
+    void orient_in_cycle();
+    void turn_again(SpindleTurning turning);
     bool drill(const Drilling& drilling, const Axes& above);
     std::optional<std::vector<double>> peck_depths(double r, double bottom) const;
     bool hole_pattern(const Command& command, Code code, bool words_taken);

@@ -36,21 +36,25 @@ using toolpath::ToolSpec;
 
 constexpr std::int64_t kVersionWithoutOrigin = 1, kVersion = 2;
 
-constexpr std::pair<std::string_view, ToolKind> kKinds[] = {{"flat", ToolKind::FlatEndMill},
-                                                            {"ball", ToolKind::BallEndMill},
-                                                            {"bull", ToolKind::BullNoseEndMill},
-                                                            {"face", ToolKind::FaceMill},
-                                                            {"v", ToolKind::VCutter},
-                                                            {"drill", ToolKind::Drill},
-                                                            {"taper", ToolKind::TaperedEndMill},
-                                                            {"slot", ToolKind::SlotMill},
-                                                            {"dovetail", ToolKind::DovetailMill},
-                                                            {"lollipop", ToolKind::LollipopMill},
-                                                            {"tap", ToolKind::Tap},
-                                                            {"reamer", ToolKind::Reamer},
-                                                            {"boring-bar", ToolKind::BoringBar},
-                                                            {"thread", ToolKind::ThreadMill},
-                                                            {"form", ToolKind::Other}};
+constexpr std::pair<std::string_view, ToolKind> kKinds[] = {
+    {"flat", ToolKind::FlatEndMill},
+    {"ball", ToolKind::BallEndMill},
+    {"bull", ToolKind::BullNoseEndMill},
+    {"face", ToolKind::FaceMill},
+    {"v", ToolKind::VCutter},
+    {"chamfer", ToolKind::ChamferMill},
+    {"countersink", ToolKind::Countersink},
+    {"drill", ToolKind::Drill},
+    {"taper", ToolKind::TaperedEndMill},
+    {"slot", ToolKind::SlotMill},
+    {"dovetail", ToolKind::DovetailMill},
+    {"lollipop", ToolKind::LollipopMill},
+    {"corner", ToolKind::CornerRoundingMill},
+    {"tap", ToolKind::Tap},
+    {"reamer", ToolKind::Reamer},
+    {"boring-bar", ToolKind::BoringBar},
+    {"thread", ToolKind::ThreadMill},
+    {"form", ToolKind::Other}};
 
 // Lengths and angles of a tool, by their names in the file.
 struct NamedValue {
@@ -313,8 +317,9 @@ private:
                                   [&name](const auto& kind) { return kind.first == name; });
                  if (found == std::end(kKinds)) {
                      r_.fail(n,
-                             "expected flat, ball, bull, face, v, drill, taper, slot, dovetail, "
-                             "lollipop, tap, reamer, boring-bar, thread or form");
+                             "expected flat, ball, bull, face, v, chamfer, countersink, drill, "
+                             "taper, slot, dovetail, lollipop, corner, tap, reamer, boring-bar, "
+                             "thread or form");
                  }
                  spec.kind = found->second;
              }},

@@ -40,6 +40,11 @@ Tool cone(ToolKind kind, double diameter, double tip_diameter, double included_a
 
 }  // namespace
 
+bool is_conical(std::optional<ToolKind> kind) {
+    return kind == ToolKind::VCutter || kind == ToolKind::ChamferMill ||
+           kind == ToolKind::Countersink;
+}
+
 bool is_axial(ToolKind kind) {
     return kind == ToolKind::Drill || kind == ToolKind::Tap || kind == ToolKind::Reamer ||
            kind == ToolKind::BoringBar;
@@ -52,6 +57,8 @@ std::string_view name_of(ToolKind kind) {
         case ToolKind::BullNoseEndMill: return "bull nose end mill";
         case ToolKind::FaceMill: return "face mill";
         case ToolKind::VCutter: return "v-cutter";
+        case ToolKind::ChamferMill: return "chamfer mill";
+        case ToolKind::Countersink: return "countersink";
         case ToolKind::Drill: return "drill";
         case ToolKind::Tap: return "tap";
         case ToolKind::Reamer: return "reamer";
@@ -61,6 +68,7 @@ std::string_view name_of(ToolKind kind) {
         case ToolKind::SlotMill: return "slot mill";
         case ToolKind::DovetailMill: return "dovetail mill";
         case ToolKind::LollipopMill: return "lollipop mill";
+        case ToolKind::CornerRoundingMill: return "corner rounding mill";
         case ToolKind::Other: break;
     }
     return "form tool";
@@ -122,6 +130,32 @@ Tool dovetail_mill(double diameter, double taper, double length) {
 Tool lollipop_mill(double diameter) {
     const double r = diameter / 2;
     return of_one_piece(ToolKind::LollipopMill, {{r, 0, r}, {r, diameter, r}});
+}
+
+Tool corner_rounding_mill(double diameter, double tip_diameter, double radius, double length) {
+    const double r = diameter / 2;
+    const double tip = std::min(tip_diameter / 2, r);
+    // The arc turns from upright at the tip to level, or ends at the diameter.
+    const double reach = std::min(radius, r - tip);
+    const double end = reach < radius
+                           ? trig::angle_of(radius - reach, std::sqrt(reach * (2 * radius - reach)))
+                           : 90.0;
+    // A chord over the angle 2x is rho (1 - cos x) off its arc, about rho x²/2.
+    const double step = 2 * std::sqrt(2 * kConcaveChord / radius) * 57.29;  // degrees
+    const int steps = std::clamp(static_cast<int>(std::ceil(end / step)), 1, 90);
+    const auto point_at = [&](int k) -> ProfilePoint {
+        if (k == 0) return {tip, 0.0, 0.0};
+        const trig::SinCos a = trig::sin_cos(end * k / steps);
+        const double out = k == steps ? reach : radius * (1 - a.cos);
+        return {tip + out, k == steps && end == 90.0 ? radius : radius * a.sin, 0.0};
+    };
+    Tool tool;
+    tool.kind = ToolKind::CornerRoundingMill;
+    for (int k = 0; k < steps; ++k)
+        tool.pieces.push_back({{point_at(k), point_at(k + 1)}, true});
+    const double top = point_at(steps).height;
+    if (length > top) tool.pieces.push_back({{{r, top, 0.0}, {r, length, 0.0}}, true});
+    return tool;
 }
 
 void add_holder_segment(Tool& tool, double lower_diameter, double upper_diameter, double height) {

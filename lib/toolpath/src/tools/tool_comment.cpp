@@ -57,6 +57,7 @@ std::optional<ToolKind> fusion_kind_named(std::string_view s) {
     if (s.find("SLOT MILL") != kNone) return ToolKind::SlotMill;
     if (s.find("DOVETAIL") != kNone) return ToolKind::DovetailMill;
     if (s.find("LOLLIPOP") != kNone) return ToolKind::LollipopMill;
+    if (s.find("RADIUS MILL") != kNone) return ToolKind::CornerRoundingMill;
     if (s.find("FORM MILL") != kNone) return ToolKind::Other;
     return words::kind_named(s);
 }
@@ -69,6 +70,8 @@ void take_taper(ToolSpec& spec, double degrees) {
     if (!spec.kind) spec.kind = ToolKind::TaperedEndMill;
     switch (*spec.kind) {
         case ToolKind::Drill: spec.angle = degrees; break;
+        case ToolKind::ChamferMill:
+        case ToolKind::Countersink:
         case ToolKind::VCutter: spec.angle = degrees < 60 ? 2 * degrees : degrees; break;
         case ToolKind::TaperedEndMill:
         case ToolKind::DovetailMill: spec.taper = std::min(degrees, 80.0); break;
@@ -145,7 +148,7 @@ std::optional<ToolRemark> read_cutviewer(std::string_view s) {
             spec.kind = ToolKind::FlatEndMill;
         }
     } else if (name == "DRILL" || name == "CHAMFER") {
-        spec.kind = name == "DRILL" ? ToolKind::Drill : ToolKind::VCutter;
+        spec.kind = name == "DRILL" ? ToolKind::Drill : ToolKind::ChamferMill;
         spec.angle = positive(v, 1);
         spec.length = positive(v, 2);
     } else if (name == "CDRILL") {
@@ -160,8 +163,16 @@ std::optional<ToolRemark> read_cutviewer(std::string_view s) {
             p.height += base;
         spec.pieces.push_back(std::move(body));
         spec.kind = ToolKind::VCutter;
+    } else if (name == "CRMILL") {
+        // Diameters of the tip and of all, radius, height of all, and how high it cuts.
+        spec.kind = ToolKind::CornerRoundingMill;
+        spec.tip_diameter = v.front();
+        spec.diameter = positive(v, 1);
+        spec.corner_radius = positive(v, 2);
+        spec.length = positive(v, 4);
+        if (!is_complete(spec)) return std::nullopt;
     } else {
-        return std::nullopt;  // CRMILL: concave, so not a polytope
+        return std::nullopt;
     }
     return remark;
 }

@@ -277,12 +277,12 @@ std::optional<ToolKind> fusion_kind(const std::string& type) {
         {"BALL END MILL", ToolKind::BallEndMill},
         {"BULL NOSE END MILL", ToolKind::BullNoseEndMill},
         {"FACE MILL", ToolKind::FaceMill},
-        {"CHAMFER MILL", ToolKind::VCutter},
+        {"CHAMFER MILL", ToolKind::ChamferMill},
         {"TAPERED MILL", ToolKind::TaperedEndMill},
         {"DRILL", ToolKind::Drill},
         {"SPOT DRILL", ToolKind::VCutter},
         {"CENTER DRILL", ToolKind::VCutter},
-        {"COUNTER SINK", ToolKind::VCutter},
+        {"COUNTER SINK", ToolKind::Countersink},
         {"REAMER", ToolKind::Reamer},
         {"COUNTER BORE", ToolKind::FlatEndMill},
         {"BORING BAR", ToolKind::BoringBar},
@@ -293,7 +293,7 @@ std::optional<ToolKind> fusion_kind(const std::string& type) {
         {"LOLLIPOP MILL", ToolKind::LollipopMill},
         {"TAP RIGHT HAND", ToolKind::Tap},
         {"TAP LEFT HAND", ToolKind::Tap},
-        {"RADIUS MILL", ToolKind::BullNoseEndMill},
+        {"RADIUS MILL", ToolKind::CornerRoundingMill},
         {"ENGRAVE", ToolKind::VCutter},
         {"ENGRAVER", ToolKind::VCutter}};
     const std::string upper = text::upper(type);
@@ -364,7 +364,7 @@ void read_fusion_tool(const Json& json, Collector& out) {
         spec.left_hand = text::upper(type) == "TAP LEFT HAND";
     }
     if (spec.kind == ToolKind::Drill) spec.angle = positive_of(g, "SIG");
-    if (spec.kind == ToolKind::VCutter) {
+    if (is_conical(spec.kind)) {
         spec.angle = positive_of(g, "SIG");
         if (!spec.angle) spec.angle = scaled(positive_of(g, "TA"), 2.0);
         if (!spec.angle) spec.angle = positive_of(g, "tip-angle");

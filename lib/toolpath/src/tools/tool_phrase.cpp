@@ -384,8 +384,7 @@ private:
         if (sizes_.empty() || sizes_.back().at + 2 != at_) return;
         Size& first = sizes_.back();
         if (q.unit == Unit::Degree) return take_angle(q.value);
-        if (kind_ == ToolKind::VCutter ||
-            (token(at_ + 1) && token(at_ + 1)->kind == ToolKind::VCutter)) {
+        if (is_conical(kind_) || (token(at_ + 1) && is_conical(token(at_ + 1)->kind))) {
             if (is_whole(q) && q.value >= 20) return take_angle(q.value);
         }
         if (first.quantity.unit == Unit::None && !first.quantity.is_fraction) {
@@ -439,7 +438,7 @@ private:
         } else if (corner_ && kind_ == ToolKind::BallEndMill) {
             size_ = corner_;
             size_->value *= 2;
-        } else if (tip_ && kind_ == ToolKind::VCutter) {
+        } else if (tip_ && is_conical(kind_)) {
             size_ = tip_;
             is_tip_ = true;
         }
@@ -462,6 +461,7 @@ private:
         if (expressions_ > 0 && !has_noun_) return false;
         if (dimensions_ > 1) return false;  // a block
         if (!is_plausible()) return false;
+        if (kind_ == ToolKind::CornerRoundingMill && !corner_) return false;
         const bool anchored = number_ > 0 && numbered_first_;
         if (!prose_.empty() && !names_tool_then_use()) {
             // Operations may stand next to a numbered tool, in segments of their own.
@@ -512,7 +512,7 @@ private:
 
     // True for BALL 6MM, but not for CHAMFER 1MM.
     bool shapes_size() const {
-        if (kind_ == ToolKind::VCutter && !angle_ && !tip_ && number_ == 0) return false;
+        if (is_conical(kind_) && !angle_ && !tip_ && number_ == 0) return false;
         if (number_ > 0) return true;
         const double mm = in_unit(named_->quantity, Unit::Millimetre);
         return named_->is_explicit() && unknown_ == 0 && mm <= 60.0;
@@ -547,7 +547,7 @@ private:
             return same && value > 0 ? std::optional(value) : std::nullopt;
         };
         if (!kind_ && angle_) spec.kind = ToolKind::VCutter;
-        if (spec.kind == ToolKind::VCutter) {
+        if (is_conical(spec.kind)) {
             spec.angle = angle_;
             if (is_chamfer_ && angle_ == 45.0) spec.angle = 90.0;  // 45 degrees is per side
             spec.tip_diameter = length(tip_);
@@ -557,7 +557,7 @@ private:
         if (spec.kind == ToolKind::Drill) spec.angle = angle_;
         if (spec.kind == ToolKind::TaperedEndMill && angle_) spec.taper = std::min(*angle_, 80.0);
         if (const auto corner = length(corner_); corner && *corner <= 0.505 * *spec.diameter) {
-            const bool is_round = spec.kind != ToolKind::Drill && spec.kind != ToolKind::VCutter;
+            const bool is_round = spec.kind != ToolKind::Drill && !is_conical(spec.kind);
             if (is_round) spec.corner_radius = corner;
             // The radius is more reliable than the name.
             if (is_round && spec.kind == ToolKind::FlatEndMill) spec.kind.reset();
@@ -572,7 +572,7 @@ private:
         // The size is the small end of an engraving cone if the large end is unspecified.
         const double mm = *spec.diameter * (result.unit == Unit::Inch ? 25.4 : 1.0);
         const bool is_small = angle_ && result.unit != Unit::None && mm <= 1.0;
-        if (spec.kind == ToolKind::VCutter && !diameter_ && (is_tip_ || (!tip_ && is_small))) {
+        if (is_conical(spec.kind) && !diameter_ && (is_tip_ || (!tip_ && is_small))) {
             spec.tip_diameter = std::exchange(spec.diameter, std::nullopt);
         }
         return result;

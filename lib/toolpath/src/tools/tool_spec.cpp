@@ -33,7 +33,28 @@ constexpr double kEngraverShank = 3.175;
 
 double diameter_of(const ToolSpec& spec) {
     if (spec.diameter) return *spec.diameter;
+    if (spec.kind == ToolKind::CornerRoundingMill && spec.corner_radius)
+        return spec.tip_diameter.value_or(0.0) + 2 * *spec.corner_radius;
     return spec.tip_diameter ? std::max(kEngraverShank, 2 * *spec.tip_diameter) : 0.0;
+}
+
+// Returns the tip diameter of a corner rounding mill. Without a specified tip the quarter circle
+// ends at the diameter.
+double round_tip_of(const ToolSpec& spec) {
+    if (spec.tip_diameter) return *spec.tip_diameter;
+    return std::max(0.0, diameter_of(spec) - 2 * spec.corner_radius.value_or(0.0));
+}
+
+double arc_height_of(const ToolSpec& spec) {
+    return height_of(corner_rounding_mill(diameter_of(spec), round_tip_of(spec),
+                                          spec.corner_radius.value_or(0.0), 0.0));
+}
+
+// True if the diameter is larger than that of the quarter circle.
+bool has_shoulder(const ToolSpec& spec) {
+    constexpr double kRounding = 1e-9;
+    return diameter_of(spec) >
+           round_tip_of(spec) + 2 * spec.corner_radius.value_or(0.0) + kRounding;
 }
 
 // Returns the length of the cutting part, or a default.
@@ -41,10 +62,17 @@ double length_of(const ToolSpec& spec, ToolKind kind, double assumed) {
     if (spec.length) return *spec.length;
     const double d = diameter_of(spec);
     if (kind == ToolKind::LollipopMill) return d;
+    if (kind == ToolKind::CornerRoundingMill) {
+        const double shoulder = has_shoulder(spec) ? 0.1 * d : 0.0;
+        return arc_height_of(spec) + shoulder;
+    }
     // The wider a disc, the more it would remove.
-    if (kind == ToolKind::SlotMill) return 0.25 * d;
+    if (kind == ToolKind::SlotMill) return std::max(0.25 * d, spec.corner_radius.value_or(0.0));
     if (kind == ToolKind::DovetailMill) return 0.5 * d;
-    return spec.stick_out ? std::min(assumed, *spec.stick_out) : assumed;
+    if (!spec.stick_out) return assumed;
+    const double above = spec.neck_length.value_or(0.0) + spec.shank_length.value_or(0.0);
+    const double room = *spec.stick_out - above;
+    return std::min(assumed, room > 0.0 ? room : *spec.stick_out);
 }
 
 std::optional<double> neck_of(const ToolSpec& spec, ToolKind kind) {
@@ -66,10 +94,12 @@ void add_assembly(Tool& tool, const ToolSpec& spec) {
     const double reach = spec.stick_out.value_or(0.0);
     if (spec.shaft.empty()) {
         if (const auto neck = neck_of(spec, tool.kind)) {
-            double length = spec.neck_length.value_or(0.0);
-            if (!spec.neck_length && !spec.shank_diameter)
-                length = std::max(reach - flutes, 3 * *neck);
-            if (!spec.neck_length && spec.shank_diameter) length = *neck;
+            const double room = std::max(0.0, reach - flutes);
+            double length = spec.shank_diameter ? *neck : 3 * *neck;
+            if (spec.stick_out && !spec.shank_diameter) length = room;
+            if (spec.stick_out && spec.shank_diameter)
+                length = std::min(length, std::max(0.0, room - spec.shank_length.value_or(0.0)));
+            length = spec.neck_length.value_or(length);
             add({*neck, *neck, length});
             tool.pieces.back().assumed = !spec.neck_diameter;
         }
@@ -114,7 +144,12 @@ Tool shaped(const ToolSpec& spec, double length) {
         case ToolKind::BallEndMill: return ball_end_mill(d, length);
         case ToolKind::BullNoseEndMill: return bull_nose_end_mill(d, corner, length);
         case ToolKind::VCutter:
-            return v_cutter(d, spec.tip_diameter.value_or(0.0), angle_of(spec, kind), length);
+        case ToolKind::ChamferMill:
+        case ToolKind::Countersink: {
+            Tool tool = v_cutter(d, spec.tip_diameter.value_or(0.0), angle_of(spec, kind), length);
+            tool.kind = kind;
+            return tool;
+        }
         case ToolKind::Drill: return drill(d, angle_of(spec, kind), length);
         case ToolKind::TaperedEndMill:
             return tapered_end_mill(d, corner, spec.taper.value_or(0.0), length);
@@ -122,6 +157,8 @@ Tool shaped(const ToolSpec& spec, double length) {
         case ToolKind::DovetailMill:
             return dovetail_mill(d, spec.taper.value_or(kDovetailTaper), length);
         case ToolKind::LollipopMill: return lollipop_mill(d);
+        case ToolKind::CornerRoundingMill:
+            return corner_rounding_mill(d, round_tip_of(spec), corner, length);
         case ToolKind::FlatEndMill:
         case ToolKind::Tap:
         case ToolKind::Reamer:
@@ -139,7 +176,14 @@ Tool shaped(const ToolSpec& spec, double length) {
 
 bool is_complete(const ToolSpec& spec) {
     if (!spec.pieces.empty()) return true;
-    if (!spec.diameter && kind_of(spec) != ToolKind::VCutter) return false;
+    const ToolKind kind = kind_of(spec);
+    if (kind == ToolKind::CornerRoundingMill) {
+        const double tip = round_tip_of(spec);
+        return spec.corner_radius && text::is_sane_length(*spec.corner_radius) &&
+               text::is_sane_length(diameter_of(spec)) && tip < diameter_of(spec) &&
+               (spec.diameter || spec.tip_diameter);
+    }
+    if (!spec.diameter && !is_conical(kind)) return false;
     return text::is_sane_length(diameter_of(spec));
 }
 
@@ -162,6 +206,88 @@ Tool make_tool(const ToolSpec& spec, double assumed_length) {
     tool.number = spec.number;
     tool.description = spec.description;
     return tool;
+}
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string with_article(ToolKind kind) {
+    const std::string name(name_of(kind));
+    return (name.find_first_of("aeiou") == 0 ? "an " : "a ") + name;
+}
+
+std::string value_of(const char* letter, double value) {
+    return letter + text::number(value);
+}
+
+// Adds a sentence for each value that tools of this kind do not have.
+void add_missing_values(const ToolSpec& spec, ToolKind kind, Words& all) {
+    const auto add = [&](const char* what) {
+        all.push_back(with_article(kind) + " has no " + what);
+    };
+    const bool per_side = kind == ToolKind::TaperedEndMill || kind == ToolKind::DovetailMill;
+    const bool has_angle = is_conical(kind) || kind == ToolKind::Drill;
+    const bool has_tip = is_conical(kind) || kind == ToolKind::CornerRoundingMill;
+    const bool has_radius = !has_angle && kind != ToolKind::DovetailMill;
+    if (spec.corner_radius.value_or(0.0) > 0.0 && !has_radius) add("corner radius (R)");
+    if ((spec.angle && !has_angle) || (spec.taper.value_or(0.0) > 0.0 && !per_side))
+        add("angle (A)");
+    if (spec.tip_diameter && !has_tip) add("tip diameter (P)");
+    if (spec.pitch && kind != ToolKind::Tap && kind != ToolKind::ThreadMill) add("pitch (K)");
+    if (spec.pitch && *spec.pitch <= 0.0) all.emplace_back("a pitch (K) is more than 0");
+}
+
+// Adds a sentence for each radius, tip or length that contradicts another value.
+void add_contradicting_shape(const ToolSpec& spec, ToolKind kind, Words& all) {
+    const double d = diameter_of(spec);
+    const double slack = 0.01 * d;
+    const double radius = spec.corner_radius.value_or(0.0);
+    const bool is_ball = kind == ToolKind::BallEndMill || kind == ToolKind::LollipopMill;
+    if (is_ball && spec.corner_radius && std::abs(radius - d / 2) > slack)
+        all.push_back(value_of("R", radius) + " of " + with_article(kind) + " is not half of " +
+                      value_of("D", d));
+    if (!is_ball && kind != ToolKind::CornerRoundingMill && radius > d / 2 + slack)
+        all.push_back(value_of("R", radius) + " is more than half of " + value_of("D", d));
+    const double tip = spec.tip_diameter.value_or(0.0);
+    if (tip > d) all.push_back(value_of("P", tip) + " is more than " + value_of("D", d));
+    if (!spec.length) return;
+    const double length = *spec.length;
+    const double made = cutting_height_of(shaped(spec, length));
+    const bool has_cone = is_conical(kind) || kind == ToolKind::Drill;
+    if (std::abs(made - length) > slack) {
+        all.push_back(value_of("L", length) +
+                      (made < length ? " is more than " : " is less than ") + "the height of " +
+                      (has_cone ? "the cone" : "the shape") + ", " + text::number(made) + " mm");
+    } else if (kind == ToolKind::CornerRoundingMill && has_shoulder(spec) &&
+               length <= arc_height_of(spec)) {
+        all.push_back(value_of("D", d) + " is more than P + 2 R, and " + value_of("L", length) +
+                      " leaves no shoulder");
+    } else if (kind == ToolKind::SlotMill && radius > length + slack) {
+        all.push_back(value_of("R", radius) + " is more than " + value_of("L", length));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> unkept_values(const ToolSpec& specified) {
+    const ToolSpec spec = specified_part(specified);
+    Words all;
+    if (!spec.pieces.empty() || !is_complete(spec)) return all;
+    const ToolKind kind = kind_of(spec);
+    add_missing_values(spec, kind, all);
+    add_contradicting_shape(spec, kind, all);
+    const bool has_steps = spec.neck_length || spec.shank_length || !spec.shaft.empty();
+    if (spec.stick_out && has_steps) {
+        ToolSpec bare = spec;
+        bare.holder.clear();
+        const double top = height_of(make_tool(bare, spec.length.value_or(0.0)));
+        if (top > *spec.stick_out + 0.01 * diameter_of(spec))
+            all.push_back(value_of("E", *spec.stick_out) +
+                          " is less than flutes, neck and shank together, " + text::number(top) +
+                          " mm");
+    }
+    return all;
 }
 
 ToolSpec specified_part(const ToolSpec& spec) {
@@ -193,9 +319,9 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length) {
     if (!spec.kind && *result.kind == ToolKind::FlatEndMill) assume("kind");
     if (!spec.diameter) {
         result.diameter = diameter_of(spec);
-        assume("diameter");
+        if (*result.kind != ToolKind::CornerRoundingMill) assume("diameter");
     }
-    if (*result.kind == ToolKind::Drill || *result.kind == ToolKind::VCutter) {
+    if (*result.kind == ToolKind::Drill || is_conical(result.kind)) {
         result.angle = angle_of(spec, *result.kind);
         if (!spec.angle) assume("angle");
     }
@@ -205,7 +331,8 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length) {
     }
     if (!spec.length) {
         result.length = length_of(spec, *result.kind, assumed_length);
-        if (*result.kind != ToolKind::LollipopMill) assume("length");
+        if (*result.kind != ToolKind::LollipopMill && *result.kind != ToolKind::CornerRoundingMill)
+            assume("length");
     }
     return result;
 }
@@ -218,8 +345,11 @@ bool guesses_shape(const ToolSpec& spec) {
     if (!spec.pieces.empty()) return false;
     const ToolKind kind = kind_of(spec);
     switch (kind) {
-        case ToolKind::VCutter: return !spec.angle || !spec.diameter;
+        case ToolKind::VCutter:
+        case ToolKind::ChamferMill:
+        case ToolKind::Countersink: return !spec.angle || !spec.diameter;
         case ToolKind::TaperedEndMill: return !spec.taper;
+        case ToolKind::CornerRoundingMill: return !spec.corner_radius;
         case ToolKind::SlotMill: return !spec.length;
         case ToolKind::DovetailMill: return !spec.length || !spec.taper;
         case ToolKind::Other: return true;
@@ -260,10 +390,13 @@ double least_flute_length(const Tool& tool) {
         case ToolKind::FaceMill: return std::max(cone, 0.1 * d);
         case ToolKind::Drill: return cone + 3 * d;
         case ToolKind::VCutter:
+        case ToolKind::ChamferMill:
+        case ToolKind::Countersink:
         case ToolKind::TaperedEndMill: return cone;
         case ToolKind::SlotMill:
         case ToolKind::DovetailMill:
-        case ToolKind::LollipopMill: return cutting_height_of(tool);
+        case ToolKind::LollipopMill:
+        case ToolKind::CornerRoundingMill: return cutting_height_of(tool);
         case ToolKind::FlatEndMill:
         case ToolKind::BallEndMill:
         case ToolKind::BullNoseEndMill:
@@ -285,14 +418,15 @@ std::string filled_in(const ToolSpec& spec, double assumed_length) {
     };
     const ToolKind kind = kind_of(spec);
     if (!part.kind) add("kind " + std::string(name_of(kind)));
-    if (!part.diameter) add("diameter " + text::number(diameter_of(spec)) + " mm");
+    if (!part.diameter && kind != ToolKind::CornerRoundingMill)
+        add("diameter " + text::number(diameter_of(spec)) + " mm");
     if (kind == ToolKind::Other) add("the shape of a flat end mill");
-    if ((kind == ToolKind::Drill || kind == ToolKind::VCutter) && !part.angle) {
+    if ((kind == ToolKind::Drill || is_conical(kind)) && !part.angle) {
         add("angle " + text::number(angle_of(spec, kind)) + " deg");
     }
     if (kind == ToolKind::DovetailMill && !part.taper)
         add("taper " + text::number(spec.taper.value_or(kDovetailTaper)) + " deg");
-    if (!part.length && kind != ToolKind::LollipopMill)
+    if (!part.length && kind != ToolKind::LollipopMill && kind != ToolKind::CornerRoundingMill)
         add("length " + text::number(length_of(spec, kind, assumed_length)) + " mm");
     if (const auto neck = neck_of(spec, kind); neck && !part.neck_diameter)
         add("neck " + text::number(*neck) + " mm");
@@ -306,6 +440,13 @@ std::string describe(const Tool& tool) {
     if (tip && tool.kind != ToolKind::BallEndMill && tool.kind != ToolKind::LollipopMill &&
         tip->profile.front().fillet > 0) {
         line += " R" + text::number(tip->profile.front().fillet);
+    }
+    if (tip && tool.kind == ToolKind::CornerRoundingMill) {
+        // The first chord begins where the arc is upright.
+        const double out = tip->profile.back().radius - tip->profile.front().radius;
+        const double up = tip->profile.back().height;
+        line += " P" + text::number(2 * tip->profile.front().radius);
+        line += " R" + text::number((up * up + out * out) / (2 * out));
     }
     line += " L" + text::number(cutting_height_of(tool));
     double height = cutting_height_of(tool);
@@ -336,12 +477,16 @@ public:
             {"BULL", ToolKind::BullNoseEndMill},
             {"FACE", ToolKind::FaceMill},
             {"V", ToolKind::VCutter},
-            {"CHAMFER", ToolKind::VCutter},
+            {"SPOT", ToolKind::VCutter},
+            {"ENGRAVER", ToolKind::VCutter},
+            {"CHAMFER", ToolKind::ChamferMill},
+            {"COUNTERSINK", ToolKind::Countersink},
             {"DRILL", ToolKind::Drill},
             {"TAPER", ToolKind::TaperedEndMill},
             {"SLOT", ToolKind::SlotMill},
             {"DOVETAIL", ToolKind::DovetailMill},
             {"LOLLIPOP", ToolKind::LollipopMill},
+            {"CORNER", ToolKind::CornerRoundingMill},
             {"TAP", ToolKind::Tap},
             {"REAMER", ToolKind::Reamer},
             {"BORING-BAR", ToolKind::BoringBar},
@@ -349,6 +494,7 @@ public:
         const auto* kind = std::find_if(std::begin(kKinds), std::end(kKinds),
                                         [part](const auto& k) { return k.first == part; });
         if (kind != std::end(kKinds)) {
+            if (spec_.kind) return "a tool has one kind";
             spec_.kind = kind->second;
             return {};
         }
@@ -357,9 +503,15 @@ public:
         const auto value = part.empty() ? std::nullopt : number_at(part, at);
         if (!value || (at != part.size() && part.front() != 'S' && part.front() != 'N')) {
             return std::string(part).append(
-                " is neither a kind of tool (flat, ball, bull, face, v, chamfer, drill, taper, "
-                "slot, dovetail, lollipop, tap, reamer, boring-bar, thread) nor a value (D, K, R, "
+                " is neither a kind of tool (flat, ball, bull, face, v, spot, engraver, chamfer, "
+                "countersink, drill, taper, slot, dovetail, lollipop, corner, tap, reamer, "
+                "boring-bar, thread) nor a value (D, K, R, "
                 "L, A, P, N, S, E, H)");
+        }
+        if (part.find_first_of("DKRLPESNA") == 0) {
+            if (seen_.find(part.front()) != std::string::npos)
+                return std::string(1, part.front()) + " is specified twice";
+            seen_ += part.front();
         }
         switch (part.front()) {
             case 'D': spec_.diameter = value; break;
@@ -370,13 +522,16 @@ public:
             case 'E': spec_.stick_out = value; break;
             case 'S': return read_step(part, at, *value, spec_.shank_diameter, spec_.shank_length);
             case 'N': return read_step(part, at, *value, spec_.neck_diameter, spec_.neck_length);
-            case 'A': return read_angle(*value);
+            case 'A': angle_ = value; break;
             default:
                 return std::string(part).append(
                     " starts with none of D, K, R, L, A, P, N, S, E, H");
         }
         return {};
     }
+
+    // Takes the angle, whose meaning depends on the kind. Returns why not; empty: taken.
+    std::string finish() { return angle_ ? read_angle(*angle_) : std::string(); }
 
 private:
     // Reads a number in mm; `at` moves to the end of the number and its unit.
@@ -432,6 +587,8 @@ private:
     }
 
     ToolSpec& spec_;
+    std::optional<double> angle_;
+    std::string seen_;
 };
 
 }  // namespace
@@ -465,10 +622,15 @@ std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& 
         const std::string why = reader.read(text::trimmed(part));
         if (!why.empty()) return refuse(why);
     }
+    if (const std::string why = reader.finish(); !why.empty()) return refuse(why);
+    if (!is_complete(spec) && spec.kind == ToolKind::CornerRoundingMill)
+        return refuse(
+            "a corner rounding mill needs R, its concave radius, and a diameter: D, or P of the "
+            "tip, smaller than D");
     if (!is_complete(spec))
         return refuse("a tool needs a diameter, as in D10, between 1 nm and 1 km");
     for (const auto& length : {spec.length, spec.shank_diameter, spec.shank_length,
-                               spec.neck_diameter, spec.neck_length, spec.stick_out}) {
+                               spec.neck_diameter, spec.neck_length, spec.stick_out, spec.pitch}) {
         if (length && !text::is_sane_length(*length))
             return refuse("a length of that size is no tool's");
     }
@@ -478,6 +640,7 @@ std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& 
             return refuse("a length of that size is no holder's");
         }
     }
+    if (const Words unkept = unkept_values(spec); !unkept.empty()) return refuse(unkept.front());
     return spec;
 }
 

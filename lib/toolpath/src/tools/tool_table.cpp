@@ -34,8 +34,8 @@ bool is_word(const gcode::Word& word, char letter, double number) {
     return word.letter == letter && word.literal && !word.comma && word.number == number;
 }
 
-// True for moves of a working tool. Moves to a reference position, in machine coordinates, and
-// offsets precede tool changes and do not count.
+// True for moves of a working tool. Moves to a reference position, upwards, or in machine
+// coordinates, and offsets precede tool changes and do not count.
 bool is_move(const Block& block) {
     static constexpr std::array kBeforeChange{4.0, 10.0, 28.0, 30.0, 52.0, 53.0, 92.0};
     const bool is_before_change =
@@ -43,7 +43,14 @@ bool is_move(const Block& block) {
             return w.letter == 'G' && w.literal &&
                    std::ranges::find(kBeforeChange, w.number) != kBeforeChange.end();
         });
-    if (is_before_change) return false;
+    const auto has = [&block](char letter) {
+        return std::ranges::any_of(block.words,
+                                   [letter](const gcode::Word& w) { return w.letter == letter; });
+    };
+    const bool goes_up =
+        has('Z') && !has('X') && !has('Y') &&
+        std::ranges::any_of(block.words, [](const gcode::Word& w) { return is_word(w, 'G', 0); });
+    if (is_before_change || goes_up) return false;
     return std::any_of(block.words.begin(), block.words.end(), [](const gcode::Word& w) {
         return w.letter == 'X' || w.letter == 'Y' || w.letter == 'Z';
     });

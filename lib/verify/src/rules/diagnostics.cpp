@@ -82,7 +82,7 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"comment-unclosed", "reading-guess"},
         {"tool-change-in-comment", "reading-guess"},
         {"foreign-kind", "reading-guess"},
-        {"tool-conflict", "reading-guess"},
+        {"tool-conflict", "contradiction"},
         {"compensation-radius-unknown", "radius-guess"},
         {"tool-unknown", "tool-guess"},
         {"moves-after-end", "not-simulated"},

@@ -103,6 +103,7 @@ std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
 
 void judge_rapid_in_material(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.motion->kind != gcode::MoveKind::Rapid || !move.meets_material) return;
+    if (is_oriented_bar(setup, move)) return;  // judged by bar-retract
     Occurrence s{move.arrives ? "rapid move ends in material, wherever it comes from"
                               : "rapid move through material"};
     if (move.volume_known) s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rules sideways-cut, tap-feed, tap-retract and drill-depth: motions that the kind of tool
-// cannot make.
+// The rules about motions that the kind of tool cannot make: sideways-cut, tap-feed, tap-retract,
+// drill-depth, thread-retract, countersink-depth, tip-cut and bar-retract.
+#include "body.h"
 #include "finding_log.h"
 #include "rule_table.h"
 
@@ -93,6 +94,77 @@ void judge_drill_depth(const Setup& setup, const Move& move, FindingLog& log) {
                                     move.motion->tool, *tool->flute_length));
     s.quantity = Quantity{"depth", move.hole_depth_mm, "mm"};
     log.add("drill-depth", move, std::move(s));
+}
+
+bool is_oriented_bar(const Setup& setup, const Move& move) {
+    const ToolFacts* tool = facts_of(setup, move.motion->tool);
+    return tool && tool->tool.kind == toolpath::ToolKind::BoringBar &&
+           move.motion->spindle_oriented;
+}
+
+void judge_bar_retract(const Setup& setup, const Move& move, FindingLog& log) {
+    const ToolFacts* tool = facts_of(setup, move.motion->tool);
+    if (!tool || tool->tool.kind != toolpath::ToolKind::BoringBar || !move.meets_material ||
+        move.motion->kind != MoveKind::Rapid)
+        return;
+    const bool is_oriented = move.motion->spindle_oriented;
+    const bool is_aside = move.motion->steps_aside.value_or(!move.has_cut_below);
+    if (is_oriented && is_aside) {
+        log.doubt("not-simulated",
+                  fmt::format("T{} is a boring bar with an oriented stop in material: whether its "
+                              "edge clears the bore is not simulated",
+                              move.motion->tool),
+                  {move.motion->file, move.motion->span});
+        return;
+    }
+    const bool goes_up = move.leaves.z > 0.0 && move.leaves.x == 0.0 && move.leaves.y == 0.0;
+    if (!is_oriented && !goes_up) return;
+    log.add("bar-retract", move,
+            seen(setup, move,
+                 is_oriented ? fmt::format("T{} is a boring bar and goes through a bore narrower "
+                                           "than itself without a step aside",
+                                           move.motion->tool)
+                             : fmt::format("T{} is a boring bar and goes back through a bore "
+                                           "narrower than itself without an oriented stop",
+                                           move.motion->tool)));
+}
+
+void judge_thread_retract(const Setup& setup, const Move& move, FindingLog& log) {
+    if (!move.is_at_wall || !move.has_threaded) return;
+    log.add("thread-retract", move,
+            seen(setup, move,
+                 fmt::format("T{} is a thread mill and goes up while it is in the wall of its "
+                             "thread",
+                             move.motion->tool)));
+}
+
+void judge_countersink_depth(const Setup& setup, const Move& move, FindingLog& log) {
+    const ToolFacts* tool = facts_of(setup, move.motion->tool);
+    if (!tool || tool->tool.kind != toolpath::ToolKind::Countersink) return;
+    const double radius = toolpath::cutting_diameter_of(tool->tool) / 2;
+    double cone = 0.0;  // height
+    for (const toolpath::ProfilePoint& p : tool->tool.pieces.front().profile) {
+        cone = p.height;
+        if (p.radius >= radius) break;
+    }
+    constexpr double kRounding = 2 * kRaiseStep;
+    if (move.hole_depth_mm <= cone + kRounding) return;
+    Occurrence s = seen(setup, move,
+                        fmt::format("T{} is a countersink and goes deeper than its cone, which is "
+                                    "{:.6g} mm high",
+                                    move.motion->tool, cone));
+    s.quantity = Quantity{"depth", move.hole_depth_mm, "mm"};
+    log.add("countersink-depth", move, std::move(s));
+}
+
+void judge_tip_cut(const Setup& setup, const Move& move, FindingLog& log) {
+    if (!move.tip_cuts) return;
+    const ToolFacts* tool = facts_of(setup, move.motion->tool);
+    log.add("tip-cut", move,
+            seen(setup, move,
+                 fmt::format("the flat tip of T{} (D{:.6g}), which has no edges, goes sideways "
+                             "through material",
+                             move.motion->tool, tool->flat_tip.value_or(0.0))));
 }
 
 }  // namespace ncsim::verify

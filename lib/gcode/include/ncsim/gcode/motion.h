@@ -152,6 +152,10 @@ struct Motion {
     bool turns_clamped = false;
     /// M0 came after the spindle start; on many machines M0 stops the spindle.
     bool spindle_in_doubt = false;
+    /// The spindle is held in a direction: M19, or the ways in G76 and G87 on which it is.
+    bool spindle_oriented = false;
+    /// In such a cycle: true if the tool steps aside (Q), which is not part of the motion.
+    std::optional<bool> steps_aside;
 };
 
 /// Returns the start or the end of a move (Linear, Arc, Spline); nullptr for dwells and tool

@@ -169,11 +169,15 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
         r += cycle.initial;
         bottom += r;
     }
-    if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {name_of(motion)})) {
+    // Back boring of Fanuc cuts upwards, from R to Z, and always goes back to the first height.
+    const bool cuts_upwards = motion == Code::G87 && bottom > r && !rules_.is_linuxcnc();
+    if (bottom > r && !cuts_upwards &&
+        !tolerate(Message::CycleUpsideDown, command.span, {name_of(motion)})) {
         return std::nullopt;
     }
     if (bottom == r) warn(Message::CycleDrillsNothing, command.span, {name_of(motion)});
-    const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
+    const bool to_r = state_.retract_to_r && !cuts_upwards;
+    const double clear = to_r ? r : std::max(cycle.initial, r);
     // If the initial plane is above R and the tool is below R, LinuxCNC moves to the next hole and
     // up to R in a single move. Fanuc moves across first; a different reading would hide obstacles.
     const bool slants = !rules_.macro_b;
@@ -197,9 +201,25 @@ bool Machine::hole_at(Drilling& drilling, const Axes& hole, AxisMask mask) {
     drilling.height = drilling.clear;
     if (above[depth_axis] != drilling.r) {
         above[depth_axis] = drilling.r;
+        const SpindleTurning turning = state_.spindle;
+        if (drilling.motion == Code::G87 && drilling.bottom > drilling.r) orient_in_cycle();
         path_.straight(state_, above, MoveKind::Rapid, 1U << depth_axis);
+        turn_again(turning);
     }
     return drill(drilling, above);
+}
+
+/// Stops the spindle in a fixed direction, with the tool aside by Q.
+void Machine::orient_in_cycle() {
+    state_.spindle = SpindleTurning::Stopped;
+    state_.spindle_oriented = true;
+    state_.steps_aside = state_.cycle.q > 0.0;
+}
+
+void Machine::turn_again(SpindleTurning turning) {
+    state_.spindle = turning;
+    state_.spindle_oriented = false;
+    state_.steps_aside.reset();
 }
 
 /// Returns the depths of the pecks above the bottom; nullopt if there are too many.
@@ -289,8 +309,9 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
             // The spindle stops (G76: also orients, then moves aside by Q), and the tool retracts.
             if (cycle.has_p) path_.dwell(state_, seconds);
             state_.spindle = SpindleTurning::Stopped;
+            if (motion == Code::G76 || (motion == Code::G87 && bottom > r)) orient_in_cycle();
             to(clear, MoveKind::Rapid);
-            state_.spindle = turning;
+            turn_again(turning);
             break;
         case Code::G89:
             path_.dwell(state_, seconds);

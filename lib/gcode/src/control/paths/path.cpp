@@ -215,6 +215,8 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     motion_.machine_coordinates = machine_coordinates_;
     motion_.turns_clamped = false;
     motion_.spindle_in_doubt = state.spindle_in_doubt;
+    motion_.spindle_oriented = state.spindle_oriented;
+    motion_.steps_aside = state.steps_aside;
 }
 
 // --- Choice of W ---

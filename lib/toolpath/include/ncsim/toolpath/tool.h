@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +18,16 @@ enum class ToolKind : std::uint8_t {
     BallEndMill,
     BullNoseEndMill,
     FaceMill,
-    VCutter,  ///< Chamfer mills, engravers, V-bits, spot and centre drills.
+    VCutter,  ///< Engravers, V-bits, spot and centre drills.
+    // Shape of a V-cutter.
+    ChamferMill,
+    Countersink,
     Drill,
     TaperedEndMill,
     SlotMill,      ///< A disc on a neck: T-slot cutter, keyseat cutter, single-row thread mill.
     DovetailMill,  ///< Widest at the tip.
     LollipopMill,  ///< A ball on a neck.
+    CornerRoundingMill,  ///< A concave quarter circle above the tip: rounds edges.
     // The following kinds have the shape of a flat end mill.
     Tap,
     Reamer,
@@ -33,6 +38,9 @@ enum class ToolKind : std::uint8_t {
 
 /// True if the tool is wider below than above, so that it needs a neck.
 bool is_undercutting(ToolKind kind);
+
+/// True for tools with the shape of a V-cutter.
+bool is_conical(std::optional<ToolKind> kind);
 
 /// True for tools that cut only along their axis, in a hole or into solid material: drills, taps,
 /// reamers, boring bars.
@@ -93,6 +101,13 @@ Tool slot_mill(double diameter, double corner_radius, double length);
 Tool dovetail_mill(double diameter, double taper, double length);
 /// Makes a whole ball.
 Tool lollipop_mill(double diameter);
+
+/// Returns a mill with a concave arc of `radius` from the edge of the tip upwards and outwards, up
+/// to `diameter`, and a cylinder above the arc up to `length` (mm). A diameter beyond the quarter
+/// circle is a flat shoulder. The arc consists of cones along its chords, one convex piece each:
+/// the tool is larger than the round tool by at most kConcaveChord.
+Tool corner_rounding_mill(double diameter, double tip_diameter, double radius, double length);
+inline constexpr double kConcaveChord = 0.005;  ///< mm
 
 /// Adds a segment that does not cut on top of the tool: a shank, or a step of a holder.
 void add_holder_segment(Tool& tool, double lower_diameter, double upper_diameter, double height);

@@ -27,11 +27,11 @@ struct ToolSpec {
     /// Diameter of the cutting part; of the tip for TaperedEndMill.
     std::optional<double> diameter;
     std::optional<double> corner_radius;
-    std::optional<double> tip_diameter;  ///< For V-cutters.
+    std::optional<double> tip_diameter;  ///< For V-cutters and corner rounding mills.
     std::optional<double> angle;         ///< Included angle of V-cutters, point angle of drills.
     std::optional<double> taper;         ///< Angle per side.
     std::optional<double> length;        ///< Flute length.
-    std::optional<double> pitch;         ///< Pitch of a tap, mm.
+    std::optional<double> pitch;         ///< Pitch of a tap or a thread mill, mm.
     bool left_hand = false;              ///< True if the tool cuts with M4.
     // Parts above the flutes, from below upwards: neck, shank, holder.
     std::optional<double> neck_diameter, neck_length;
@@ -76,6 +76,13 @@ bool is_complete(const ToolSpec& spec);
 /// Requires: is_complete(`spec`).
 Tool make_tool(const ToolSpec& spec, double assumed_length);
 
+/// Returns a sentence for each specified value that make_tool() cannot keep, with the letter of the
+/// value in options: "a flat end mill has no angle (A)". Flutes and a shank that are longer than
+/// the stick-out are in the holder and count as kept. Radii and lengths may differ by a hundredth
+/// of the diameter, because CAM systems round.
+/// Requires: is_complete().
+std::vector<std::string> unkept_values(const ToolSpec& spec);
+
 /// True if the shape of the cutting part is assumed: the kind of tool, the angle of a cone, or the
 /// height of a disc is unspecified.
 bool guesses_shape(const ToolSpec& spec);
@@ -107,13 +114,13 @@ std::string describe(const Tool& tool);
 double dovetail_taper(double degrees);
 
 /// Reads `T1=flat:D10:L22:S12x30:H28x15,40x25`: a number, a kind (flat, ball, bull, face, v,
-/// chamfer, drill, taper, slot, dovetail, lollipop, tap, reamer, boring-bar, thread; may be
-/// omitted) and values: D diameter, K pitch of a tap, R corner radius, L flute length, A angle
-/// (included; per side for taper; for dovetail see `dovetail_taper`), P tip diameter, N neck and S
-/// shank (diameter, or diameter x length), E stick-out from the tip to the holder, H the holder
-/// from below upwards (diameter x height, or lower-upper x height for a cone). Numbers are mm, or
-/// inches with the suffix `in`; case does not matter. Returns empty, with the reason in `message`,
-/// if the text has another form.
+/// spot, engraver, chamfer, countersink, drill, taper, slot, dovetail, lollipop, corner, tap,
+/// reamer, boring-bar, thread; may be omitted) and values: D diameter, K pitch of a thread, R
+/// corner radius, L flute length, A angle (included; per side for taper; for dovetail see
+/// `dovetail_taper`), P tip diameter, N neck and S shank (diameter, or diameter x length), E
+/// stick-out from the tip to the holder, H the holder from below upwards (diameter x height, or
+/// lower-upper x height for a cone). Numbers are mm, or inches with the suffix `in`; case does not
+/// matter. Returns empty, with the reason in `message`, if the text has another form.
 std::optional<ToolSpec> parse_tool_option(std::string_view text, std::string& message);
 
 }  // namespace ncsim::toolpath

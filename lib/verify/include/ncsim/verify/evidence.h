@@ -33,6 +33,9 @@ enum class Subject : std::uint8_t {
     TooHigh,  ///< Contact of the cutter above the depth limit; `value`: excess, mm.
     /// Contact of the flutes above the certain flute length; `value` as for TooHigh.
     UnspecifiedFlutes,
+    Wall,     ///< Contact of a thread mill with the wall of its thread at the start of the step.
+    Mouth,    ///< The column above the tip; `value`: Z of the highest material in the column, mm.
+    Tip,      ///< Contact of a flat tip that does not cut.
     Fixture,  ///< Contact of fixture `index` with piece `other` of the tool.
     /// Contact of pair `index` of a MachineScene; `value`: penetration or distance, mm.
     Link,

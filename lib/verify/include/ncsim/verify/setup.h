@@ -44,9 +44,11 @@ struct ToolFacts {
     std::string blind_assumption;    ///< Description of the conclusion that gave the diameter.
     std::optional<double> max_ramp;  ///< Degrees, for a tool with a core.
     bool left_hand = false;          ///< Cuts with M4.
-    std::optional<double> pitch;     ///< Pitch of a tap, mm.
+    std::optional<double> pitch;     ///< Pitch of a tap or a thread mill, mm.
     /// Specified flute length of a drill, mm.
     std::optional<double> flute_length;
+    /// Specified diameter of the flat tip of a chamfer mill, where that is too wide to cut, mm.
+    std::optional<double> flat_tip;
 };
 
 /// Contact that the accuracy of the tools leaves open, somewhere in `boxes` (mm, W).

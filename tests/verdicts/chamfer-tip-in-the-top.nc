@@ -1,0 +1,15 @@
+%
+(a chamfer mill engraves with its flat tip)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T1 M6
+S5000 M3
+G0 X-50. Y-50.
+G43 H1 Z10.
+G0 X-30. Y0. Z2.
+G1 Z-0.5 F300.
+G1 X30.
+G0 Z50.
+M5
+M30
+%

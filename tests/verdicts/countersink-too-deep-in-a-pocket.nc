@@ -1,0 +1,32 @@
+%
+(a countersink goes deeper than its cone below the floor of a pocket)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T3 M6
+S3000 M3
+G0 X0. Y0.
+G43 H3 Z10.
+G1 Z-10. F100.
+G1 X8. F300.
+G3 X8. Y0. I-8. J0.
+G1 X0.
+G0 Z50.
+M5
+T1 M6
+S800 M3
+G0 X0. Y0.
+G43 H1 Z10.
+G83 X0. Y0. Z-25. R2. Q4. F100.
+G80
+G0 Z50.
+M5
+T2 M6
+S500 M3
+G0 X0. Y0.
+G43 H2 Z10.
+G81 X0. Y0. Z-16.5 R2. F80.
+G80
+G0 Z50.
+M5
+M30
+%

@@ -1,0 +1,22 @@
+%
+(G87 of Fanuc without Q: the bar does not step aside)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T1 M6
+S800 M3
+G0 X0. Y0.
+G43 H1 Z10.
+G83 X0. Y0. Z-35. R2. Q8. F100.
+G80
+G0 Z50.
+M5
+T2 M6
+S500 M3
+G0 X0. Y0.
+G43 H2 Z10.
+G98 G87 X0. Y0. Z-25. R-34. F50.
+G80
+G0 Z50.
+M5
+M30
+%

@@ -1,0 +1,27 @@
+%
+(a thread mill goes up at the stud that it has threaded)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80 G94
+T1 M6
+S3000 M3
+G0 X50. Y0.
+G43 H1 Z10.
+G0 Z-14.
+G1 X25. F300.
+G2 X25. Y0. I-25. J0.
+G1 X15.
+G2 X15. Y0. I-15. J0.
+G0 Z50.
+M5
+T2 M6
+S2000 M3
+G0 X0. Y0.
+G43 H2 Z10.
+G0 X22. Y0.
+G0 Z-12.
+G1 X17. F200.
+G2 X17. Y0. Z-9.5 I-17. J0.
+G0 Z50.
+M5
+M30
+%
