@@ -453,8 +453,15 @@ TEST(Rules, AreListedForPeopleAndForPrograms) {
     Folder folder;
     const Ran text = folder.run({"rules"});
     EXPECT_EQ(text.exit_code, 0);
-    EXPECT_TRUE(contains(text.out, "  rapid-in-material    error    A rapid move"));
+    EXPECT_TRUE(
+        contains(text.out, "  rapid-in-material      error    Rapid moves that meet material.\n"));
     const Ran json = folder.run({"rules", "--json"});
+    for (const auto& rule : nlohmann::json::parse(json.out)["rules"]) {
+        const std::string what = rule["what"];
+        EXPECT_TRUE(what.ends_with(".")) << rule["id"];
+        EXPECT_LE(what.size(), 80U) << what;
+        EXPECT_NE(what, rule["why"]) << rule["id"];
+    }
     EXPECT_TRUE(contains(json.out, "\"id\": \"rapid-in-material\""));
 }
 

@@ -24,12 +24,12 @@ std::string rules_text() {
             category = verify::name_of(rule.category);
             append(text, "{}{}\n", text.empty() ? "" : "\n", category);
         }
-        append(text, "  {:<20} {:<8} {}\n  {:<20} {:<8} {}\n", rule.id,
-               verify::name_of(rule.severity), rule.why, "", "", rule.fix);
+        append(text, "  {:<22} {:<8} {}\n", rule.id, verify::name_of(rule.severity), rule.what);
+        append(text, "{:34}why: {}\n{:34}fix: {}\n", "", rule.why, "", rule.fix);
     }
     text += "\nreasons for doubt, for --accept\n";
     for (const verify::ReasonInfo& reason : verify::reasons())
-        append(text, "  {:<20} {}\n  {:<20} fix: {}\n", reason.id, reason.why, "", reason.fix);
+        append(text, "  {:<22} {}\n  {:<22} fix: {}\n", reason.id, reason.why, "", reason.fix);
     return text;
 }
 
@@ -39,6 +39,7 @@ std::string rules_json() {
         rules.push_back({{"id", rule.id},
                          {"category", verify::name_of(rule.category)},
                          {"severity", verify::name_of(rule.severity)},
+                         {"what", rule.what},
                          {"why", rule.why},
                          {"fix", rule.fix}});
     }

@@ -70,7 +70,7 @@ Json sarif_rules() {
     Json rules = Json::array();
     for (const verify::RuleInfo& rule : verify::rules()) {
         rules.push_back({{"id", rule.id},
-                         {"shortDescription", {{"text", rule.why}}},
+                         {"shortDescription", {{"text", rule.what}}},
                          {"fullDescription", {{"text", rule.why}}},
                          {"help", {{"text", rule.fix}}},
                          {"defaultConfiguration", {{"level", level_of(rule.severity)}}},

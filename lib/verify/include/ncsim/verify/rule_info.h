@@ -13,9 +13,10 @@ namespace ncsim::verify {
 struct RuleInfo {
     std::string_view id;
     Category category;
-    Severity severity;     ///< Default; the user or a finding may change the severity.
-    std::string_view why;  ///< One sentence.
-    std::string_view fix;  ///< One sentence.
+    Severity severity;      ///< Default; the user or a finding may change the severity.
+    std::string_view what;  ///< What the rule finds, a noun phrase with a full stop.
+    std::string_view why;   ///< Effect of such a fault, one sentence.
+    std::string_view fix;   ///< Remedy, one imperative sentence.
 };
 
 }  // namespace ncsim::verify
