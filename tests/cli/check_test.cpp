@@ -27,7 +27,7 @@ TEST(Check, FindsNothingInAGoodProgramAndSaysWhatItCouldNotAsk) {
     EXPECT_EQ(ran.exit_code, 0) << ran.out;
     EXPECT_TRUE(contains(ran.out, "slot.nc: clean: 0 errors, 0 warnings, 0 notes, 0 doubts\n"))
         << ran.out;
-    EXPECT_TRUE(contains(ran.out, "skipped  over-travel: no travels are told")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "skipped  over-travel: no travels are specified")) << ran.out;
     EXPECT_EQ(folder.files(), std::vector<std::string>{"slot.nc"});
 }
 

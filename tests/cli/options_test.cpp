@@ -199,13 +199,13 @@ TEST(Options, RefuseRaysWhereOnlyAnExactModelWillDo) {
         EXPECT_NE(text.find(asked.back() == "--block-volumes" ? asked.back() : asked.front()),
                   std::string::npos)
             << text;
-        EXPECT_NE(text.find("take cda or cda-flat"), std::string::npos) << text;
+        EXPECT_NE(text.find("use cda or cda-flat"), std::string::npos) << text;
     }
     EXPECT_NE(refusal({"run", "a.nc", "--resolution", "0.1"}).find("--model dexel"),
               std::string::npos);
     EXPECT_FALSE(refusal({"run", "a.nc", "--model", "dexel", "--resolution", "0"}).empty());
     EXPECT_NE(refusal({"check", "a.nc", "--model", "dexel"}).find("with cda"), std::string::npos);
-    EXPECT_NE(refusal({"measure", "a.nc", "--model", "dexel"}).find("take cda"), std::string::npos);
+    EXPECT_NE(refusal({"measure", "a.nc", "--model", "dexel"}).find("use cda"), std::string::npos);
 }
 
 // For example "$MACHINE" if the variable is not set.

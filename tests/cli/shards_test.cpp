@@ -143,7 +143,7 @@ TEST(Shards, ThatContradictEachOtherAreRefused) {
               0);
     const Ran ran = folder.run({"merge", "a", "b"});
     EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_TRUE(contains(ran.err, "and not the same")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "with another result")) << ran.err;
 }
 
 TEST(Shards, TakeTheirNumberFromTheScheduler) {

@@ -142,7 +142,7 @@ TEST(JobFile, OfAnUndescribedToolAsksForIt) {
     folder.write("two.nc", kTwoTools);
     EXPECT_EQ(folder.run({"tools", "two.nc", "--save-job", "two.toml"}).exit_code, 1);
     const std::string text = folder.read("two.toml");
-    EXPECT_TRUE(contains(text, "# tool 2 moves from line 10 on and nobody describes it")) << text;
+    EXPECT_TRUE(contains(text, "# tool 2 moves from line 10 on and is not described")) << text;
     EXPECT_TRUE(contains(text, "#[[tool]]\n#number = 2\n")) << text;
 }
 

@@ -138,9 +138,26 @@ private:
         tools_.push_back(t);
         const double d = nc_.mm(2 * t.radius);
         const double l = nc_.mm(t.length);
-        const auto begin = [&](const char* kind) {
+        const auto begin_shape = [&](const char* kind) {
             text += kind;
-            text += ":D" + mm_text(2 * t.radius) + ":L" + mm_text(t.length);
+            text += ":D" + mm_text(2 * t.radius);
+        };
+        const auto flutes = [&](Ticks length) {
+            tools_.back().length = length;
+            text += ":L" + mm_text(length);
+            return nc_.mm(length);
+        };
+        const auto begin = [&](const char* kind) {
+            begin_shape(kind);
+            (void)flutes(t.length);
+        };
+        // Height (mm) of a cone from the tip diameter to the diameter.
+        const auto height_of_cone = [&](double tip, double half_angle) {
+            return (d - tip) / 2 / std::tan(half_angle * std::numbers::pi / 180.0);
+        };
+        // ncsim refuses flutes that are shorter than the cone.
+        const auto flutes_of_cone = [&](double tip, double angle) {
+            return flutes(std::max(t.length, nc_.ticks(height_of_cone(tip, angle / 2)) + 1));
         };
         // Returns a part of `most`, or 0 with probability 1 / `n`.
         const auto some = [&](const char* letter, Ticks most, Ticks n) {
@@ -161,26 +178,33 @@ private:
             case 3: begin("bull"); return RoundTool::end_mill(d, some(":R", t.radius, kNever), l);
             case 4: begin("face"); return RoundTool::end_mill(d, some(":R", t.radius, 2), l);
             case 5: {
-                begin(random_.one_in(2) ? "v" : "chamfer");
+                begin_shape(random_.one_in(2) ? "v" : "chamfer");
                 const double tip = some(":P", 2 * t.radius, 2);
                 const double any = static_cast<double>(random_.between(10, 170));
                 const double usual = one_of(30.0, 45.0, 60.0, 90.0, 120.0);
-                return RoundTool::cone(d, tip, angle(random_.one_in(4) ? any : usual), l);
+                const double point = angle(random_.one_in(4) ? any : usual);
+                return RoundTool::cone(d, tip, point, flutes_of_cone(tip, point));
             }
-            case 6:
-                begin("drill");
-                return RoundTool::cone(d, 0.0, angle(one_of(90.0, 118.0, 130.0, 135.0, 140.0)), l);
+            case 6: {
+                begin_shape("drill");
+                const double point = angle(one_of(90.0, 118.0, 130.0, 135.0, 140.0));
+                return RoundTool::cone(d, 0.0, point, flutes_of_cone(0.0, point));
+            }
             case 7: {
                 begin("slot");
                 const double corner = some(":R", std::min(t.radius, t.length), 2);
                 return RoundTool::end_mill(d, corner, l);
             }
             case 8: {
-                // Catalogues list 60 for the angle between floor and flank; small angles are
-                // relative to the axis.
-                begin("dovetail");
+                // Catalogues list 60 between floor and flank, small angles from the axis.
+                begin_shape("dovetail");
                 const double listed = angle(one_of(1.0, 10.0, 15.0, 30.0, 45.0, 60.0));
-                return RoundTool::dovetail(d, listed == 60.0 ? 30.0 : listed, l);
+                const double taper = listed == 60.0 ? 30.0 : listed;
+                // ncsim refuses flutes that reach near the apex.
+                const Ticks most = nc_.ticks(0.9 * height_of_cone(0.0, taper));
+                const double height =
+                    flutes(std::clamp<Ticks>(t.length, 1, std::max<Ticks>(1, most)));
+                return RoundTool::dovetail(d, taper, height);
             }
             case 9:
                 tools_.back().length = 2 * t.radius;

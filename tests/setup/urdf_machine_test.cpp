@@ -205,7 +205,7 @@ TEST(UrdfMachine, RefusesWhatIsNoMachineWithItsLine) {
              {with(link("a",
                         "<visual><geometry><mesh filename=\"http://a/b.stl\"/></geometry>"
                         "</visual>")),
-              "expected a file beside this one"}}) {
+              "expected a file in the folder of this file"}}) {
         const std::string said = refusal(text);
         EXPECT_NE(said.find(message), std::string::npos) << said << "\n" << text.substr(0, 2000);
         EXPECT_TRUE(said.starts_with("m.urdf:")) << said;

@@ -36,6 +36,9 @@ constexpr Case kCases[] = {
      "from its moves"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Y0 Z1\nT0 M6\nG1 Z-1 F100\nX9\nM2\n",
      false, "spindle-empty: T0 left the spindle empty before this cut: call a tool"},
+    {"(T1 D=6. CR=4. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Y0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
+     "tool-conflict: tool 1: R4 of a ball end mill is not half of D6; it was made as ball end mill "
+     "D6 L30"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
      "axis-unknown: the program never sets Y; taken as 0 (--start)"},
     {"G21 G90\nG0 X0 Y0\nG1 X9 F100\nM2\n", true,

@@ -122,8 +122,9 @@ std::vector<std::string> with_settings(std::vector<std::string> words,
     // Inserted before "--": a list option would otherwise take the following program as a value.
     auto end = std::ranges::find(words, "--");
     for (const setup::ProjectSetting& setting : settings) {
-        if (!accepts(setting.option)) continue;
+        // A fault is an error of every command, also of those without the option.
         const std::vector<std::string> more = words_of_setting(setting, folder);
+        if (!accepts(setting.option)) continue;
         end =
             words.insert(end, more.begin(), more.end()) + static_cast<std::ptrdiff_t>(more.size());
     }

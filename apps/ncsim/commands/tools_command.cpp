@@ -34,7 +34,7 @@ int run(const ToolsOptions& options) {
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     simulation::Plan plan;
-    plan.job = setup::read_job(options, inputs);
+    plan.job = setup::read_job(static_cast<const setup::JobOptions&>(options), inputs);
     outputs.reserve(options.save_job);
     const simulation::Survey survey = simulation::survey(plan);
     const report::Plunges plunges = simulation::plunges_of(plan);
