@@ -69,8 +69,10 @@ bool LineParser::read_o_word() {
     } else if (is_name && !options_.strict) {
         while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_])))
             ++at_;
-        block_.control = {
-            ControlWord::ProgramNumber, text_.substr(label, at_ - label), {}, span(start, at_)};
+        block_.control = {};
+        block_.control.word = ControlWord::ProgramNumber;
+        block_.control.label = text_.substr(label, at_ - label);
+        block_.control.span = span(start, at_);
         return true;  // "OCIRCLE": a program with a name.
     } else if (text_[start] == ':' && !options_.strict &&
                (at_ >= text_.size() || !is_digit(text_[at_]))) {
