@@ -426,8 +426,9 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
     cda::Box swept, inner, milled;
     std::vector<AirDisc> discs;
     MotionSurvey::ToolTrack all;
-    for (const auto& [number, track] : motions.tracks()) {
-        const auto used = result.tools.find(number);
+    for (const auto& entry : motions.tracks()) {
+        const MotionSurvey::ToolTrack& track = entry.second;
+        const auto used = result.tools.find(entry.first);
         if (used == result.tools.end() || track.cutting_tips.is_empty()) continue;
         const double r = toolpath::cutting_diameter_of(used->second.tool) / 2;
         const double height = toolpath::cutting_height_of(used->second.tool);
