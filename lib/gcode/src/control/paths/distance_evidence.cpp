@@ -5,7 +5,10 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "control/paths/path.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ncsim::gcode {
