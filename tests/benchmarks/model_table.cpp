@@ -243,7 +243,7 @@ int main(int argc, char** argv) {
         fmt::print(
             "| program | model | closed | cutting, µs a hull | from text to surface, s | MB | "
             "volume "
-            "- exact, mm³ | told to be off at most, mm³ | enclosed - exact, mm³ |\n"
+            "- exact, mm³ | reported bound, mm³ | enclosed - exact, mm³ |\n"
             "|---|---|---|---|---|---|---|---|---|\n");
         std::fflush(stdout);
         for (const std::string& name : names) {

@@ -98,7 +98,7 @@ TEST(NormalTable, BoundsWhatIsBelowAPlane) {
         tight += largest < 0.999 && found < largest + 0.01 ? 1 : 0;
     }
     EXPECT_GT(telling, 80000);
-    EXPECT_GT(tight, telling / 5) << "a bound that tells nothing is no bound";
+    EXPECT_GT(tight, telling / 5) << "the bound is too wide to separate anything";
 }
 
 TEST(NormalTable, TellsInRowsWhatPairsTell) {

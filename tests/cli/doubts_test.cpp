@@ -70,6 +70,27 @@ TEST(Doubts, ThatSomebodyAcceptsAreToldAndDoNotCount) {
     EXPECT_EQ(folder.run({"check", "slot.nc", "--accept", "luck"}).exit_code, 2);
 }
 
+// Job files and scripts of 0.1 have the older name of the reason.
+TEST(Doubts, AreAcceptedByTheOlderNameOfTheirReason) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const std::vector<std::string> words{"check", "slot.nc", "--compensation", "D2=0"};
+    const auto checked = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), more.begin(), more.end());
+        return folder.run(all);
+    };
+    EXPECT_TRUE(contains(checked({}).out, "[setting-not-used]"));
+    EXPECT_EQ(checked({}).exit_code, 4);
+    for (const char* name : {"setting-not-used", "told-not-used"}) {
+        const Ran ran = checked({"--accept", name});
+        EXPECT_EQ(ran.exit_code, 0) << ran.out;
+        EXPECT_TRUE(contains(ran.out, "accepted setting-not-used")) << ran.out;
+    }
+    folder.write("job.toml", "version = 2\nprogram = \"slot.nc\"\naccept = [\"told-not-used\"]\n");
+    EXPECT_EQ(checked({"--job", "job.toml"}).exit_code, 0);
+}
+
 TEST(Doubts, NeverHideAnError) {
     Folder folder;
     folder.write("slot.nc", replaced(kNoStart, "S1000 M3\n", ""));

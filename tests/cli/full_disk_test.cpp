@@ -27,7 +27,7 @@ bool may_mount() {
 }
 
 #define NCSIM_NEEDS_DISKS() \
-    if (!may_mount()) GTEST_SKIP() << "nobody may mount a disk here (unshare -rm)"
+    if (!may_mount()) GTEST_SKIP() << "mounting a disk is not permitted here (unshare -rm)"
 
 // Only the files that the script lists with "ls" remain.
 TEST(FullDisk, IsToldOfEveryResult) {

@@ -49,8 +49,8 @@ std::string complaint(const Judged& judged, const Ran& ran, const json& program)
         ids.insert(d["reason"]);
         if (d["reason"] == judged.tells && d.value("line", 0U) == judged.line) is_there = true;
     }
-    if (!judged.tells.empty() && !ids.contains(judged.tells)) return "not told: " + judged.tells;
-    if (!is_there) return judged.tells + " is not told of line " + std::to_string(judged.line);
+    if (!judged.tells.empty() && !ids.contains(judged.tells)) return "missing: " + judged.tells;
+    if (!is_there) return judged.tells + " is missing at line " + std::to_string(judged.line);
     for (const std::string& id : ids) {
         if (id != judged.tells && !judged.may_tell.contains(id)) return "invented: " + id;
     }

@@ -227,7 +227,7 @@ int main(int argc, char** argv) {
             if (c.why[0] != '\0') {
                 std::printf(": %s\n", c.why.data());
             } else {
-                std::printf(": %.1f mm3, by rays %+.4g, told %.4g, polygons %.4g at most\n",
+                std::printf(": %.1f mm3, by rays %+.4g, reported %.4g, polygons %.4g at most\n",
                             c.exact, c.off, c.specified, c.polygons);
             }
             std::fflush(stdout);

@@ -192,7 +192,7 @@ TEST(FloatMesh, SurfacesThatTouchGetCornersOfTheirOwn) {
         EXPECT_EQ(farthest_moved(mesh), 1);
     }
     EXPECT_THROW(written(united(cube(), beside, {{0, 2}, {4, 6}})), std::invalid_argument)
-        << "this edge stands twice in each direction: nobody can tell what it belongs to";
+        << "this edge has two faces in each direction: the pairs are ambiguous";
 }
 
 TEST(FloatMesh, AWallThatFloatsCannotTellKeepsBothSides) {

@@ -71,14 +71,14 @@ int main(int argc, char** argv) {
     BRepGProp::SurfaceProperties(shape, area, 1e-9);
     constexpr double kSame = 1e-7;
     double specified = 0.0;
-    expect(XCAFDoc_Volume::Get(part, specified), "no volume is told");
+    expect(XCAFDoc_Volume::Get(part, specified), "the file has no volume");
     expect(std::abs(specified - volume.Mass()) < kSame * specified,
            "volume " + std::to_string(specified) + ", not " + std::to_string(volume.Mass()));
-    expect(XCAFDoc_Area::Get(part, specified), "no area is told");
+    expect(XCAFDoc_Area::Get(part, specified), "the file has no area");
     expect(std::abs(specified - area.Mass()) < kSame * specified,
            "area " + std::to_string(specified) + ", not " + std::to_string(area.Mass()));
     gp_Pnt centre;
-    expect(XCAFDoc_Centroid::Get(part, centre), "no centroid is told");
+    expect(XCAFDoc_Centroid::Get(part, centre), "the file has no centroid");
     const double off = centre.Distance(volume.CentreOfMass());
     expect(off < 1e-6, "its centroid is " + std::to_string(off) + " mm off");
 

@@ -459,7 +459,7 @@ TEST(Traps, AreNotSteppedInto) {
          "feed X0 Y0 Z0 F100"},
         {"18 after it it does not", By::Default, "G1 X1~G10 L2 P1 X10~G1 X0",
          "feed X1 Y0 Z0 F100; feed X10 Y0 Z0 F100"},
-        {"18 what nobody told", By::Unspecified, "G1 X1~G55 G0 X3",
+        {"18 unspecified offset", By::Unspecified, "G1 X1~G55 G0 X3",
          "feed X1 Y0 Z0 F100; rapid X3 Y0 Z0 ! offset-unknown"},
         {"18 the system that it cuts in", By::Unspecified, "G55 G0 X3~G1 X4",
          "rapid X3 Y0 Z0; feed X4 Y0 Z0 F100 ! offset-unknown"},

@@ -452,15 +452,18 @@ void Measuring::meet_too_high(const Step& step, const cda::WorkpieceModel& part)
     if (*seen.value > move_.too_deep_mm) tell(std::move(seen));
 }
 
-void Measuring::meet_wall(const Step& step, const cda::WorkpieceModel& part) {
-    if (is_away(*now_->wall, step, 0.0)) return;
-    const Meeting meeting = now_->wall->meet(step, 0.0, part, stock_);
+void Measuring::tell_if_certain(const Meeting& meeting, Subject subject) {
     if (meeting.certainty != Certainty::Certain) return;
-    Observation seen = seen_now(Subject::Wall);
+    Observation seen = seen_now(subject);
     seen.certain = true;
     seen.point = meeting.point;
     seen.box = meeting.box;
     tell(std::move(seen));
+}
+
+void Measuring::meet_wall(const Step& step, const cda::WorkpieceModel& part) {
+    if (!is_away(*now_->wall, step, 0.0))
+        tell_if_certain(now_->wall->meet(step, 0.0, part, stock_), Subject::Wall);
 }
 
 void Measuring::meet_mouth(const Step& step, const cda::WorkpieceModel& part) {
@@ -473,14 +476,7 @@ void Measuring::meet_mouth(const Step& step, const cda::WorkpieceModel& part) {
 }
 
 void Measuring::meet_tip(const Step& step, const cda::WorkpieceModel& part) {
-    if (move_.tip_cuts) return;
-    const Meeting meeting = now_->tip->meet(step, 0.0, part, stock_);
-    if (meeting.certainty != Certainty::Certain) return;
-    Observation seen = seen_now(Subject::Tip);
-    seen.certain = true;
-    seen.point = meeting.point;
-    seen.box = meeting.box;
-    tell(std::move(seen));
+    if (!move_.tip_cuts) tell_if_certain(now_->tip->meet(step, 0.0, part, stock_), Subject::Tip);
 }
 
 // Checks the flutes above the certain flute length: only a larger raise than before is new. The

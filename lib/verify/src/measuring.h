@@ -89,6 +89,7 @@ private:
 
     std::optional<cda::Vec3> contact(const cda::Cell& cell, double rounding,
                                      const cda::WorkpieceModel& part) const;
+    void tell_if_certain(const Meeting& meeting, Subject subject);
     bool is_away(const Body& body, const Step& step, double raise) const;
     Observation seen_now(Subject subject, std::size_t index = 0) const;
     void tell(Observation seen);

@@ -28,7 +28,7 @@ struct Chain {
     bool has_failed = false;    ///< Itself, or one of its ends.
     bool is_flipped = false;    ///< No longer between the groups beside its half-edges.
     Vec3 way{};                 ///< Which way it went when it was flipped, if that is known.
-    bool is_specified = false;  ///< Which way it goes is told by what touches the faces beside it.
+    bool is_specified = false;  ///< Contacts of the adjacent faces determine its direction.
     bool is_made = false;       ///< Flipped, and has no half-edges: both its ends were one corner.
     /// Made: the chain before which it goes, or that it goes on from.
     std::uint32_t beside = kNone;

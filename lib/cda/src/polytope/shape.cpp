@@ -281,7 +281,7 @@ private:
 
     // True if a part of the space around the pieces is outside. The part contains no piece. The
     // first piece on the way from the part to some piece decides, by the side that faces the part.
-    // Of several ways, the way that meets a piece farthest from the piece's border decides.
+    // Among several ways, the way that meets a piece farthest from the piece's border decides.
     bool is_outside(const ConvexPolytope& part, const std::vector<Piece>& pieces) const {
         const Vec3 from = part.bounds().centre();
         std::vector<Vec3> corners;
