@@ -68,13 +68,13 @@ void judge_path_deviation(const Setup& setup, const Move& move, FindingLog& log)
                         degrees(line->from.c, line->to.c);
     if (turn == 0.0) return;
     constexpr double kStep = 0.25, kMost = 100'000;
-    const double steps = std::clamp(std::ceil(turn / kStep), 2.0, kMost);
+    const auto steps = static_cast<int>(std::clamp(std::ceil(turn / kStep), 2.0, kMost));
     const toolpath::Poses poses(setup.kinematics.get(), motion);
     const cda::Vec3 from = poses.at(line->from).translation, to = poses.at(line->to).translation;
     double farthest = 0.0;
-    for (double i = 1.0; i < steps; ++i) {
-        const cda::Vec3 tip =
-            poses.at(toolpath::between(line->from, line->to, i / steps)).translation;
+    for (int i = 1; i < steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        const cda::Vec3 tip = poses.at(toolpath::between(line->from, line->to, t)).translation;
         farthest = std::max(farthest, cda::distance_to_segment(tip, from, to));
     }
     if (farthest <= *setup.machine.path_deviation) return;
