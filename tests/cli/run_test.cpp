@@ -330,7 +330,8 @@ TEST(Run, ReportsVolumesByToolAndByBlock) {
         Folder folder;
         folder.write("slot.nc", kSlot);
         folder.run({"run", "slot.nc", "-q", "--report", "b.json", "--model", model});
-        EXPECT_FALSE(json::parse(folder.read("b.json")).contains("blocks")) << "--block-volumes is absent";
+        EXPECT_FALSE(json::parse(folder.read("b.json")).contains("blocks"))
+            << "--block-volumes is absent";
         folder.run(
             {"run", "slot.nc", "-q", "--report", "a.json", "--block-volumes", "--model", model});
         const json report = json::parse(folder.read("a.json"));
