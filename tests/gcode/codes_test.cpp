@@ -95,6 +95,10 @@ const std::vector<Case>& codes() {
         {"G4", By::Default, "G4 P2 F50~G1 X1", "dwell 2; feed X1 Y0 Z0 F50"},
         {"G5", By::Default, "G5 X10 Y0 I0 J3 P0 Q-3",
          "spline X10 Y0 Z0 order 4 [0 0 *1] [0 3 *1] [10 -3 *1] [10 0 *1] F100"},
+        {"G5", By::Default, "G1 X1~G5 X10 Y0 I0 J3 P0 Q-3~X12",
+         "feed X1 Y0 Z0 F100; spline X10 Y0 Z0 order 4 [1 0 *1] [1 3 *1] [10 -3 *1] [10 0 *1] "
+         "F100; "
+         "feed X12 Y0 Z0 F100"},
         {"G5.1", By::Default, "G5.1 X10 I5 J5",
          "spline X10 Y0 Z0 order 3 [0 0 *1] [5 5 *1] [10 0 *1] F100"},
         {"G5.1", By::Fanuc, "G5.1 Q1", ""},

@@ -23,18 +23,11 @@ CLASSES = {
     "G84 and G74 in G18 and G19": Explained(
         "rs274 feeds to a point with its axes in the wrong order; the manual of LinuxCNC has the axis across the "
         "plane, as for G81.", r"motion", r"G[78]4"),
-    "G5 and G5.1 without their code": Explained(
-        "rs274 never makes G5 and G5.1 the motion mode: the next block without a code moves as before them. The manual "
-        "says nothing. ncsim goes on with the curve.", r"motion|spline-words|P word with no G", r"G5"),
     "a corner that turns back": Explained(
         "Where the path turns back on itself within 3° into or out of an arc, rs274 cuts the outside corner short. "
         "ncsim rounds the corner, as the manual of LinuxCNC says.", r"(motion|gouge|concave corner|compensation-arc)", r"G4[12]"),
     "cos[90]": Explained("The cosine of 90 degrees is 0 in ncsim and 6e-17 in rs274, which is true in a condition.",
                          r"motion", r"COS\[ATAN"),
-    "a tool as large as the arc": Explained(
-        "An arc with the radius of the tool, or an entry of that length, fits by the rounding of inches in rs274; "
-        "ncsim refuses the arc.", r"refuses: compensation-(arc|gouge|entry)", r"G[23]"),
-    "values above 1e12": Explained("ncsim refuses words with a value beyond any machine.", r"value-too-large", r"\["),
 }
 
 BEGIN, END = "<!-- rs274 -->", "<!-- /rs274 -->"

@@ -32,9 +32,9 @@ struct Fragment {
 Outlines outlines_of(const std::vector<Fragment>& fragments);
 
 /// Joins outlines that together are the whole surface of a solid. Pieces of one plane and one
-/// origin are merged. All faces at an edge share every breakpoint, so there are no T-junctions.
-/// Where four or more faces meet in an edge, faces are paired around the material, and each surface
-/// has separate vertices.
+/// origin are merged. All faces at an edge share every breakpoint, so there are no T-junctions. If
+/// four or more faces meet in an edge, faces are paired around the material, and each surface has
+/// separate vertices.
 class Stitcher {
 public:
     /// `threads`: 0 means one per hardware thread. The result does not depend on the number.

@@ -275,8 +275,8 @@ void cancel_opposites(std::vector<Triangle>& triangles) {
 // Triangulation of faces damaged by rounding. If edges cross or a corner lies on an edge, the edge
 // becomes a chain of short edges. The face is the region around which the chains wind, with
 // multiplicity. Triangles without area fill the space between each edge and the coincident chain.
-// So the outline of the triangles is the outline of the face for any coordinates, and no triangle
-// leaves the face by more than rounding. Crossings become new vertices.
+// The outline of the triangles is therefore the outline of the face for any coordinates, and no
+// triangle leaves the face by more than rounding. Crossings become new vertices.
 class Chains {
 public:
     Chains(TriangleMesh& mesh, const BoundaryFace& face)

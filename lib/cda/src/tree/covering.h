@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A quick proof that no material is left: boxes are halved until a single cell covers each box.
-// Where the tool has just cleared a path, cells overlap many times, and few boxes suffice. Waiting
+// If the tool has just cleared a path, cells overlap many times, and few boxes suffice. Waiting
 // cells need not be inserted for the proof.
 #pragma once
 

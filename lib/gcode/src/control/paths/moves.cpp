@@ -26,7 +26,12 @@ bool Machine::move(const Command& command, Code motion) {
             return area_pocket(command, command.group(Group::CutterSide), words_taken);
         return pocket(command, code, words_taken);
     }
-    if (motion != Code::None) {
+    // G5 and G5.1 are no motion mode of LinuxCNC: the next block without a code moves as before.
+    const bool is_modal =
+        (motion != Code::G5 && motion != Code::G5_1) || rules_.dialect == Dialect::Grbl;
+    if (!is_modal) {
+        if (words_taken) return true;
+    } else if (motion != Code::None) {
         state_.motion = motion;
         if (motion == Code::G0 || motion == Code::G1) state_.last_straight = motion;
         if (!is_cycle(motion)) end_cycle();
