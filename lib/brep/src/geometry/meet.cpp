@@ -200,7 +200,7 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
     if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
     for (const auto& [form, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
         const auto* envelope = std::get_if<Envelope>(form);
-        const auto circle = envelope ? circle_of_rim(*envelope, *other, p, q) : std::nullopt;
+        auto circle = envelope ? circle_of_rim(*envelope, *other, p, q) : std::nullopt;
         if (circle) return circle;
     }
     if (const auto* envelope = std::get_if<Envelope>(&a)) return meet(*envelope, b);
