@@ -67,6 +67,7 @@ int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>&
     auto seen = std::make_shared<simulation::SeenTiles>();
     try {
         std::vector<verify::Evidence> evidence;
+        evidence.reserve(order.size());
         for (const std::size_t file : order)
             evidence.push_back(verify::evidence_from(files[file].evidence));
         seen->evidence =

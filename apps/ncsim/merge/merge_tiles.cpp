@@ -71,7 +71,7 @@ int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
         if (option == "gltf" && names_a_folder(value)) {
             mesh_folder = value;
         } else {
-            words.insert(words.begin() + 1, "--" + option + "=" + value);
+            words.insert(words.begin() + 1, fmt::format("--{}={}", option, value));
         }
     }
     if (merge.quiet) words.insert(words.begin() + 1, "--quiet");

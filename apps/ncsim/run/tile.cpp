@@ -133,7 +133,7 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
     return file;
 }
 
-int run_tile(Options options) {
+int run_tile(const Options& options) {
     setup::InputSet inputs;
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))

@@ -21,7 +21,7 @@ namespace ncsim::app {
 
 /// Cuts a tile and writes the result to a folder, unless the result exists. Returns the exit code.
 /// Throws: std::runtime_error as run() does.
-int run_tile(Options options);
+int run_tile(const Options& options);
 
 /// Cuts the tile of options.number. If `may_say`, reports faults of the program. Empty if the
 /// program was not simulated.

@@ -110,10 +110,10 @@ struct Nearest {
             off[count++] = how_far;
             return;
         }
-        const auto farthest = std::ranges::max_element(off);
-        if (how_far >= *farthest) return;
-        time[static_cast<std::size_t>(farthest - off.begin())] = when;
-        *farthest = how_far;
+        double& farthest = *std::ranges::max_element(off);
+        if (how_far >= farthest) return;
+        time[static_cast<std::size_t>(&farthest - off.data())] = when;
+        farthest = how_far;
     }
 };
 

@@ -32,6 +32,8 @@ Form across_way(const Envelope& envelope, double t) {
 // the direction of their centre, flanks by the directions of both ends.
 bool goes_on(const Sweep& a, double t, const Sweep& b, double s) {
     const Flank* flank = a.flank();
+    const auto* fillet = a.fillet();
+    if (!flank && !fillet) return false;
     const bool is_upright = flank && flank->sine == 0.0;
     const auto way_of = [&](const ToolFrame& passage, double height) {
         const Vec3 velocity = velocity_at(passage, height);
@@ -41,7 +43,7 @@ bool goes_on(const Sweep& a, double t, const Sweep& b, double s) {
     const auto is_same_way = [&](double height) {
         return is_parallel(way_of(at, height), way_of(there, height));
     };
-    const double height = flank ? flank->height : a.fillet()->height;
+    const double height = flank ? flank->height : fillet->height;
     return is_parallel(at.axis, there.axis) && is_same_way(height) &&
            (!flank || is_same_way(height + flank->length));
 }

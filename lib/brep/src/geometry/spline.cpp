@@ -163,7 +163,7 @@ Spline through(const std::vector<Knot>& knots, const Pace& pace) {
 }
 
 // Returns a spline through the knots, with more knots where the spline would be too far off.
-Spline through(Walk& walk, std::vector<Knot> knots) {
+Spline through(Walk& walk, const std::vector<Knot>& knots) {
     constexpr double kEven = 10.0;
     constexpr int kMostPasses = 20;
     const std::vector<double> chords = chords_of(knots);

@@ -357,7 +357,8 @@ private:
         // Material between the same two planes is listed once: a plate has a single thickness, even
         // if its faces are split.
         std::vector<Distance*> specified;
-        for (auto& [key, distance] : found) {
+        for (auto& entry : found) {
+            Distance& distance = entry.second;
             const auto same = std::ranges::find_if(specified, [&](const Distance* other) {
                 return !is_void && std::abs(other->mm - distance.mm) < kSame &&
                        std::abs(dot(other->from + other->to - distance.from - distance.to, d.n)) <
