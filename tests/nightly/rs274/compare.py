@@ -110,6 +110,7 @@ def read_rs274(output):
     length = [0.0] * 3
     first_theta = None
     threads = False
+    length_changed = False
 
     def machine(p):
         q = [a + b for a, b in zip(p, g92)]
@@ -137,6 +138,7 @@ def read_rs274(output):
             now = [float(v) for v in rest.split(",")[0].split()]
             at = [a + before - after for a, before, after in zip(at, length, now)] + at[3:]
             length = now
+            length_changed = True
         elif name == "SET_FEED_RATE":
             feed = float(rest) * unit
         elif name == "COMMENT" and "feed mode set to" in rest:
@@ -151,8 +153,11 @@ def read_rs274(output):
             before = list(at)
             at = [float(v) for v in rest.split(",")]
             at += before[len(at):]
-            if name == "STRAIGHT_TRAVERSE" and all(abs(a - b) < 1e-4 for a, b in zip(at, before)):
+            if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED") and all(abs(a - b) < 1e-4 for a, b in zip(at, before)):
+                if length_changed:  # The tip has another place now: ncsim may print it.
+                    events.append(("rest", machine(at), None, None, None, unit))
                 continue
+            length_changed = False
             kind = {"STRAIGHT_TRAVERSE": "rapid", "STRAIGHT_PROBE": "probe"}.get(name, "feed")
             if kind != "rapid" and first_theta is None:
                 first_theta = theta
@@ -235,6 +240,7 @@ def shifts(events, theta, ours):
     pairs = []
     if cuts and our_cuts:
         pairs.append((cuts[0], our_cuts[0]))
+        pairs += [(e[1], our_cuts[0]) for e in events if e[0] == "rest"][:1]
     elif moves and our_moves:
         pairs += [(moves[-1], our_moves[-1]), (moves[0], our_moves[0])]
     return [[round(b - a, 3) for a, b in zip(turned(p, theta), q)] for p, q in pairs] or [[0.0] * 6]
@@ -331,15 +337,22 @@ def difference(ncsim, lines, strict, reference=None):
 
 def first_difference(theirs, ours, theta, refused):
     # rs274 keeps moves under compensation back, and ncsim goes on behind what it refuses.
-    count = min(len(theirs), len(ours)) if refused else max(len(theirs), len(ours))
-    for i in range(count):
-        if i >= len(ours):
+    i = j = 0
+    while i < len(theirs) or j < len(ours):
+        if i < len(theirs) and theirs[i][0] == "rest":
+            j += j < len(ours) and ours[j][0] in ("rapid", "feed") and not same(("rapid",) + theirs[i][1:], ("rapid",) + ours[j][1:], theta)
+            i += 1
+            continue
+        if (i == len(theirs) or j == len(ours)) and refused:
+            return None
+        if j == len(ours):
             return f"motion missing: {theirs[i][0]}"
-        if i >= len(theirs):
-            return f"motion added: {ours[i][0]}"
-        what = same(theirs[i], ours[i], theta)
+        if i == len(theirs):
+            return f"motion added: {ours[j][0]}"
+        what = same(theirs[i], ours[j], theta)
         if what:
             return f"motion: {what}"
+        i, j = i + 1, j + 1
     return None
 
 

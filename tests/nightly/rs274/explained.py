@@ -12,14 +12,16 @@ class Explained:
     def covers(self, strict, what, lines):
         if self.strict is not None and strict != self.strict:
             return False
-        return bool(re.search(self.message, what)) and any(re.search(self.program, line) for line in lines)
+        return bool(re.search(self.message, what)) and bool(re.search(self.program, "\n".join(lines)))
 
 
 CLASSES = {
     "G88": Explained("After G88 the operator takes the tool out by hand. rs274 makes no motion and counts from the "
                      "clearance plane; ncsim retracts.", r"motion", r"G88"),
-    "#5161 … #5390": Explained("rs274 alone counts inches in the variables of its machine, ncsim millimetres.",
-                               r"motion", r"#5[123]\d\d"),
+    "the machine of rs274": Explained(
+        "Without a configuration, the variables #5161 … #5390 count inches, and a tool change forgets that G43 in a "
+        "block before it, without a move between, has moved the tip. ncsim counts millimetres and knows the tip.",
+        r"motion", r"#5[123]\d\d|G43.*\n(?:(?!.*[XYZ]).*\n)*.*M6"),
     "G84 and G74 in G18 and G19": Explained(
         "rs274 feeds to a point with its axes in the wrong order; the manual of LinuxCNC has the axis across the "
         "plane, as for G81.", r"motion", r"G[78]4"),
