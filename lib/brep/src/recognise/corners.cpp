@@ -160,6 +160,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     std::vector<const Form*> forms;
+    forms.reserve(numbers.size());
     for (const std::uint32_t n : numbers)
         forms.push_back(&mesh_.surface(n).form);
     if (const auto corner = bend_at(v); corner && forms.size() <= 3) {
@@ -287,6 +288,7 @@ void Chains::move_to_crossing(Vertex& v, Vec3 start,
                               const std::vector<std::uint32_t>& numbers) const {
     if (v.edge == kNone || !crossed_.contains(mesh_.edges()[v.edge].from)) return;
     std::vector<const Form*> forms;
+    forms.reserve(numbers.size());
     for (const std::uint32_t n : numbers)
         forms.push_back(&mesh_.surface(n).form);
     Vec3 p = start;
