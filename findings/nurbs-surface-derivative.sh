@@ -5,9 +5,9 @@
 # Input:    a quarter of a cylinder, radius 1 and height 2, as a rational surface of the degrees 2 and 1 with the weights
 #           1, 1/sqrt 2, 1; the same surface with the parameters exchanged; the control points without weights.
 # Expected: The derivatives agree with difference quotients. The derivative along the axis is 0,0,2 everywhere.
-# Seen:     The derivative for the first parameter is right. For the second parameter, the derivative along the axis
-#           has the component -0.14 in X and Y: it leaves the cylinder. Points are right, and
-#           no message appears. With exchanged parameters or without weights both derivatives are right.
+# Seen:     The derivative for the first parameter is right. The derivative for the second parameter, along the axis,
+#           has -0.14 in X and Y: it leaves the cylinder. The points are right, and no message appears.
+#           With exchanged parameters or without weights both derivatives are right.
 
 set -euo pipefail
 work=$(mktemp -d)
