@@ -110,6 +110,7 @@ def read_rs274(output):
     length = [0.0] * 3
     first_theta = None
     threads = False
+    head = [0.0] * 6  # where the machine is, without the length of the tool; mm
     length_changed = False
 
     def machine(p):
@@ -153,7 +154,8 @@ def read_rs274(output):
             before = list(at)
             at = [float(v) for v in rest.split(",")]
             at += before[len(at):]
-            if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED") and all(abs(a - b) < 1e-4 for a, b in zip(at, before)):
+            was, head = head, [a + b * unit for a, b in zip(machine(at), length + [0.0] * 3)]
+            if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED") and all(abs(a - b) < 1e-4 * unit for a, b in zip(head, was)):
                 if length_changed:  # The tip has another place now: ncsim may print it.
                     events.append(("rest", machine(at), None, None, None, unit))
                 continue
@@ -163,7 +165,7 @@ def read_rs274(output):
                 first_theta = theta
             events.append((kind, machine(at), None, None, feed if per_minute and kind == "feed" and not threads else None, unit))
             if name == "RIGID_TAP":
-                at = before
+                at, head = before, was
                 events.append(("feed", machine(at), None, None, None, unit))
         elif name == "ARC_FEED":
             if first_theta is None:
@@ -177,8 +179,11 @@ def read_rs274(output):
             centre = [0.0] * 6
             centre[first], centre[second] = v[2], v[3]
             centre = machine(centre)
+            head = [a + b * unit for a, b in zip(machine(at), length + [0.0] * 3)]
+            length_changed = False
             events.append(("arc", machine(at), (plane, centre[first], centre[second]), int(v[4]), feed if per_minute else None, unit))
         elif name == "NURBS_FEED":
+            head = [math.nan] * 6  # not printed
             events.append(("spline", None, None, None, None, unit))
     return events, first_theta or 0.0
 

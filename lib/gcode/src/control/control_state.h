@@ -53,6 +53,7 @@ struct ControlState {
     CompensationState compensation;
     Rare<HeldCorner> corner;
     Curve curve;
+    double feed_word = 0.0;  ///< Number of the last F; a change of units does not convert it.
     bool operator==(const ControlState&) const = default;
 };
 

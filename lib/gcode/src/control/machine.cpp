@@ -369,11 +369,12 @@ bool Machine::set_feed(const Command& command) {
                            : mode == Code::G94 ? FeedMode::PerMinute
                                                : FeedMode::PerRevolution;
         // A feed in the unit of a different mode is not a valid feed.
-        if (before != state_.feed_mode || rules_.strict) state_.feed = 0.0;
+        if (before != state_.feed_mode || rules_.strict) state_.feed = control_.feed_word = 0.0;
     }
     if (command.has('F') && letter_of_dwell(command) != 'F') {
         if (command['F'] < 0.0) return fail(Message::NegativeValue, span_of(command, 'F'), {"F"});
         state_.feed = command['F'];
+        control_.feed_word = state_.feed;
     }
     return true;
 }
@@ -641,7 +642,7 @@ void Machine::finish() {
     state_.plane = Plane::XY;
     state_.incremental = false;
     state_.feed_mode = FeedMode::PerMinute;
-    state_.feed = 0.0;
+    state_.feed = control_.feed_word = 0.0;
     state_.cutter_side = CutterSide::Off;
     state_.uncancelled = {};
     state_.spindle = SpindleTurning::Stopped;

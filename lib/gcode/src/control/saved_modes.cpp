@@ -11,10 +11,11 @@ namespace ncsim::gcode {
 /// Modes saved by M70. Lengths and feeds are in the units that were active at M70.
 struct Machine::SavedModes {
     MachineState state;
+    double feed_word;
 };
 
 std::shared_ptr<const Machine::SavedModes> Machine::save_modes() const {
-    return std::make_shared<const SavedModes>(SavedModes{state_});
+    return std::make_shared<const SavedModes>(SavedModes{state_, control_.feed_word});
 }
 
 namespace {
@@ -69,8 +70,10 @@ bool Machine::restore_modes(const SavedModes& saved, SourceSpan span) {
     }
     Command words = empty();
     const MachineState now = state_;
-    // LinuxCNC writes F with one decimal and S without decimals: F12.34 becomes F12.3.
-    if (before.feed != now.feed) put(words, 'F', std::round(before.feed * 10.0) / 10.0);
+    // LinuxCNC writes F with one decimal and S without decimals: F12.34 becomes F12.3. The number is
+    // that of the last F, even if the units have changed since.
+    if (saved.feed_word != control_.feed_word)
+        put(words, 'F', std::round(saved.feed_word * 10.0) / 10.0);
     if (before.spindle_rpm != now.spindle_rpm) put(words, 'S', std::round(before.spindle_rpm));
     const auto put_if = [&words](bool differs, Group group, Code code) {
         if (differs) put(words, group, code);

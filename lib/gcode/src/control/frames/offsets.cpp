@@ -537,6 +537,7 @@ bool Machine::set_tool_length(const Command& command) {
     state_.length_specified = code == Code::G43_1;
     Axes offset{};
     if (code == Code::G43_1) {
+        offset = state_.tool_offset;  // Axes without a word keep the offset.
         for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
             if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
         }
