@@ -6,7 +6,7 @@
 
 #include "brep/golden.h"
 #include "brep/made_part.h"
-#include "query/check.h"
+#include "query/part_check.h"
 
 #include <gtest/gtest.h>
 
