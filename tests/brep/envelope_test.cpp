@@ -354,7 +354,7 @@ TEST(RotaryPath, GoesThroughWhatItIsMadeOf) {
     ASSERT_TRUE(way.has_value());
     constexpr double kStep = 1e-4;
     for (const double t : {-0.2, 0.0, 0.1, 0.37, 0.5, 0.93, 1.0, 1.2}) {
-        const ToolFrame at = tool(*way, t);
+        const ToolFrame at = tool_frame(*way, t);
         const TipAndAxis here = pose(t), before = pose(t - kStep), after = pose(t + kStep);
         EXPECT_NEAR(norm(at.tip - here.tip), 0.0, 1e-10);
         EXPECT_NEAR(norm(at.axis - here.axis), 0.0, 1e-12);
