@@ -464,7 +464,7 @@ TEST(Recognise, SlitsMayBeLongerOnOneSide) {
         EXPECT_EQ(made.solid.facets_kept, 0U);
         EXPECT_NEAR(volume(made.solid.part), left, 1e-3);
         Part checked = made.solid.part;
-        EXPECT_TRUE(check(checked, 1e-6).empty());
+        EXPECT_TRUE(check_part(checked, 1e-6).empty());
     }
 }
 
@@ -526,7 +526,7 @@ TEST(Recognise, CornersThatAreApartByRoundingAreOne) {
         0.05, 0, true);
     EXPECT_EQ(made.solid.facets_kept, 0U);
     Part checked = made.solid.part;
-    EXPECT_TRUE(check(checked, 1e-3).empty());
+    EXPECT_TRUE(check_part(checked, 1e-3).empty());
 }
 
 // A failure must not spread. If thin faces demote their neighbours, and a plane that touches itself
@@ -609,7 +609,7 @@ TEST(Recognise, PlanesArePartedWhereRoundEdgesTouch) {
     Made made = test::make_part(
         "ring", "T1 M6\nG0 X30 Y30 Z5\nG1 Z-4\nG3 X30 Y30 I10 J0\nG1 Z-8\nG1 X38\nG0 Z5\n");
     EXPECT_EQ(made.solid.facets_kept, 0U);
-    EXPECT_TRUE(check(made.solid.part, 1e-6).empty());
+    EXPECT_TRUE(check_part(made.solid.part, 1e-6).empty());
     const auto is_floor = [](const Face& face) {
         const auto* plane = std::get_if<Plane>(&face.surface.form);
         return plane && plane->normal.z > 0.5 && std::abs(plane->origin.z + 4.0) < 1e-6;
