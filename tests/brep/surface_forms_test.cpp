@@ -222,7 +222,7 @@ TEST(Spiral, HasItsPlacesNormalsAndDistances) {
         EXPECT_NEAR(place.height, height, 1e-9);
         const auto wall = [&](double t) {
             const SpiralPlace at = place_at(s, t);
-            return at.way + s.offset * at.out;
+            return at.path_point + s.offset * at.out;
         };
         const Vec3 step = wall(turn + kStep) - wall(turn - kStep);
         EXPECT_NEAR(cda::dot(step, place.along) / (2.0 * kStep), place.speed, 1e-6);
