@@ -186,7 +186,7 @@ double step_tolerance(const Options& o) {
 simulation::Solid facets_of(const Outcome& outcome) {
     brep::FlatPart flat = exporter::flat_solid(*outcome.boundary, step_tolerance(outcome.options));
     brep::Recognised solid{std::move(flat.part)};
-    solid.coarser = flat.coarser;
+    solid.tolerance_factor = flat.tolerance_factor;
     solid.is_sound = flat.is_sound;
     return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
 }

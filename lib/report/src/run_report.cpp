@@ -108,12 +108,12 @@ std::string solid_text(const SolidFacts& solid) {
         text += fmt::format("          without lunes at bends of balls, up to {:.2g} mm high\n",
                             solid.mitred_mm);
     }
-    if (solid.coarser > 1.0) {
+    if (solid.tolerance_factor > 1.0) {
         text += fmt::format(
             "          facets alone are joined within {:g} times the tolerance: finer ones cross "
             "or "
             "touch\n",
-            solid.coarser);
+            solid.tolerance_factor);
     }
     if (solid.facets_kept == 0) return text;
     text += fmt::format("          {} of the planes {} of round tools", solid.facets_kept,
@@ -324,7 +324,8 @@ void write_report(std::ostream& out, const RunFacts& run) {
             json["step"]["refined_to_mm"] = run.solid->own_cut->tools_mm;
             json["step"]["arcs_refined_to_mm"] = run.solid->own_cut->arcs_mm;
         }
-        if (run.solid->coarser > 1.0) json["step"]["facets_coarser"] = run.solid->coarser;
+        if (run.solid->tolerance_factor > 1.0)
+            json["step"]["facets_coarser"] = run.solid->tolerance_factor;
     }
     for (const SectionFacts& section : run.sections)
         json["sections"].push_back(section_json(section));

@@ -276,7 +276,7 @@ public:
                 ids_.push_back(kBackground);
                 continue;
             }
-            const bool is_round = shading.known(f) == brep::Shading::Known::Round;
+            const bool is_round = shading.recognition(f) == brep::Shading::Recognition::Curved;
             if (is_round || of_face[f] == kBackground) {
                 table.surfaces.push_back(paint.surface(face.normal, point, face.origin));
                 of_face[f] = static_cast<SurfaceId>(table.surfaces.size());
