@@ -4,8 +4,8 @@
 // that turn.
 #include "ncsim/brep/swept.h"
 
-#include "ncsim/toolpath/machine.h"
-#include "ncsim/toolpath/pose.h"
+#include "ncsim/toolpath/kinematics.h"
+#include "ncsim/toolpath/tool_pose.h"
 #include "ncsim/trig/angles.h"
 
 #include "geometry/nearly.h"
@@ -516,7 +516,7 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
     const toolpath::Poses poses(specified, motion);
     const Pose start = poses.at(*from), end = poses.at(*to);
     // If the program specifies the tip, a tool that turns about its own axis still moves straight.
-    const bool turns = poses.of_tip() ? start.rows != end.rows : !is_still(*from, *to);
+    const bool turns = poses.has_tip_control() ? start.rows != end.rows : !is_still(*from, *to);
     const Vec3 axis = axis_of(start);
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     std::optional<ArcPath> way;
