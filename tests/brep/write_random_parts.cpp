@@ -65,7 +65,7 @@ Recognised facets_of(const simulation::Simulation& milled) {
 std::size_t write(const std::filesystem::path& stem, std::uint64_t seed, bool is_faceted) {
     simulation::Plan plan = plan_of(stem, seed);
     const simulation::Survey survey = simulation::survey(plan);
-    if (!survey.is_ready()) throw std::runtime_error(simulation::reason_against(survey));
+    if (!survey.is_ready()) throw std::runtime_error(simulation::reason_not_simulated(survey));
     simulation::Verification nothing;
     nothing.keep_cuts = true;
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});

@@ -70,7 +70,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
     // cda-flat has quadratic cost in the facets; this model makes the same part.
     other.model = verifying_model().name;
     other.keep_boundary = true;
-    other.keep_paths = other.keep_carved = other.hull_times = false;
+    other.keep_paths = other.keep_removed_cells = other.hull_times = false;
     other.tool_volumes = other.block_volumes = false;
     std::size_t facets = 0;
     const auto most = static_cast<std::size_t>(most_refinements);

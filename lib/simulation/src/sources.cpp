@@ -3,7 +3,7 @@
 // Sources of the faces of a part, by a second interpretation of the program.
 #include "sources.h"
 
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"

@@ -3,8 +3,8 @@
 // Conversion of arcs, splines and rotary moves to paths in the workpiece frame.
 #include "sources/path_segments.h"
 
-#include "ncsim/toolpath/pose.h"
 #include "ncsim/toolpath/spline_arcs.h"
+#include "ncsim/toolpath/tool_pose.h"
 #include "ncsim/trig/angles.h"
 
 #include <cmath>
@@ -61,7 +61,7 @@ std::optional<Pose> frame_of(const toolpath::Poses& poses, Position p) {
 Pose pose_of(const gcode::FeatureFrame& frame) {
     Pose X_WF;
     const auto at = [&](double x, double y, double z) {
-        const gcode::Triple p = frame.outward({x, y, z});
+        const gcode::Triple p = frame.to_parent({x, y, z});
         return Vec3{p[0], p[1], p[2]};
     };
     X_WF.translation = at(0, 0, 0);

@@ -9,9 +9,9 @@
 #include "render/edge_tiles.h"
 #include "render/offscreen.h"
 #include "render/opengl_buffer.h"
-#include "render/overlay.h"
+#include "render/overlay_art.h"
 #include "render/palette.h"
-#include "render/resolve.h"
+#include "render/pixel_resolver.h"
 #include "render/surface.h"
 #include "render/visibility.h"
 
@@ -341,7 +341,7 @@ private:
 // Returns the picture that `draw` makes of an overlay. If some bodies are not opaque, the picture
 // with all bodies is blended over the picture without them, with the opacity of the first.
 template <typename Draw>
-Image with_transparent(const Overlay& overlay, const Draw& draw) {
+Image blend_transparent(const Overlay& overlay, const Draw& draw) {
     const auto is_transparent = [](const Body& body) { return body.colour.a < kOpaque; };
     const auto first = std::ranges::find_if(overlay.bodies, is_transparent);
     if (first == overlay.bodies.end()) return draw(overlay);
@@ -432,7 +432,7 @@ Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
 
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay) {
-    return with_transparent(overlay, [&](const Overlay& shown) {
+    return blend_transparent(overlay, [&](const Overlay& shown) {
         return draw_model(model, provenance, options, shown);
     });
 }
@@ -440,7 +440,7 @@ Image render_model(const cda::WorkpieceModel& model, const Provenance& provenanc
 Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
                       const RenderOptions& options, const Overlay& overlay,
                       const brep::Shading& shading) {
-    return with_transparent(overlay, [&](const Overlay& shown) {
+    return blend_transparent(overlay, [&](const Overlay& shown) {
         return draw_boundary(boundary, provenance, options, shown, shading);
     });
 }

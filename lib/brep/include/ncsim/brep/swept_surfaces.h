@@ -7,7 +7,7 @@
 #include "ncsim/brep/surface_forms.h"
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool.h"
 
