@@ -517,7 +517,8 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
     const toolpath::Poses poses(specified, motion);
     const Pose start = poses.at(*from), end = poses.at(*to);
     // If the program specifies the tip, a tool that turns about its own axis still moves straight.
-    const bool turns = poses.has_tip_control() ? start.rows != end.rows : !are_rotary_axes_fixed(*from, *to);
+    const bool turns =
+        poses.has_tip_control() ? start.rows != end.rows : !are_rotary_axes_fixed(*from, *to);
     const Vec3 axis = axis_of(start);
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     std::optional<ArcPath> path;
