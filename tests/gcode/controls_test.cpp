@@ -132,6 +132,11 @@ TEST(Controls, WhatInterruptsCompensationIsAnErrorWhereTheControlRefusesIt) {
     }
 }
 
+TEST(Controls, G53IsAllowedByLinuxCncWhileTheRadiusIsZero) {
+    const Made made = run_body("G41.1 D0\nG53 G0 Z5\nG40\n", Dialect::Rs274);
+    EXPECT_FALSE(has_errors(made.result.diagnostics));
+}
+
 TEST(Controls, ARepeatedG41ChangesNothing) {
     const std::string before = "G0 X-20 Y0 Z0\nG41 D1\nG1 X0\nX20\n";
     const std::string after = "X30\nY20\nG40\nG1 X40\n";

@@ -358,6 +358,8 @@ def first_difference(theirs, ours, theta, refused):
         if i == len(theirs):
             return f"motion added: {ours[j][0]}"
         what = same(theirs[i], ours[j], theta)
+        if what and refused and i == len(theirs) - 1:
+            return None  # the first move of the block that rs274 refuses
         if what:
             return f"motion: {what}"
         i, j = i + 1, j + 1

@@ -81,6 +81,9 @@ std::string_view Machine::interrupts_compensation(const Command& command) const 
         case Code::G92_3:
             if (rules_.is_linuxcnc()) break;
             [[fallthrough]];
+        case Code::G53:  // LinuxCNC asks whether there is a radius.
+            if (rules_.is_linuxcnc() && !compensation_.is_on()) break;
+            [[fallthrough]];
         default: return name_of(one_shot);
     }
     const Code motion = command.group(Group::Motion);
