@@ -36,7 +36,9 @@ int check_tile(CheckOptions options) {
         throw std::runtime_error(
             "--tile: the file has several programs; tiles are of a single one");
     plan.tile = cda::TileNumber{number.shard, number.of};
-    simulation::SeenTile seen = simulation::check_tile(std::move(plan), asked.questions);
+    simulation::Questions questions = asked.questions;
+    add_fixtures(questions, plan.job);
+    simulation::SeenTile seen = simulation::check_tile(std::move(plan), questions);
     report::TileFile file;
     file.head = {options.tile_words, read.files(), number.shard, number.of, read.knows_all()};
     for (const simulation::MetStock& met : seen.met)

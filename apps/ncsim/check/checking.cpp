@@ -141,6 +141,7 @@ report::Entry Checking::from(std::size_t program, const ProcessEnd& end) {
 report::Entry Checking::failed(std::size_t program, const std::string& why, int code) const {
     report::Checked broken;
     broken.path = setup::name_of_input(programs_[program]);
+    broken.program = settings_.of(program).label;
     broken.failure = why;
     return report::entry_of(broken, code, settings_.of(program).entries);
 }
@@ -189,6 +190,7 @@ Checking::Found Checking::found(std::size_t program, unsigned threads,
         for (std::size_t number = 0; number < programs; ++number) {
             report::Checked checked;
             checked.settings = settings.project;
+            checked.program = settings.label;
             const int code =
                 check_program(checked, programs_[program], settings.options, settings.questions,
                               threads, read, stop, number, programs);
