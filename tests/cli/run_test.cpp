@@ -522,7 +522,7 @@ TEST(Run, RefusesStockFilesThatAreNone) {
     EXPECT_TRUE(contains(refusal({"--stock-turn", "X180"}), "--stock FILE"));
     EXPECT_TRUE(
         contains(refusal({"--stock", "40x30x10", "--stock-move", "1,2,3"}), "--stock FILE"));
-    EXPECT_TRUE(contains(refusal({"--stock", "a.stl", "--stock-turn", "X45"}), "right angles"));
+    EXPECT_TRUE(contains(refusal({"--stock", "a.stl", "--stock-turn", "45"}), "angles about axes"));
     EXPECT_TRUE(contains(refusal({"--stock", "a.stl", "--stock-move", "1,2"}), "expected x,y,z"));
     EXPECT_EQ(folder.files(), (std::vector<std::string>{"bad.ncstock", "bad.stl", "slot.nc"}));
 }

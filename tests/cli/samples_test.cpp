@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace ncsim::cli_test {
 namespace {
@@ -92,6 +95,44 @@ TEST(Samples, AreCleanWithTheirSetUps) {
                                 sample("wave.nc"), sample("five-axis.nc")});
     EXPECT_EQ(ran.exit_code, 0) << ran.out;
     EXPECT_NE(ran.out.find("4 programs: 4 clean"), std::string::npos) << ran.out;
+}
+
+// Copies the sample of two set-ups to `folder`, with a text of job.toml replaced.
+void copy_two_sides(const Folder& folder, const std::string& old, const std::string& text) {
+    namespace fs = std::filesystem;
+    for (const auto& file : fs::directory_iterator(sample("two-sides")))
+        fs::copy_file(file.path(), folder.path() / file.path().filename());
+    std::string job = folder.read("job.toml");
+    const std::size_t at = job.find(old);
+    ASSERT_NE(at, std::string::npos) << old;
+    folder.write("job.toml", job.replace(at, old.size(), text));
+}
+
+TEST(Samples, TwoSidesIsCleanInOneCommand) {
+    Folder folder;
+    const Ran job = folder.run({"check", sample("two-sides/job.toml")});
+    EXPECT_EQ(job.exit_code, 0) << job.out << job.err;
+    EXPECT_TRUE(contains(job.out, "2 programs: 2 clean")) << job.out;
+    // Each program alone has the same set-up by samples/ncsim.toml.
+    const Ran back = folder.run({"check", sample("two-sides/back.nc")});
+    EXPECT_EQ(back.exit_code, 0) << back.out << back.err;
+    EXPECT_TRUE(contains(back.out, "the part of set-up 1, top")) << back.out;
+}
+
+TEST(Samples, TwoSidesWithAShiftedZeroHitsAClamp) {
+    Folder folder;
+    copy_two_sides(folder, "zero = [0, 0, 0]", "zero = [2, 0, 0]");
+    const Ran ran = folder.run({"check", "job.toml"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "the cutter of T2 meets the fixture 'clamp right: arm'"))
+        << ran.out;
+    EXPECT_FALSE(contains(ran.out, "'clamp left")) << ran.out;
+    // The zero is 2 mm too low: the tool enters the part in a rapid move.
+    Folder low;
+    copy_two_sides(low, "zero = [0, 0, 0]", "zero = [0, 0, -2]");
+    const Ran deep = low.run({"check", "job.toml"});
+    EXPECT_EQ(deep.exit_code, 1) << deep.out;
+    EXPECT_TRUE(contains(deep.out, "set-up 2, back: rapid move through material")) << deep.out;
 }
 
 }  // namespace

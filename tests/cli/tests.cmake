@@ -25,7 +25,9 @@ if(TARGET ncsim)
       full_disk_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp
+      init_test.cpp
       isolate_test.cpp
+      job_test.cpp
       large_pages_test.cpp
       machine_command_test.cpp
       machine_mesh_test.cpp
@@ -51,6 +53,7 @@ if(TARGET ncsim)
       tile_meshes_test.cpp
       tiles_test.cpp
       tools_test.cpp
+      tutorial_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp
       ../support/set_up_blocks.cpp

@@ -9,6 +9,7 @@ ncsim_add_test(setup
     linuxcnc_machine_test.cpp
     messages_test.cpp
     project_file_test.cpp
+    set_ups_test.cpp
     urdf_machine_test.cpp)
 # The table of messages is private to the library.
 target_include_directories(ncsim_setup_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/setup/src)

@@ -214,12 +214,17 @@ int run(CheckOptions options) {
     }
     const std::vector<std::string>& programs = list.programs;
     for (const std::string& program : programs) {
+        // A job may not name a FIFO, which could block.
+        std::error_code ignored;
+        const bool is_of_job = !options.steps.empty();
+        if (is_of_job && !std::filesystem::is_regular_file(program, ignored)) continue;
         if (std::ranges::find(options.programs, program) == options.programs.end())
             inputs.expect(program);
     }
     setup::RecordedInput recorded(inputs);
     setup::InputSet& read = options.tiles ? recorded : inputs;
     SettingsOfPrograms settings(options, programs, read);
+    print_error(settings.notes());
     print_error(settings.lost_programs());
     if (options.tiles) settings.of(0).verification_options.tiles = options.tiles;
     Checking checking(options, programs, settings, read);
@@ -235,7 +240,8 @@ int run(CheckOptions options) {
     judgement.run();
     if (options.tiles) expect_same_files(options.tile_files, recorded.files());
     const report::Entries listed = judgement.listed();
-    const report::Scope scope{list.excluded, report::called_files(listed)};
+    const report::Scope scope{list.excluded, report::called_files(listed),
+                              options.steps.empty() ? std::string() : options.job};
     const report::Entries all = report::remove_called(listed, scope.called);
     judgement.print_subprograms(all);
     reports.write(all, scope);

@@ -30,12 +30,18 @@ int exit_code_of(verify::Outcome outcome) {
 
 }  // namespace
 
+void add_fixtures(simulation::VerificationOptions& verification_options, const setup::Job& job) {
+    if (!add_fixtures(verification_options.machine, job)) return;
+    verification_options.bodies = simulation::bodies_of(verification_options.machine);
+}
+
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
-                               unsigned threads, setup::InputSet& inputs, std::size_t number) {
+                               unsigned threads, setup::InputSet& inputs, std::size_t number,
+                               const std::stop_token& stop) {
     ProgramOptions program = static_cast<const ProgramOptions&>(options);
     program.program = path;
     program.number_in_file = number;
-    simulation::Plan plan = plan_for(program, options, inputs);
+    simulation::Plan plan = plan_for(program, options, options.machine, inputs, stop);
     if (plan.model.empty()) plan.model = simulation::verifying_model().name;
     plan.threads = threads;
     return plan;
@@ -48,7 +54,7 @@ int check_program(report::Checked& checked, const std::string& path, const Check
     checked.path = setup::name_of_input(path);
     int code = kEnvironment;
     try {
-        simulation::Plan plan = plan_to_check(path, options, threads, inputs, number);
+        simulation::Plan plan = plan_to_check(path, options, threads, inputs, number, stop);
         programs = plan.job.programs_in_file;
         checked.program = plan.job.label;
         if (programs > 1 && verification_options.tiles) {
@@ -56,7 +62,9 @@ int check_program(report::Checked& checked, const std::string& path, const Check
                 fmt::format("{} programs in one file: tiles are of a single one", programs));
         }
         plan.budget.stop_with(std::move(stop));
-        simulation::check(std::move(plan), verification_options, checked);
+        simulation::VerificationOptions with_fixtures = verification_options;
+        add_fixtures(with_fixtures, plan.job);
+        simulation::check(std::move(plan), with_fixtures, checked);
         return exit_code_of(checked.outcome);
     } catch (const std::bad_alloc&) {
         checked.failure = "out of memory";

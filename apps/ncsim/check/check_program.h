@@ -17,7 +17,11 @@ namespace ncsim::app {
 /// Returns the plan of the program at `path`; `threads` is the number of threads. `number`: index
 /// of the program in a file with several.
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
-                               unsigned threads, setup::InputSet& inputs, std::size_t number = 0);
+                               unsigned threads, setup::InputSet& inputs, std::size_t number = 0,
+                               const std::stop_token& stop = {});
+
+/// Adds the fixtures of `job` to the machine of `verification_options`.
+void add_fixtures(simulation::VerificationOptions& verification_options, const setup::Job& job);
 
 /// Reads and verifies the program at `path` with `threads` threads; returns its exit code. Faults
 /// are recorded in the result. Stops early at a request of `stop`. `number`: index of the program

@@ -5,6 +5,7 @@
 
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
+#include "ncsim/setup/job_file.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/mesh_file.h"
 #include "ncsim/setup/recorded_input.h"
@@ -20,6 +21,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -28,6 +31,10 @@
 namespace ncsim::app {
 
 namespace {
+
+std::function<bool(const std::string&)> is_in(const std::set<std::string>& given) {
+    return [&given](const std::string& option) { return given.contains(option); };
+}
 
 CheckOptions parsed(const std::vector<std::string>& words) {
     return std::get<CheckOptions>(parsed_again(words));
@@ -66,20 +73,47 @@ SettingsOfPrograms::SettingsOfPrograms(const CheckOptions& specified,
     : specified_(specified), inputs_(inputs), many_(programs.size() > 1) {
     std::map<std::string, std::size_t> numbers;
     std::map<const setup::ProjectFile*, std::vector<std::string>> programs_of;
-    for (const std::string& program : programs) {
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        // The settings of a job are those for the job file.
+        const std::string& program = specified.steps.empty() ? programs[i] : specified.job;
         const setup::ProjectFile* project = specified.no_project ? nullptr : project_of(program);
         if (project) programs_of[project].push_back(program);
         std::vector<setup::ProjectSetting> settings;
         if (project) settings = setup::settings_for(*project, program);
+        std::optional<std::size_t> step;
+        if (!specified.steps.empty()) step = specified.steps[i];
         std::string same = project ? project->name : "";
         for (const setup::ProjectSetting& setting : settings)
             same += '\n' + setting.where;
+        if (step) same += fmt::format("\nstep {}", *step);
         const auto [number, is_new] = numbers.try_emplace(same, settings_.size());
-        if (is_new) fill(settings_.emplace_back(), project, settings);
+        if (is_new) fill(settings_.emplace_back(), project, settings, step);
         number_of_.push_back(number->second);
     }
     for (const auto& [name, project] : projects_)
         setup::expect_programs(project, programs_of[&project]);
+}
+
+std::string SettingsOfPrograms::notes() const {
+    std::string text;
+    for (const std::string& note : notes_)
+        text += note;
+    return text;
+}
+
+std::string SettingsOfPrograms::job_for(const setup::ProjectFile& project,
+                                        const std::vector<setup::ProjectSetting>& settings) const {
+    if (!specified_.job.empty()) return specified_.job;
+    for (const setup::ProjectSetting& setting : settings) {
+        if (setting.option == "job" && setting.values.size() == 1)
+            return setup::seen_in(project.folder, setting.values[0]);
+    }
+    return {};
+}
+
+std::string SettingsOfPrograms::label_of_step(std::size_t step) const {
+    const setup::JobFile file = setup::read_job_file(specified_.job, inputs_);
+    return setup::steps_of(file, {}).at(step).label;
 }
 
 std::string SettingsOfPrograms::key() const {
@@ -142,18 +176,40 @@ const setup::ProjectFile* SettingsOfPrograms::project_of(const std::string& prog
 }
 
 void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* project,
-                              const std::vector<setup::ProjectSetting>& settings) {
+                              const std::vector<setup::ProjectSetting>& settings,
+                              std::optional<std::size_t> step) {
     made.options = specified_;
     if (project) {
         made.project = project->name;
-        made.options = parsed(with_settings(
-            specified_.words, settings, project->folder,
-            [this](const std::string& option) { return !specified_.given.contains(option); }));
+        std::vector<std::string> overridden;
+        const auto is_free = [this](const std::string& option) {
+            return !specified_.given.contains(option);
+        };
+        const JobValues job(job_for(*project, settings), inputs_);
+        std::vector<std::string> words = specified_.words;
+        if (specified_.job.empty())
+            words = with_settings(std::move(words), job.settings(), job.folder(), is_free);
+        const std::vector<setup::ProjectSetting> rest = job.without_own(settings, overridden);
+        made.options = parsed(with_settings(std::move(words), rest, project->folder, is_free));
+        if (!specified_.quiet) {
+            for (const std::string& line : overridden)
+                notes_.insert("note: " + line + '\n');
+        }
+        if (specified_.verbose) {
+            for (const setup::ProjectSetting& setting : rest)
+                if (is_free(setting.option)) notes_.insert("setting  " + line_of(setting) + '\n');
+            if (specified_.job.empty()) {
+                for (const std::string& line : job.lines(is_in(specified_.given)))
+                    notes_.insert("setting  " + line + '\n');
+            }
+        }
         for (const setup::ProjectSetting& setting : settings) {
             if (!specified_.given.contains(setting.option))
                 made.options.selection.set_origin("--" + setting.option, setting.where);
         }
     }
+    made.options.job_step = step;
+    if (step && specified_.steps.size() > 1) made.label = label_of_step(*step);
     const CheckOptions& options = made.options;
     // The standard input is already expected if the command line names it.
     for (const std::string& path : inputs_of(options)) {
@@ -194,6 +250,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     made.entries = entries_for(options, many_);
     made.key = key_of(options, read);
     if (!many_) made.key += "one\n";
+    if (step) made.key += fmt::format("step {}\n", *step);
     if (!options.cache.empty()) {
         made.cache.emplace(options.cache, made.key,
                            [](const std::string& what) { print_error("ncsim: " + what + '\n'); });

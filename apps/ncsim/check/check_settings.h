@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace ncsim::app {
 struct CheckSettings {
     CheckOptions options;
     std::string project;  ///< The ncsim.toml with some of the settings; empty: none.
+    std::string label;    ///< "set-up 2, back" for a job with several set-ups; otherwise empty.
     simulation::VerificationOptions verification_options;
     std::optional<simulation::Design> design;
     std::shared_ptr<const report::Baseline> baseline;
@@ -53,11 +55,17 @@ public:
     std::string key() const;
     /// Returns the entries of baselines for programs that no longer exist, one line a program.
     std::string lost_programs() const;
+    /// Returns a line for each value of an ncsim.toml that a job file replaces; with --verbose, for
+    /// each setting with its place, too.
+    std::string notes() const;
 
 private:
+    std::string job_for(const setup::ProjectFile& project,
+                        const std::vector<setup::ProjectSetting>& settings) const;
+    std::string label_of_step(std::size_t step) const;
     const setup::ProjectFile* project_of(const std::string& program);
     void fill(CheckSettings& made, const setup::ProjectFile* project,
-              const std::vector<setup::ProjectSetting>& settings);
+              const std::vector<setup::ProjectSetting>& settings, std::optional<std::size_t> step);
     std::shared_ptr<const report::Baseline> baseline_of(const CheckOptions& options);
 
     const CheckOptions& specified_;
@@ -66,6 +74,7 @@ private:
     std::map<std::string, std::optional<std::string>> project_above_;  // by folder
     std::map<std::string, setup::ProjectFile> projects_;
     std::map<std::string, std::shared_ptr<const report::Baseline>> baselines_;
+    std::set<std::string> notes_;
     std::deque<CheckSettings> settings_;
     std::vector<std::size_t> number_of_;
 };

@@ -36,8 +36,9 @@ int check_tile(CheckOptions options) {
         throw std::runtime_error(
             "--tile: the file has several programs; tiles are of a single one");
     plan.tile = cda::TileNumber{number.shard, number.of};
-    simulation::TileResult seen =
-        simulation::check_tile(std::move(plan), asked.verification_options);
+    simulation::VerificationOptions verification_options = asked.verification_options;
+    add_fixtures(verification_options, plan.job);
+    simulation::TileResult seen = simulation::check_tile(std::move(plan), verification_options);
     report::TileFile file;
     file.head = {options.tile_words, read.files(), number.shard, number.of, read.knows_all()};
     for (const simulation::StockContact& met : seen.stock_contacts)

@@ -141,6 +141,7 @@ report::Entry Checking::entry_of_end(std::size_t program, const ProcessEnd& end)
 report::Entry Checking::failed(std::size_t program, const std::string& why, int code) const {
     report::Checked broken;
     broken.path = setup::name_of_input(programs_[program]);
+    broken.program = settings_.of(program).label;
     broken.failure = why;
     return report::entry_of(broken, code, settings_.of(program).entries);
 }
@@ -192,6 +193,7 @@ Checking::CheckResult Checking::checked_result(std::size_t program, unsigned thr
         for (std::size_t number = 0; number < programs; ++number) {
             report::Checked checked;
             checked.settings = settings.project;
+            checked.program = settings.label;
             const int code =
                 check_program(checked, programs_[program], settings.options,
                               settings.verification_options, threads, read, stop, number, programs);

@@ -7,6 +7,7 @@
 #include "ncsim/setup/program_folder.h"
 
 #include "check/pages.h"
+#include "options/job_steps.h"
 #include "system/console.h"
 
 #include <fmt/format.h>
@@ -121,9 +122,30 @@ private:
     ProgramList list_;
 };
 
+// Returns the chosen programs of the job, and notes their steps in `options`.
+ProgramList programs_of_job(CheckOptions& options, setup::InputSet& inputs) {
+    const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
+    std::error_code ignored;
+    if (!fs::is_regular_file(options.job, ignored)) {
+        (void)inputs.read(options.job, setup::kMostSetUpBytes);  // reports why it cannot be read
+        throw std::runtime_error(
+            fmt::format("'{}': the job of ncsim check is read several times: save it as a file",
+                        setup::name_of_input(options.job)));
+    }
+    if (steps.empty()) throw std::runtime_error(fmt::format("'{}' names no program", options.job));
+    ProgramList list;
+    for (const ChosenStep& step : steps) {
+        options.steps.push_back(step.number);
+        list.programs.push_back(step.program);
+        list.is_subprogram.push_back(false);
+    }
+    return list;
+}
+
 }  // namespace
 
-ProgramList programs_of(const CheckOptions& options, setup::InputSet& inputs) {
+ProgramList programs_of(CheckOptions& options, setup::InputSet& inputs) {
+    if (options.programs.empty() && options.list.empty()) return programs_of_job(options, inputs);
     Collector collector(options);
     for (const std::string& name : options.programs)
         collector.add_named(name);

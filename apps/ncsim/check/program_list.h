@@ -27,9 +27,10 @@ struct ProgramList {
 };
 
 /// Returns the programs of `options`. A folder stands for the programs in it and below. Outputs of
-/// the same run are skipped.
-/// Throws: std::runtime_error if the list or a folder cannot be read, or has no programs.
-ProgramList programs_of(const CheckOptions& options, setup::InputSet& inputs);
+/// the same run are skipped. For a job alone, the chosen programs of the job; options.steps then
+/// has their steps. Throws: std::runtime_error if the list or a folder cannot be read, or has no
+/// programs.
+ProgramList programs_of(CheckOptions& options, setup::InputSet& inputs);
 
 /// Returns the indices of the programs of this shard, ascending.
 std::vector<std::size_t> share_of(const std::vector<std::string>& programs,

@@ -9,29 +9,19 @@
 #include "ncsim/report/sarif.h"
 #include "ncsim/setup/input.h"
 
+#include "options/job_steps.h"
 #include "options/program_options.h"
 #include "system/console.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <system_error>
 
 namespace ncsim::app {
 
-namespace {
-
-// Not proven ranks between clean and faulty.
-bool is_better(int a, int b) {
-    const auto rank = [](int code) { return code == kNotProven ? 0.5 : code; };
-    return rank(a) < rank(b);
-}
-
-}  // namespace
-
 int exit_code_of(const report::Entries& all, bool exit_zero) {
     int worst = kClean;
-    all([&](const report::Entry& entry) { worst = std::max(worst, entry.code, is_better); });
+    all([&](const report::Entry& entry) { worst = worse_code(worst, entry.code); });
     const bool judged = worst == kFindings || worst == kNotProven;
     return judged && exit_zero ? int{kClean} : worst;
 }

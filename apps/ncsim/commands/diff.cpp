@@ -33,7 +33,7 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     options.program = path;
     if (stock) options.stock = stock;
     Side side;
-    side.plan = plan_for(options, diff, inputs);
+    side.plan = plan_for(options, diff, diff.machine, inputs);
     if (!diff.machine.empty())
         simulation::apply_machine(side.plan, setup::read_machine(diff.machine, inputs));
     if (side.plan.model.empty()) side.plan.model = simulation::verifying_model().name;

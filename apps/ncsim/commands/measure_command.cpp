@@ -9,15 +9,18 @@
 #include "ncsim/cda/triangle_tree.h"
 #include "ncsim/export/step.h"
 #include "ncsim/report/measure_sheet.h"
-#include "ncsim/setup/machine_formats.h"
+#include "ncsim/report/plain_text.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
+#include "options/job_steps.h"
 #include "options/plan_options.h"
 #include "system/console.h"
 #include "system/output.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <ostream>
@@ -69,6 +72,23 @@ report::MeasureSheet sheet_of(const simulation::Solid& solid, const cda::Boundar
     return sheet;
 }
 
+// Measures the part after each step. The JSON is of the last step.
+int measure_job(const MeasureOptions& options, const std::vector<ChosenStep>& steps) {
+    setup::InputSet inputs;
+    read_ahead(options, steps, inputs);
+    int worst = kClean;
+    for (const ChosenStep& step : steps) {
+        MeasureOptions one = options;
+        one.job_step = step.number;
+        if (&step != &steps.back()) one.json.clear();
+        if (steps.size() > 1 && !options.quiet)
+            put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)),
+                     options.json == "-");
+        worst = worse_code(worst, run(one));
+    }
+    return worst;
+}
+
 }  // namespace
 
 cli::App* add_measure(cli::App& app, MeasureOptions& o) {
@@ -87,21 +107,26 @@ cli::App* add_measure(cli::App& app, MeasureOptions& o) {
     return measure;
 }
 
-void complete(const MeasureOptions& o) {
-    complete(static_cast<const ProgramOptions&>(o));
+void complete(MeasureOptions& o) {
+    complete(static_cast<ProgramOptions&>(o));
     require_exact(o, "measure");
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
 }
 
 int run(const MeasureOptions& options) {
+    if (has_steps_to_do(options)) {
+        setup::InputSet aside;
+        const std::vector<ChosenStep> steps = chosen_steps(options, aside);
+        if (!steps.empty()) return measure_job(options, steps);
+    }
     setup::InputSet inputs;
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     if (!options.machine.empty()) inputs.expect(options.machine);
-    simulation::Plan plan = plan_for(options, options, inputs);
-    if (!options.machine.empty())
-        simulation::apply_machine(plan, setup::read_machine(options.machine, inputs));
+    simulation::Plan plan = plan_for(options, options, options.machine, inputs);
+    if (const auto machine = machine_for(options.machine, plan.job, inputs))
+        simulation::apply_machine(plan, *machine);
     if (plan.model.empty()) plan.model = simulation::models().front().name;
     plan.keep_boundary = true;
     outputs.reserve(options.json);

@@ -20,7 +20,7 @@ struct MeasureOptions : ProgramOptions, SimulationOptions {
 cli::App* add_measure(cli::App& app, MeasureOptions& options);
 /// Checks `options` after all options were read.
 /// Throws: Refusal.
-void complete(const MeasureOptions& options);
+void complete(MeasureOptions& options);
 
 /// Prints the sheet to the standard output and findings to stderr. Returns kFindings, without a
 /// sheet, if the program cannot be simulated.

@@ -113,8 +113,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
 
     const std::vector<std::string> words = as_options(arguments);
     // Adding the options of all commands would take longer than a small program.
-    constexpr std::string_view kCommands[] = {"run",  "parse",   "tools",   "check", "merge",
-                                              "diff", "machine", "measure", "rules"};
+    constexpr std::string_view kCommands[] = {"run",   "parse", "tools",   "check",
+                                              "merge", "diff",  "machine", "measure",
+                                              "rules", "init",  "sheet"};
     const bool is_named =
         !words.empty() && std::ranges::find(kCommands, words[0]) != std::ranges::end(kCommands);
     const auto add = [&](std::string_view name, auto add_command, auto& options,
@@ -133,6 +134,8 @@ Command parse_options(const std::vector<std::string>& arguments) {
     MachineOptions machine_options;
     MeasureOptions measure_options;
     RulesOptions rules_options;
+    InitOptions init_options;
+    SheetOptions sheet_options;
     cli::App* run = add("run", add_run, run_options, run_example);
     add("parse", add_parse, parse_options, "ncsim parse samples/simple.nc --canonical");
     cli::App* tools = add("tools", add_tools, tools_options,
@@ -146,6 +149,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
                             "ncsim machine samples/machines/trt.toml --pose A-30,C45");
     cli::App* measure = add("measure", add_measure, measure_options,
                             "ncsim measure samples/simple.nc --json simple.json");
+    cli::App* init = add("init", add_init, init_options, "ncsim init top.nc back.nc");
+    cli::App* sheet = add("sheet", add_sheet, sheet_options,
+                          "ncsim sheet samples/two-sides/job.toml --html sheet.html");
     cli::App* rules = add("rules", add_rules, rules_options, nullptr);
 
     try {
@@ -183,6 +189,14 @@ Command parse_options(const std::vector<std::string>& arguments) {
             return measure_options;
         }
         if (chosen == rules) return rules_options;
+        if (chosen == sheet) {
+            complete(sheet_options);
+            return sheet_options;
+        }
+        if (chosen == init) {
+            complete(init_options);
+            return init_options;
+        }
         complete(parse_options);
         return parse_options;
     } catch (const cli::UsageError& e) {

@@ -5,9 +5,11 @@
 #pragma once
 
 #include "commands/diff.h"
+#include "commands/init_command.h"
 #include "commands/machine_command.h"
 #include "commands/measure_command.h"
 #include "commands/parse_command.h"
+#include "commands/sheet_command.h"
 #include "commands/tools_command.h"
 #include "options/check_options.h"
 #include "options/merge_options.h"
@@ -27,7 +29,8 @@ struct EarlyExit {
 
 /// Options of the chosen command. For each type there is a run().
 using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
-                             DiffOptions, MachineOptions, MeasureOptions, RulesOptions, EarlyExit>;
+                             DiffOptions, MachineOptions, MeasureOptions, RulesOptions, InitOptions,
+                             SheetOptions, EarlyExit>;
 
 /// Parses the command line. Accepts any arguments.
 Command parse_options(const std::vector<std::string>& arguments);

@@ -6,11 +6,14 @@
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/stock_file.h"
 
+#include "system/console.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <system_error>
@@ -89,6 +92,60 @@ std::set<std::string> names_of(const DiffOptions&) {
 std::set<std::string> names_of(const MeasureOptions&) {
     return names_of<MeasureOptions>(add_measure);
 }
+std::set<std::string> names_of(const SheetOptions&) {
+    return names_of<SheetOptions>(add_sheet);
+}
+std::set<std::string> names_of(const CheckOptions&) {
+    return names_of<CheckOptions>(add_check);
+}
+
+// Returns the key of a job file with the same meaning as an option.
+std::string key_of(std::string option) {
+    std::ranges::replace(option, '-', '_');
+    return option;
+}
+
+bool is_regular(const std::string& path) {
+    std::error_code ignored;
+    return !path.empty() && std::filesystem::is_regular_file(path, ignored);
+}
+
+bool is_quiet(const std::vector<std::string>& words) {
+    return std::ranges::any_of(
+        words, [](const std::string& word) { return word == "-q" || word == "--quiet"; });
+}
+
+// Returns the job file: of the command line, otherwise of the project.
+std::string job_of(const ProgramOptions& options,
+                   const std::vector<setup::ProjectSetting>& settings, const std::string& folder) {
+    if (!options.job.empty()) return options.job;
+    for (const setup::ProjectSetting& setting : settings) {
+        if (setting.option == "job" && setting.values.size() == 1)
+            return setup::seen_in(folder, setting.values[0]);
+    }
+    return {};
+}
+
+// Prints where each value of a completed command line comes from.
+void print_sources(const std::vector<std::string>& arguments, const JobValues& job,
+                   const std::vector<setup::ProjectSetting>& settings,
+                   const std::function<bool(const std::string&)>& given) {
+    std::string text;
+    const auto end = std::ranges::find(arguments, "--");
+    for (auto word = arguments.begin(); word != end; ++word) {
+        if (!word->starts_with("--") || *word == "--verbose") continue;
+        std::string value;
+        const bool has_value = word->find('=') == std::string::npos && word + 1 != end &&
+                               !(word + 1)->starts_with("-");
+        if (has_value) value = " " + *(word + 1);
+        text += fmt::format("setting  {}{}  (command line)\n", *word, value);
+    }
+    for (const std::string& line : job.lines(given))
+        text += fmt::format("setting  {}\n", line);
+    for (const setup::ProjectSetting& setting : settings)
+        if (!given(setting.option)) text += fmt::format("setting  {}\n", line_of(setting));
+    print_error(text);
+}
 
 // True if the command line has the option `name`.
 bool is_given(const std::vector<std::string>& words, const std::string& name) {
@@ -142,28 +199,115 @@ Command parsed_again(const std::vector<std::string>& words) {
     return command;
 }
 
+JobValues::JobValues(const std::string& path, setup::InputSet& inputs) {
+    if (!is_regular(path)) return;
+    file_ = setup::read_job_file(path, inputs);
+    folder_ = std::filesystem::path(path).parent_path().string();
+}
+
+// Returns the value of the job that replaces `value` of `option`; null if there is none.
+const setup::PlacedValue* JobValues::value_of(const std::string& option,
+                                              const std::string& value) const {
+    const auto found = [this](const std::string& key) {
+        const auto at = file_.values.find(key);
+        return at == file_.values.end() ? nullptr : &at->second;
+    };
+    const std::string name = value.substr(0, value.find('='));
+    if (option == "tool") return name.size() > 1 ? found("tool " + name.substr(1)) : nullptr;
+    if (option == "variable") return found("variables " + name);
+    if (option == "compensation") return found("compensation " + name);
+    if (option == "stock-turn" || option == "stock-move") return found("stock");
+    if (option == "units" && file_.units_assumed) return nullptr;
+    if (option == "dialect" && file_.dialect_assumed) return nullptr;
+    return found(key_of(option));
+}
+
+std::vector<setup::ProjectSetting> JobValues::without_own(
+    std::vector<setup::ProjectSetting> settings, std::vector<std::string>& overridden) const {
+    std::vector<setup::ProjectSetting> rest;
+    for (setup::ProjectSetting& setting : settings) {
+        const auto note = [&](const setup::PlacedValue& own, const std::string& value) {
+            const bool is_same = own.text == value || own.text == '"' + value + '"';
+            if (is_same) return;
+            overridden.push_back(fmt::format("'{}'{} of {} counts; {} has {}", setting.option,
+                                             own.text.empty() ? "" : " = " + own.text, own.where,
+                                             setting.where, value));
+        };
+        if (setting.is_flag) {
+            const setup::PlacedValue* const own = value_of(setting.option, {});
+            if (own) note(*own, setting.is_on ? "true" : "false");
+            if (!own) rest.push_back(std::move(setting));
+            continue;
+        }
+        std::erase_if(setting.values, [&](const std::string& value) {
+            const setup::PlacedValue* const own = value_of(setting.option, value);
+            if (own) note(*own, value);
+            return own != nullptr;
+        });
+        if (!setting.values.empty()) rest.push_back(std::move(setting));
+    }
+    return rest;
+}
+
+std::vector<std::string> JobValues::lines(
+    const std::function<bool(const std::string&)>& given) const {
+    std::vector<std::string> lines;
+    for (const auto& [key, value] : file_.values) {
+        std::string option = key;
+        std::ranges::replace(option, '_', '-');
+        if (given(option) || key == "version" || key == "tool") continue;
+        lines.push_back(fmt::format("{}{}  {}", key, value.text.empty() ? "" : " = " + value.text,
+                                    value.where));
+    }
+    return lines;
+}
+
+std::string line_of(const setup::ProjectSetting& setting) {
+    const std::string value = setting.is_flag ? (setting.is_on ? "true" : "false")
+                                              : fmt::format("{}", fmt::join(setting.values, ", "));
+    return fmt::format("{} = {}  {}", setting.option, value, setting.where);
+}
+
 Command options_with_project(const std::vector<std::string>& arguments) {
     Command command = parse_options(arguments);
     std::visit(
         [&](auto& options) {
             using Of = std::remove_cvref_t<decltype(options)>;
-            if constexpr (std::is_base_of_v<ProgramOptions, Of> &&
-                          !std::is_same_v<Of, CheckOptions>) {
-                const std::string& program =
-                    options.program.empty() ? options.job : options.program;
-                if (options.no_project) return;
-                const auto path = setup::find_project_file(program);
-                if (!path) return;
+            if constexpr (std::is_base_of_v<ProgramOptions, Of>) {
+                constexpr bool kIsCheck = std::is_same_v<Of, CheckOptions>;
                 setup::InputSet inputs;
-                const setup::ProjectFile project = setup::read_project_file(*path, inputs);
+                std::optional<setup::ProjectFile> project;
+                std::vector<setup::ProjectSetting> settings;
+                if (!options.no_project && !kIsCheck) {
+                    const std::string& program =
+                        options.program.empty() ? options.job : options.program;
+                    if (const auto path = setup::find_project_file(program)) {
+                        project = setup::read_project_file(*path, inputs);
+                        settings = setup::settings_for(*project, program);
+                    }
+                }
+                const std::string folder = project ? project->folder : std::string();
+                const JobValues job(job_of(options, settings, folder), inputs);
+                if (!project && job.settings().empty() && !options.verbose) return;
                 const std::set<std::string> known = names_of(options);
-                const std::vector<std::string> words =
-                    with_settings(arguments, setup::settings_for(project, program), project.folder,
-                                  [&](const std::string& option) {
-                                      return known.contains(option) && !is_given(arguments, option);
-                                  });
+                const auto given = [&](const std::string& option) {
+                    return is_given(arguments, option);
+                };
+                const auto accepts = [&](const std::string& option) {
+                    return known.contains(option) && !given(option);
+                };
+                std::vector<std::string> overridden;
+                settings = job.without_own(std::move(settings), overridden);
+                std::vector<std::string> words =
+                    with_settings(arguments, job.settings(), job.folder(), accepts);
+                words = with_settings(std::move(words), settings, folder, accepts);
                 options = std::get<Of>(parsed_again(words));
-                options.project = *path;
+                if (project) options.project = project->name;
+                if (!is_quiet(arguments)) {
+                    for (const std::string& line : overridden)
+                        print_error("note: " + line + '\n');
+                }
+                if (options.verbose) print_sources(arguments, job, settings, given);
             }
         },
         command);

@@ -3,17 +3,25 @@
 // Prints the tool sheet of a program.
 #include "commands/tools_command.h"
 
+#include "ncsim/report/plain_text.h"
 #include "ncsim/report/tool_sheet.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/plunges.h"
 #include "ncsim/simulation/survey.h"
 
+#include "options/job_steps.h"
+#include "options/plan_options.h"
 #include "run/save_job.h"
 #include "system/console.h"
 #include "system/output.h"
 
+#include <fmt/format.h>
+
 #include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -27,28 +35,66 @@ cli::App* add_tools(cli::App& app, ToolsOptions& options) {
     return tools;
 }
 
-int run(const ToolsOptions& options) {
-    setup::InputSet inputs;
-    OutputSet outputs(inputs);
-    if (options.json) outputs.claim_standard_output("--json");
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
-    simulation::Plan plan;
-    plan.job = setup::read_job(static_cast<const setup::JobOptions&>(options), inputs);
+namespace {
+
+// Prints the sheet of one program. Returns the exit code; with `json`, adds the sheet to this text
+// instead.
+int print_sheet(const ToolsOptions& options, setup::InputSet& inputs, OutputSet& outputs,
+                std::string* json) {
+    const SimulationOptions usual;
+    simulation::Plan plan = plan_for(options, usual, {}, inputs);
     outputs.reserve(options.save_job);
     const simulation::Survey survey = simulation::survey(plan);
     const report::Plunges plunges = simulation::plunges_of(plan);
     const setup::Job& job = plan.job;
     if (options.json) {
-        write_stdout(report::tool_sheet_json(job.program.name, survey, job.tools, plunges));
+        std::string sheet = report::tool_sheet_json(job.program.name, survey, job.tools, plunges);
+        if (json) {
+            while (sheet.ends_with('\n'))
+                sheet.pop_back();
+            *json += (json->empty() ? "" : ",\n") + sheet;
+        } else {
+            write_stdout(sheet);
+        }
     } else {
         put_text(report::tool_sheet(survey, job.tools, plunges), outputs.takes_standard_output());
     }
     print_findings(job.program, survey.diagnostics);
     outputs.write(options.save_job,
                   [&](std::ostream& out) { save_job(out, job, survey, options.save_job); });
-    outputs.commit();
     return gcode::has_errors(survey.diagnostics) ? kFindings : kClean;
+}
+
+}  // namespace
+
+int run(const ToolsOptions& options) {
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    if (options.json) outputs.claim_standard_output("--json");
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
+    if (steps.size() < 2) {
+        ToolsOptions one = options;
+        if (!steps.empty()) one.job_step = steps[0].number;
+        const int code = print_sheet(one, inputs, outputs, nullptr);
+        outputs.commit();
+        return code;
+    }
+    if (!options.save_job.empty())
+        throw std::runtime_error("--save-job: the job has several set-ups; select one: --setup 1");
+    int worst = kClean;
+    std::string sheets;
+    for (const ChosenStep& step : steps) {
+        ToolsOptions one = options;
+        one.job_step = step.number;
+        if (!options.json)
+            put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)));
+        worst = worse_code(worst, print_sheet(one, inputs, outputs, &sheets));
+    }
+    if (options.json) write_stdout("{\"programs\": [\n" + sheets + "\n]}\n");
+    outputs.commit();
+    return worst;
 }
 
 }  // namespace ncsim::app

@@ -4,6 +4,7 @@
 #include "options/check_options.h"
 
 #include "ncsim/cda/tile_number.h"
+#include "ncsim/setup/job_file.h"
 #include "ncsim/verify/doubt.h"
 #include "ncsim/verify/rule.h"
 #include "ncsim/verify/setup.h"
@@ -182,7 +183,7 @@ void add_batch_options(cli::App& check, CheckOptions& o) {
 cli::App* add_check(cli::App& app, CheckOptions& o) {
     cli::App* check =
         app.add_subcommand("check", "Verify that programs are safe; exit code 1 if not");
-    check->add_option("programs", o.programs, "NC programs, and folders with NC programs")
+    check->add_option("programs", o.programs, "NC programs, folders with programs, or a job file")
         ->type_name("FILES");
     add_language_options(*check, o);
     add_setup_options(*check, o);
@@ -251,10 +252,30 @@ void complete_tile_of_check(CheckOptions& o) {
 
 }  // namespace
 
+namespace {
+
+// Makes a job file among the programs the job.
+void take_job_of_check(CheckOptions& o) {
+    const auto job = std::ranges::find_if(o.programs, setup::is_job_file);
+    if (job != o.programs.end()) {
+        if (o.programs.size() > 1 || !o.list.empty()) {
+            throw Refusal{fmt::format(
+                "'{}': a job is checked alone, without further programs and jobs", *job)};
+        }
+        take_job(o, *job);
+        o.programs.clear();
+    }
+    if (!o.set_up.empty() && (o.job.empty() || !o.programs.empty() || !o.list.empty()))
+        throw Refusal{"--setup selects a set-up of a job file, as in ncsim check job.toml"};
+}
+
+}  // namespace
+
 void complete(CheckOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     require_verifying(o);
-    if (o.programs.empty() && o.list.empty())
+    take_job_of_check(o);
+    if (o.programs.empty() && o.list.empty() && o.job.empty())
         throw Refusal{"no program is named: on the command line, or in a --list"};
     if (!o.html.empty() && o.isolate)
         throw Refusal{"--isolate: what a page shows does not come out of another process"};

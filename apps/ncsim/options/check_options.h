@@ -11,6 +11,7 @@
 #include "options/report_options.h"
 #include "options/shard_number.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -25,6 +26,8 @@ namespace ncsim::app {
 /// programs.
 struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> programs;
+    /// Steps of the job for the programs of the list; empty if the programs are no job.
+    std::vector<std::size_t> steps;
     std::string list;          ///< File with further programs, a path a line.
     std::string shard;         ///< "3/200", "auto"; empty: all programs.
     std::uint32_t shards = 0;  ///< Number of shards if "auto" cannot determine the number.
@@ -42,12 +45,13 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     report::FileDigests tile_files;
     std::string cache;               ///< Folder of cached verdicts; empty: none.
     std::vector<std::string> words;  ///< Words of the command line; the command is first.
-    std::set<std::string> given;     ///< Options on the command line, without dashes.
-    std::string specified;           ///< Options that determine verdicts, in canonical form.
-    std::string machine;             ///< A machine.toml.
-    std::string design;              ///< STL, GLB or STEP.
-    double design_tolerance = 0.1;   ///< mm
-    std::string baseline;            ///< File of known findings; empty: none.
+    /// Options on the command line and in the job of the command line, without dashes.
+    std::set<std::string> given;
+    std::string specified;          ///< Options that determine verdicts, in canonical form.
+    std::string machine;            ///< A machine.toml.
+    std::string design;             ///< STL, GLB or STEP.
+    double design_tolerance = 0.1;  ///< mm
+    std::string baseline;           ///< File of known findings; empty: none.
     verify::Selection selection;
     std::string csv, html;  ///< Output files; empty: none.
     bool dog_leg = false;

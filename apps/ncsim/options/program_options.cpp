@@ -72,7 +72,7 @@ toolpath::Stock read_stock(const std::string& text) {
 
 std::string read_turn(const std::string& text) {
     try {
-        setup::parse_turn(text);
+        (void)setup::parse_any_turn(text);
     } catch (const std::invalid_argument& e) {
         throw Refusal{fmt::format("--stock-turn {}", e.what())};
     }
@@ -173,13 +173,24 @@ void require_exact(const SimulationOptions& options, std::string_view what) {
 }
 
 void add_program_options(cli::App& command, ProgramOptions& options) {
-    command.add_option("program", options.program, "NC program")->type_name("FILE");
+    command.add_option("program", options.program, "NC program, or job file (.toml)")
+        ->type_name("FILE");
     add_language_options(command, options);
 }
 
-void complete(const ProgramOptions& options) {
+void take_job(ProgramOptions& options, std::string& program) {
+    if (!setup::is_job_file(program)) return;
+    if (!options.job.empty())
+        throw Refusal{fmt::format("'{}' and --job '{}': expected one job", program, options.job)};
+    options.job = std::exchange(program, {});
+}
+
+void complete(ProgramOptions& options) {
+    take_job(options, options.program);
+    if (!options.set_up.empty() && options.job.empty())
+        throw Refusal{"--setup selects a set-up of a job file"};
     if (options.program.empty() && options.job.empty()) {
-        throw Refusal{"an NC program is needed, or a job file that names one (--job)"};
+        throw Refusal{"an NC program is needed, or a job file that names one (job.toml)"};
     }
     if (!options.save_job.empty() && options.stock && options.stock->from &&
         options.stock->from->path == "-") {
@@ -202,6 +213,9 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
     command.begin_group("Input");
     command.add_option("--job", o.job, "Job file (TOML): tools, stock and set-up")
         ->type_name("FILE");
+    command.add_option("--setup", o.set_up, "Set-up of the job, by number or name")
+        ->type_name("SETUP");
+    command.add_flag("--verbose", o.verbose, "Print the source of each setting: file and line");
     command.add_flag("--no-project", o.no_project, "Ignore ncsim.toml");
     command
         .add_option_function<std::string>(
@@ -276,7 +290,7 @@ void add_setup_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--stock-turn", [&o](Text text) { o.stock_turn = read_turn(text); },
-            "Turn stock from a file by right angles: X90,Z-90")
+            "Turn stock from a file about axes: X90,Z-37.5")
         ->type_name("TURNS");
     command
         .add_option_function<std::string>(

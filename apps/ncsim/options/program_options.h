@@ -34,6 +34,8 @@ struct ProgramOptions : setup::JobOptions {
     std::string save_job;     ///< Job file to write; empty: none.
     bool no_project = false;  ///< Ignore ncsim.toml.
     std::string project;      ///< The ncsim.toml with settings for the program; empty: none.
+    std::string set_up;       ///< Number or name of a set-up of the job; empty: all set-ups.
+    bool verbose = false;     ///< Print the source of each setting.
 };
 
 /// Further options of commands that simulate. Lengths in mm.
@@ -59,7 +61,9 @@ void add_setup_options(cli::App& command, ProgramOptions& options);
 std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// Checks `options` after all options were read.
 /// Throws: Refusal if no program is named.
-void complete(const ProgramOptions& options);
+void complete(ProgramOptions& options);
+/// Makes a positional `program` with the ending .toml the job. Throws: Refusal if there is a job.
+void take_job(ProgramOptions& options, std::string& program);
 /// Models that `--model` offers in the help of a command.
 enum class Models : std::uint8_t { All, Exact, Verifying };
 void add_simulation_options(cli::App& command, SimulationOptions& options, Models models);

@@ -396,7 +396,7 @@ void refuse_foreign_endings(const Options& o) {
 }  // namespace
 
 void complete(Options& options) {
-    complete(static_cast<const ProgramOptions&>(options));
+    complete(static_cast<ProgramOptions&>(options));
     refuse_foreign_endings(options);
     choose_model(options);
     if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))

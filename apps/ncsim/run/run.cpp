@@ -29,6 +29,7 @@
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
+#include "options/job_steps.h"
 #include "options/plan_options.h"
 #include "run/animation.h"
 #include "run/machine_picture.h"
@@ -36,6 +37,7 @@
 #include "run/moving_machine.h"
 #include "run/outcome.h"
 #include "run/picture.h"
+#include "run/run_job.h"
 #include "run/save_job.h"
 #include "run/tile.h"
 #include "system/console.h"
@@ -203,6 +205,12 @@ std::optional<simulation::Solid> true_solid(const Outcome& outcome) {
 }  // namespace
 
 int run(Options options) {
+    if (has_steps_to_do(options)) {
+        setup::InputSet aside;
+        const std::vector<ChosenStep> steps = chosen_steps(options, aside);
+        if (!steps.empty())
+            return run_job(options, steps, [](Options one) { return run(std::move(one)); });
+    }
     if (!options.tile.empty()) return run_tile(std::move(options));
     setup::InputSet inputs;
     OutputSet outputs(inputs);
@@ -215,7 +223,7 @@ int run(Options options) {
     plan.tiles = options.tiles;
     std::vector<std::string> not_used;
     std::optional<setup::MachineFile> machine;
-    if (!options.machine.empty()) machine = setup::read_machine(options.machine, read);
+    if (!options.machine.empty()) machine = machine_for(options.machine, plan.job, read);
     if (machine) not_used = simulation::apply_machine(plan, *machine);
     if (options.shows_machine && (!machine || machine->bodies.empty()))
         throw std::runtime_error("--show-machine: no link of a machine has a mesh (--machine)");
@@ -281,8 +289,10 @@ int run(Options options) {
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});
         if (records_assumptions(o)) {
+            setup::MachineFile fixtures_alone;
+            add_fixtures(fixtures_alone, plan.job);
             outcome.assumed =
-                simulation::assumptions_of(plan, survey, machine ? *machine : setup::MachineFile{});
+                simulation::assumptions_of(plan, survey, machine ? *machine : fixtures_alone);
         }
         simulation->provenance.assumed = reasons_of(outcome.assumed);
         if (o.tiles) expect_same_files(o.tile_files, recorded.files());

@@ -51,10 +51,15 @@ void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Jo
 
 }  // namespace
 
-void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
-              const std::string& path) {
-    setup::JobFile file;
-    setup::JobRemarks remarks;
+std::string path_from(const std::string& job_file, const std::string& path) {
+    return seen_from(job_file, path);
+}
+
+DescribedJob describe_job(const setup::Job& job, const simulation::Survey& survey,
+                          const std::string& path) {
+    DescribedJob described;
+    setup::JobFile& file = described.file;
+    setup::JobRemarks& remarks = described.remarks;
     if (job.options.program != "-") file.program = seen_from(path, job.options.program);
     file.inches = job.options.inches.value_or(false);
     file.units_assumed = !survey.interpretation.units_stated && job.units_assumed;
@@ -79,7 +84,13 @@ void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey
                                           survey.stock->text, survey.stock->file, "--stock");
     }
     add_tools(file, remarks, job, survey);
-    setup::write_job_file(out, file, remarks);
+    return described;
+}
+
+void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
+              const std::string& path) {
+    const DescribedJob described = describe_job(job, survey, path);
+    setup::write_job_file(out, described.file, described.remarks);
 }
 
 }  // namespace ncsim::app

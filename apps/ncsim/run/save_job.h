@@ -4,12 +4,25 @@
 #pragma once
 
 #include "ncsim/setup/job.h"
+#include "ncsim/setup/job_file.h"
 #include "ncsim/simulation/survey.h"
 
 #include <iosfwd>
 #include <string>
 
 namespace ncsim::app {
+
+/// A job file with its remarks.
+struct DescribedJob {
+    setup::JobFile file;
+    setup::JobRemarks remarks;
+};
+
+/// Returns the tools, the stock and the settings that were used, for the file `path`.
+DescribedJob describe_job(const setup::Job& job, const simulation::Survey& survey,
+                          const std::string& path);
+/// Returns the path of a file, relative to the folder of `job_file`.
+std::string path_from(const std::string& job_file, const std::string& path);
 
 /// Writes the tools, the stock and the settings that were used. Assumed values have a comment.
 /// `path` is the final path of the file; the path of the program is relative to it.

@@ -173,6 +173,10 @@ void write_check_json(std::ostream& out, const Entries& all, const Scope& scope)
     json.begin_object();
     json.value("version", 2);
     json.value("ncsim", kVersion);
+    if (!scope.job.empty()) {
+        json.value("job", relative_path(scope.job));
+        json.value("job_verdict", worst_verdict(all));
+    }
     json.begin_array("programs");
     all([&](const Entry& entry) { json.element(Json::parse(entry.json)); });
     json.end();

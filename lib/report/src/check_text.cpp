@@ -366,6 +366,11 @@ std::string summary_of(const Entries& all, const TextOptions& options, const Sco
     if (words["accepted"] > 0) append(text, "{} accepted, ", words["accepted"]);
     append(text, "{} not proven, {} failed, {} not verified{}\n", words["not-proven"],
            words["failed"], words["not-verified"], counts_of(scope));
+    if (!scope.job.empty()) {
+        std::string word = worst_verdict(all);
+        std::ranges::replace(word, '-', ' ');
+        append(text, "{}: {}\n", printable_path(scope.job), word);
+    }
     return text;
 }
 

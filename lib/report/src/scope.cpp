@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -86,6 +87,17 @@ std::string text_of(const std::vector<ExcludedEntry>& excluded) {
         text += '\n';
     }
     return text;
+}
+
+std::string worst_verdict(const Entries& all) {
+    constexpr std::string_view kWords[] = {"clean", "accepted", "not-proven", "failed",
+                                           "not-verified"};
+    std::size_t worst = 0;
+    all([&](const Entry& entry) {
+        const auto* const at = std::ranges::find(kWords, entry.word);
+        worst = std::max(worst, static_cast<std::size_t>(at - std::begin(kWords)));
+    });
+    return std::string(kWords[std::min(worst, std::size(kWords) - 1)]);
 }
 
 std::string counts_of(const Scope& scope) {

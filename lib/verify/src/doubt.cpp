@@ -66,8 +66,9 @@ constexpr auto kReasons = std::to_array<ReasonInfo>({
     {"contradiction", "Two sources specify different values for one thing.",
      "correct or remove one of the two"},
     {"file-origin",
-     "A file was written by a run that made assumptions, or does not record whether it did.",
-     "use a file from a run with everything specified"},
+     "A file was written by a run that made assumptions, marks a value as assumed, or does not "
+     "record whether it did.",
+     "measure what is marked as assumed, and use files of runs with everything specified"},
     {kSettingNotUsed, "The program does not use a setting that is specified.",
      "remove or correct the setting"},
     {"required", "A setting is required and not specified.", "specify what --require names"},

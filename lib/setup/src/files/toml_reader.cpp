@@ -4,6 +4,7 @@
 #include "files/toml_reader.h"
 
 #include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/setup/nearest_word.h"
 
 #include <fmt/format.h>
 
@@ -111,11 +112,13 @@ void TomlReader::each(const toml::table& in, const std::string& where, const Key
     for (const auto& [key, node] : in) {
         const auto found = known.find(key.str());
         if (found == known.end()) {
-            std::string names;
+            std::vector<std::string> names;
             for (const auto& [name, take] : known)
-                names += (names.empty() ? "" : ", ") + name;
-            fail(node, fmt::format("'{}' is not known{}{}; expected {}", key.str(),
-                                   where.empty() ? "" : " in ", where, names));
+                names.push_back(name);
+            const std::string meant = nearest_word(key.str(), names);
+            fail(node, fmt::format("'{}' is not known{}{}; expected {}{}", key.str(),
+                                   where.empty() ? "" : " in ", where, fmt::join(names, ", "),
+                                   meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant)));
         }
         found->second(node, where.empty() ? found->first : where + "." + found->first);
     }

@@ -121,11 +121,43 @@ std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesyst
     return std::nullopt;
 }
 
+// Replaces the values of the only set-up by those of a step.
+void select_step(JobFile& file, const JobStep& step) {
+    if (file.set_ups.empty()) return;
+    JobSetUp& set_up = file.set_ups[step.set_up - 1];
+    file.fixtures = std::move(set_up.fixtures);
+    file.fixtures_specified = set_up.fixtures_specified;
+    if (set_up.below_stock) file.below_stock = set_up.below_stock;
+    if (set_up.start) file.start = set_up.start;
+    for (const auto& [system, origin] : set_up.offsets)
+        file.offsets.insert_or_assign(system, origin);
+    for (const auto& [name, value] : set_up.variables)
+        file.variables.insert_or_assign(name, value);
+    file.assumed.insert(file.assumed.end(), set_up.assumed.begin(), set_up.assumed.end());
+    if (!file.stock) return;
+    file.stock->box.min = file.stock->box.min - set_up.zero;
+    file.stock->box.max = file.stock->box.max - set_up.zero;
+    if (file.stock->from) file.stock->from->move = file.stock->from->move - set_up.zero;
+}
+
 // Fills in options from the job file unless the command line specifies them.
 JobFile take_job_file(JobOptions& options, InputSet& inputs) {
-    JobFile file =
-        parse_job_file({name_of_input(options.job), inputs.read(options.job, kMostSetUpBytes)});
+    JobFile file = read_job_file(options.job, inputs);
     const std::string folder = std::filesystem::path(options.job).parent_path().string();
+    std::error_code ignored;
+    const bool is_read_again = !file.set_ups.empty() || !file.settings.empty();
+    if (is_read_again && !std::filesystem::is_regular_file(options.job, ignored)) {
+        throw std::runtime_error(
+            fmt::format("'{}': a job with set-ups, a machine or options is read several times: "
+                        "save it as a file",
+                        name_of_input(options.job)));
+    }
+    if (const auto number = selected_step(options, inputs)) {
+        const JobStep step = steps_of(file, folder).at(*number);
+        options.job_step = number;
+        options.program = step.program;
+        select_step(file, step);
+    }
     if (options.program.empty()) {
         if (file.program.empty()) {
             throw std::runtime_error(
@@ -270,6 +302,12 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
                                                  const std::vector<toolpath::ToolFile>& tables,
                                                  std::optional<toolpath::StockEntry> noted,
                                                  InputSet& inputs) {
+    if (options.left_stock) {
+        toolpath::StockEntry entry{
+            *options.left_stock, toolpath::ValueSource::Table, {}, "the part of the last set-up"};
+        entry.file = report::base_name(name_of_input(options.job));
+        return entry;
+    }
     const bool is_placed = options.stock_turn || options.stock_move;
     if (is_placed && !(options.stock && options.stock->from)) {
         throw std::runtime_error("--stock-turn and --stock-move are for --stock FILE");
@@ -283,7 +321,7 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
         }
         return toolpath::StockEntry{stock, toolpath::ValueSource::Option, {}, {}};
     }
-    if (file.stock) {
+    if (file.stock && options.job_step.value_or(0) == 0) {
         toolpath::StockEntry entry{*file.stock, toolpath::ValueSource::Table, {}, "the stock"};
         entry.file = report::base_name(name_of_input(options.job));
         entry.place_assumed = file.stock_place_assumed;
@@ -400,6 +438,14 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
     }
     job.stock = choose_stock(options, from_file, tables, notes.stock, inputs);
     doubt_contradiction(job, notes.stock);
+    job.fixtures = from_file.fixtures;
+    job.fixtures_specified = from_file.fixtures_specified;
+    job.below_stock = from_file.below_stock;
+    for (const AssumedValue& value : from_file.assumed) {
+        job.doubts.push_back({"file-origin", fmt::format("{}: '{}' is marked as assumed; measure "
+                                                         "or correct it, then remove the mark",
+                                                         value.where, value.name)});
+    }
     job.units_assumed = !options.inches || options.inches_assumed;
     if (from_file.has_unknown_origin) {
         job.doubts.push_back(
@@ -419,6 +465,34 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
 
 }  // namespace
 
+std::optional<std::size_t> selected_step(const JobOptions& options, InputSet& inputs) {
+    if (options.job.empty()) return std::nullopt;
+    namespace fs = std::filesystem;
+    const JobFile file = read_job_file(options.job, inputs);
+    if (file.set_ups.empty()) return std::nullopt;
+    const std::vector<JobStep> steps = steps_of(file, fs::path(options.job).parent_path().string());
+    if (options.job_step) return *options.job_step;
+    const auto place_of = [](const std::string& path) {
+        return fs::absolute(path).lexically_normal();
+    };
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (options.program.empty() || place_of(steps[i].program) == place_of(options.program))
+            found.push_back(i);
+    }
+    const std::string name = name_of_input(options.job);
+    if (found.empty()) {
+        throw std::runtime_error(
+            fmt::format("'{}' is no program of '{}'", name_of_input(options.program), name));
+    }
+    if (found.size() > 1) {
+        throw std::runtime_error(fmt::format(
+            "'{}' has {} programs{}: name the job instead of a program, as in ncsim check {}", name,
+            found.size(), options.program.empty() ? "" : " of this name", name));
+    }
+    return found.front();
+}
+
 Job read_job(JobOptions options, InputSet& inputs) {
     JobFile from_file;
     if (!options.job.empty()) from_file = take_job_file(options, inputs);
@@ -426,7 +500,14 @@ Job read_job(JobOptions options, InputSet& inputs) {
     std::vector<std::filesystem::path> folders{
         std::filesystem::path(options.program).parent_path()};
     folders.insert(folders.end(), options.subprograms.begin(), options.subprograms.end());
+    std::string label;
+    if (from_file.set_ups.size() > 0) {
+        const std::string folder = std::filesystem::path(options.job).parent_path().string();
+        const std::vector<JobStep> steps = steps_of(from_file, folder);
+        if (steps.size() > 1) label = steps[options.job_step.value()].label;
+    }
     Job job = composed(std::move(program), std::move(options), from_file, inputs);
+    if (!label.empty()) job.label = job.label.empty() ? label : label + ", " + job.label;
     job.interpreter.read_file = [folders, &inputs](std::string_view name) {
         return read_subprogram(folders, name, inputs);
     };

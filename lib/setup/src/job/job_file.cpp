@@ -15,6 +15,7 @@
 #include "files/toml_reader.h"
 #include "files/toml_text.h"
 #include "files/tool_keys.h"
+#include "machines/fixture_reader.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +23,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace ncsim::setup {
@@ -83,12 +87,29 @@ constexpr NamedSegments kSegments[] = {{"shaft", &ToolSpec::shaft}, {"holder", &
 
 // --- Reading ---
 
+// Options of commands that a job file may contain. A key is the name of the option, with '_'
+// instead of '-'.
+constexpr std::string_view kSettings[] = {
+    "machine",  "tool_table", "subprograms", "tolerance", "tool_tolerance", "model",
+    "rapid",    "design",     "design_tol",  "select",    "ignore",         "severity",
+    "baseline", "cut_free",   "air_cuts",    "max_time",  "max_memory",     "warnings_as_errors"};
+
+// Formats of outputs in a job file, with the endings of their files.
+constexpr std::pair<std::string_view, std::string_view> kOutputs[] = {
+    {"png", ".png"}, {"gltf", ".glb"}, {"stl", ".stl"}, {"step", ".step"},   {"ply", ".ply"},
+    {"3mf", ".3mf"}, {"vrml", ".wrl"}, {"gif", ".gif"}, {"report", ".json"}, {"stock", ".ncstock"}};
+
+constexpr std::size_t kMostSetUps = 100;
+
 class JobReader {
 public:
-    explicit JobReader(const gcode::SourceFile& file) : r_(file.name, file.text) {}
+    /// Meshes of fixtures are relative to `folder`.
+    JobReader(const gcode::SourceFile& file, std::string folder, InputSet& inputs)
+        : r_(file.name, file.text), folder_(std::move(folder)), inputs_(inputs) {}
 
     JobFile read() {
         JobFile job;
+        note_values(r_.root(), "", job.values);
         const auto flag = [this](bool& into) {
             return [this, &into](const auto& n, const auto& k) { into = r_.yes_or_no(n, k); };
         };
@@ -112,56 +133,88 @@ public:
             return std::ranges::find(verify::kRequirements, name) !=
                    std::end(verify::kRequirements);
         };
-        r_.each(
-            r_.root(), "",
-            {{"version",
-              [&](const auto& n, const auto&) {
-                  const auto version = n.template value<std::int64_t>();
-                  if (version != kVersion && version != kVersionWithoutOrigin)
-                      r_.fail(n, "this version of job files is not known; expected 2");
-                  job.has_unknown_origin = version == kVersionWithoutOrigin;
-              }},
-             {"assumed",
-              [&](const auto& n, const auto& k) {
-                  for (const std::string& name : assumed_names(n, k, {"units", "dialect"}))
-                      (name == "units" ? job.units_assumed : job.dialect_assumed) = true;
-              }},
-             {"program", [&](const auto& n, const auto& k) { job.program = r_.text(n, k); }},
-             {"units",
-              [&](const auto& n, const auto& k) {
-                  const std::string name = r_.text(n, k);
-                  if (name != "mm" && name != "inch") r_.fail(n, "expected \"mm\" or \"inch\"");
-                  job.inches = name == "inch";
-              }},
-             {"dialect", [&](const auto& n, const auto& k) { job.dialect = read_dialect(n, k); }},
-             {"strict", flag(job.strict)},
-             {"block_delete", optional_flag(job.block_delete)},
-             {"increments", optional_flag(job.increments)},
-             {"variables",
-              [&](const auto& n, const auto& k) { job.variables = read_variables(n, k); }},
-             {"compensation",
-              [&](const auto& n, const auto& k) { job.compensation = read_compensation(n, k); }},
-             {"allow", words(job.allow, any, "words")},
-             {"accept",
-              words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
-             {"require", words(job.require, is_requirement,
-                               "holder, fixtures, travels, offsets, links, lengths, modes")},
-             {"start", [&](const auto& n, const auto& k) { job.start = r_.vector(n, k); }},
-             {"offsets",
-              [&](const auto& n, const auto& k) { job.offsets = read_offsets(r_, n, k); }},
-             {"holders", [&](const auto& n, const auto& k) { job.holders = r_.text(n, k); }},
-             {"stock", [&](const auto& n,
-                           const auto& k) { job.stock = read_stock(r_.table(n, k), k, job); }},
-             {"tool", [&](const auto& n, const auto& k) {
-                  r_.each_of(n, k, [&](const toml::node& tool, const std::string& key) {
-                      toolpath::ToolEntry entry = read_tool(r_.table(tool, key), key);
-                      if (toolpath::find_tool(job.tools, entry.spec.number)) {
-                          r_.fail(tool,
-                                  fmt::format("tool {} is described twice", entry.spec.number));
-                      }
-                      job.tools.push_back(std::move(entry));
-                  });
-              }}});
+        TomlReader::Keys keys{
+            {"version",
+             [&](const auto& n, const auto&) {
+                 const auto version = n.template value<std::int64_t>();
+                 if (version != kVersion && version != kVersionWithoutOrigin)
+                     r_.fail(n, "this version of job files is not known; expected 2");
+                 job.has_unknown_origin = version == kVersionWithoutOrigin;
+             }},
+            {"assumed",
+             [&](const auto& n, const auto& k) {
+                 const auto names = assumed_names(
+                     n, k, {"units", "dialect", "start", "offsets", "fixtures", "machine"});
+                 for (std::size_t i = 0; i < names.size(); ++i) {
+                     if (names[i] == "units" || names[i] == "dialect") {
+                         (names[i] == "units" ? job.units_assumed : job.dialect_assumed) = true;
+                     } else {
+                         job.assumed.push_back({names[i], r_.place_of((*n.as_array())[i])});
+                     }
+                 }
+             }},
+            {"program", [&](const auto& n, const auto& k) { job.program = read_program(n, k); }},
+            {"units",
+             [&](const auto& n, const auto& k) {
+                 const std::string name = r_.text(n, k);
+                 if (name != "mm" && name != "inch") r_.fail(n, "expected \"mm\" or \"inch\"");
+                 job.inches = name == "inch";
+             }},
+            {"dialect", [&](const auto& n, const auto& k) { job.dialect = read_dialect(n, k); }},
+            {"strict", flag(job.strict)},
+            {"block_delete", optional_flag(job.block_delete)},
+            {"increments", optional_flag(job.increments)},
+            {"variables",
+             [&](const auto& n, const auto& k) { job.variables = read_variables(n, k); }},
+            {"compensation",
+             [&](const auto& n, const auto& k) { job.compensation = read_compensation(n, k); }},
+            {"allow", words(job.allow, any, "words")},
+            {"accept",
+             words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
+            {"require", words(job.require, is_requirement,
+                              "holder, fixtures, travels, offsets, links, lengths, modes")},
+            {"start", [&](const auto& n, const auto& k) { job.start = r_.vector(n, k); }},
+            {"offsets",
+             [&](const auto& n, const auto& k) { job.offsets = read_offsets(r_, n, k); }},
+            {"holders", [&](const auto& n, const auto& k) { job.holders = r_.text(n, k); }},
+            {"stock",
+             [&](const auto& n, const auto& k) {
+                 job.stock =
+                     n.is_string() ? read_stock_text(n, k) : read_stock(r_.table(n, k), k, job);
+             }},
+            {"fixture",
+             [&](const auto& n, const auto& k) {
+                 job.fixtures_specified = true;
+                 job.fixtures = read_fixtures(n, k);
+             }},
+            {"below_stock",
+             [&](const auto& n, const auto& k) { job.below_stock = r_.not_negative(n, k); }},
+            {"outputs", [&](const auto& n, const auto& k) { job.outputs = read_outputs(n, k); }},
+            {"setup",
+             [&](const auto& n, const auto& k) {
+                 r_.each_of(n, k, [&](const toml::node& one, const std::string& key) {
+                     job.set_ups.push_back(read_set_up(r_.table(one, key), key));
+                 });
+             }},
+            {"tool", [&](const auto& n, const auto& k) {
+                 r_.each_of(n, k, [&](const toml::node& tool, const std::string& key) {
+                     toolpath::ToolEntry entry = read_tool(r_.table(tool, key), key);
+                     if (toolpath::find_tool(job.tools, entry.spec.number)) {
+                         r_.fail(tool,
+                                 fmt::format("tool {} is described twice", entry.spec.number));
+                     }
+                     job.values[fmt::format("tool {}", entry.spec.number)] = {r_.place_of(tool),
+                                                                              {}};
+                     job.tools.push_back(std::move(entry));
+                 });
+             }}};
+        for (const std::string_view key : kSettings) {
+            keys[std::string(key)] = [&, key](const auto& n, const auto& k) {
+                job.settings.push_back(read_setting(std::string(key), n, k));
+            };
+        }
+        r_.each(r_.root(), "", keys);
+        check_set_ups(job);
         return job;
     }
 
@@ -182,6 +235,178 @@ private:
     std::vector<std::string> assumed_names(const toml::node& node, const std::string& key,
                                            std::initializer_list<std::string_view> known) const {
         return assumed_names(node, key, std::vector<std::string_view>(known));
+    }
+
+    // Notes all keys of `in`, and variables, offsets and registers below.
+    void note_values(const toml::table& in, const std::string& above,
+                     std::map<std::string, PlacedValue>& values) const {
+        for (const auto& [key, node] : in) {
+            const std::string name = above + std::string(key.str());
+            values[name] = {r_.place_of(node), text_of(node)};
+            if (above.empty() && node.is_table()) note_values(*node.as_table(), name + " ", values);
+        }
+    }
+
+    static std::string text_of(const toml::node& node) {
+        if (node.is_string()) return quoted(node.as_string()->get());
+        if (node.is_boolean()) return node.as_boolean()->get() ? "true" : "false";
+        if (node.is_number()) return fmt::format("{}", node.value<double>().value_or(0.0));
+        if (!node.is_array() || node.is_array_of_tables()) return {};
+        std::vector<std::string> texts;
+        for (const toml::node& one : *node.as_array())
+            texts.push_back(text_of(one));
+        return fmt::format("[{}]", fmt::join(texts, ", "));
+    }
+
+    std::string read_program(const toml::node& node, const std::string& key) const {
+        std::string program = r_.text(node, key);
+        if (program.empty()) r_.fail(node, fmt::format("'{}': the name is empty", key));
+        if (is_job_file(program))
+            r_.fail(node, fmt::format("'{}': a job cannot contain a job; name NC programs", key));
+        return program;
+    }
+
+    std::vector<verify::Fixture> read_fixtures(const toml::node& node,
+                                               const std::string& key) const {
+        std::vector<verify::Fixture> fixtures;
+        r_.each_of(node, "fixture", [&](const toml::node& one, const std::string&) {
+            read_fixture(r_, folder_, inputs_, one, key, fixtures);
+        });
+        return fixtures;
+    }
+
+    std::map<std::string, std::string> read_outputs(const toml::node& node,
+                                                    const std::string& key) const {
+        std::map<std::string, std::string> outputs;
+        TomlReader::Keys keys;
+        for (const auto& [format, ending] : kOutputs) {
+            keys[std::string(format)] = [&, format = std::string(format), ending](
+                                            const toml::node& n, const std::string& k) {
+                const std::string name = r_.text(n, k);
+                if (!name.ends_with(ending) || name.size() == ending.size())
+                    r_.fail(n, fmt::format("'{}': expected a name that ends in {}", k, ending));
+                (void)output_below(folder_, name, r_.place_of(n));
+                for (const auto& [other, same] : outputs) {
+                    if (same == name)
+                        r_.fail(n, fmt::format("'{}' is also the output of {}", name, other));
+                }
+                outputs[format] = name;
+            };
+        }
+        r_.each(r_.table(node, key), key, keys);
+        return outputs;
+    }
+
+    // Returns an option as in ncsim.toml.
+    ProjectSetting read_setting(std::string name, const toml::node& node,
+                                const std::string& key) const {
+        ProjectSetting setting;
+        std::ranges::replace(name, '_', '-');
+        setting.option = std::move(name);
+        setting.where = r_.place_of(node);
+        const auto value_of = [&](const toml::node& n) {
+            if (n.is_number()) return fmt::format("{}", r_.number(n, key));
+            return r_.text(n, key);
+        };
+        if (node.is_boolean()) {
+            setting.is_flag = true;
+            setting.is_on = r_.yes_or_no(node, key);
+        } else if (node.is_array()) {
+            for (const toml::node& one : *node.as_array())
+                setting.values.push_back(value_of(one));
+        } else {
+            setting.values.push_back(value_of(node));
+        }
+        return setting;
+    }
+
+    JobSetUp read_set_up(const toml::table& t, const std::string& key) const {
+        JobSetUp set_up;
+        set_up.where = r_.place_of(t);
+        r_.each(
+            t, key,
+            {{"name", [&](const auto& n, const auto& k) { set_up.name = r_.text(n, k); }},
+             {"program",
+              [&](const auto& n, const auto& k) { set_up.programs = {read_program(n, k)}; }},
+             {"programs",
+              [&](const toml::node& n, const std::string& k) {
+                  for (const toml::node& one : r_.list(n, k))
+                      set_up.programs.push_back(read_program(one, k));
+              }},
+             {"turn",
+              [&](const auto& n, const auto& k) {
+                  set_up.turn = r_.text(n, k);
+                  check_turn(n, set_up.turn);
+              }},
+             {"move", [&](const auto& n, const auto& k) { set_up.move = r_.vector(n, k); }},
+             {"zero", [&](const auto& n, const auto& k) { set_up.zero = r_.vector(n, k); }},
+             {"start", [&](const auto& n, const auto& k) { set_up.start = r_.vector(n, k); }},
+             {"offsets",
+              [&](const auto& n, const auto& k) { set_up.offsets = read_offsets(r_, n, k); }},
+             {"variables",
+              [&](const auto& n, const auto& k) { set_up.variables = read_variables(n, k); }},
+             {"fixture",
+              [&](const auto& n, const auto& k) {
+                  set_up.fixtures_specified = true;
+                  set_up.fixtures = read_fixtures(n, k);
+              }},
+             {"below_stock",
+              [&](const auto& n, const auto& k) { set_up.below_stock = r_.not_negative(n, k); }},
+             {"outputs",
+              [&](const auto& n, const auto& k) { set_up.outputs = read_outputs(n, k); }},
+             {"assumed", [&](const toml::node& n, const std::string& k) {
+                  const auto names =
+                      assumed_names(n, k, {"start", "offsets", "fixtures", "place", "zero"});
+                  for (std::size_t i = 0; i < names.size(); ++i)
+                      set_up.assumed.push_back({names[i], r_.place_of((*n.as_array())[i])});
+              }}});
+        if (t.contains("program") && t.contains("programs"))
+            r_.fail(t, "a set-up has program or programs, not both");
+        if (set_up.programs.empty()) r_.fail(t, "a set-up needs a program");
+        for (verify::Fixture& fixture : set_up.fixtures) {
+            if (fixture.system != 0) continue;
+            fixture.box.min = fixture.box.min - set_up.zero;
+            fixture.box.max = fixture.box.max - set_up.zero;
+            for (cda::Vec3& p : fixture.mesh.vertices)
+                p = p - set_up.zero;
+        }
+        return set_up;
+    }
+
+    // Checks that values of the only set-up and a list of set-ups do not contradict each other.
+    void check_set_ups(const JobFile& job) const {
+        if (job.set_ups.empty()) return;
+        for (const char* key : {"program", "fixture"}) {
+            if (const toml::node* node = r_.root().get(key))
+                r_.fail(*node,
+                        fmt::format("'{}': with [[setup]], write {} in each set-up", key, key));
+        }
+        if (job.set_ups.size() > kMostSetUps)
+            r_.fail(r_.root(),
+                    fmt::format("{} set-ups; at most {}", job.set_ups.size(), kMostSetUps));
+        const toml::table& first = *r_.root().get("setup")->as_array()->get(0)->as_table();
+        for (const char* key : {"turn", "move"}) {
+            if (const toml::node* node = first.get(key))
+                r_.fail(*node, fmt::format("'{}': the stock is where [stock] places it", key));
+        }
+        std::set<std::string> outputs;
+        for (const auto& [format, name] : job.outputs)
+            outputs.insert(name);
+        for (const JobSetUp& set_up : job.set_ups) {
+            for (const auto& [format, name] : set_up.outputs) {
+                if (!outputs.insert(name).second)
+                    throw std::runtime_error(
+                        fmt::format("{}: '{}' is the output of two set-ups", set_up.where, name));
+            }
+        }
+    }
+
+    void check_turn(const toml::node& node, const std::string& turn) const {
+        try {
+            (void)parse_any_turn(turn);
+        } catch (const std::invalid_argument& e) {
+            r_.fail(node, e.what());
+        }
     }
 
     gcode::Dialect read_dialect(const toml::node& node, const std::string& key) const {
@@ -230,16 +455,19 @@ private:
                  {"turn",
                   [&](const auto& n, const auto& k) {
                       from.turn = r_.text(n, k);
-                      try {
-                          parse_turn(from.turn);
-                      } catch (const std::invalid_argument& e) {
-                          r_.fail(n, e.what());
-                      }
+                      check_turn(n, from.turn);
                   }},
                  {"move", [&](const auto& n, const auto& k) { from.move = r_.vector(n, k); }}});
         toolpath::Stock stock;
         stock.from = std::move(from);
         return stock;
+    }
+
+    toolpath::Stock read_stock_text(const toml::node& node, const std::string& key) const {
+        std::string message;
+        auto stock = toolpath::parse_stock_option(r_.text(node, key), message);
+        if (!stock) r_.fail(node, fmt::format("'{}': {}", key, message));
+        return *stock;
     }
 
     toolpath::Stock read_stock(const toml::table& t, const std::string& key, JobFile& job) const {
@@ -358,6 +586,8 @@ private:
     }
 
     TomlReader r_;
+    std::string folder_;
+    InputSet& inputs_;
 };
 
 // --- Writing ---
@@ -443,6 +673,29 @@ void write_stock(std::ostream& out, const toolpath::Stock& stock) {
     if (!(stock.from->move == cda::Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
 }
 
+void write_stock_and_tools(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
+    if (file.stock) {
+        out << "\n[stock]\n" << remark(remarks.stock);
+        std::vector<std::string> assumed_of_stock;
+        if (file.stock_assumed) assumed_of_stock.emplace_back("size");
+        if (file.stock_place_assumed) assumed_of_stock.emplace_back("place");
+        write_list(out, "assumed", assumed_of_stock);
+        write_stock(out, *file.stock);
+    }
+    for (std::size_t i = 0; i < file.tools.size(); ++i) {
+        out << '\n';
+        for (const std::string& line : remarks.tools.at(i))
+            out << remark(line);
+        write_tool(out, file.tools[i].spec, file.tools[i].offset);
+    }
+    for (const auto& [number, line] : remarks.unknown_tools) {
+        out << '\n'
+            << remark(fmt::format("tool {} moves from line {} on and is not described: fill in",
+                                  number, line))
+            << "#[[tool]]\n#number = " << number << "\n#kind = \"flat\"\n#diameter = 10.0\n";
+    }
+}
+
 }  // namespace
 
 std::optional<std::string> variable_name(std::string_view text) {
@@ -470,7 +723,50 @@ std::optional<int> compensation_register(std::string_view text) {
 }
 
 JobFile parse_job_file(const gcode::SourceFile& file) {
-    return JobReader(file).read();
+    InputSet inputs;
+    return JobReader(file, std::filesystem::path(file.name).parent_path().string(), inputs).read();
+}
+
+JobFile read_job_file(const std::string& path, InputSet& inputs) {
+    const gcode::SourceFile file{name_of_input(path), inputs.read(path, kMostSetUpBytes)};
+    return JobReader(file, std::filesystem::path(path).parent_path().string(), inputs).read();
+}
+
+bool is_job_file(const std::string& path) {
+    constexpr std::string_view kEnding = ".toml";
+    return path.size() > kEnding.size() && path.ends_with(kEnding);
+}
+
+std::string output_below(const std::string& folder, const std::string& name,
+                         const std::string& where) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path here = fs::weakly_canonical(folder.empty() ? "." : folder, error);
+    const fs::path path = fs::weakly_canonical(here / name, error);
+    const fs::path relative = path.lexically_relative(here);
+    if (error || fs::path(name).is_absolute() || relative.empty() || *relative.begin() == "..") {
+        throw std::runtime_error(fmt::format(
+            "{}: '{}': outputs of a job are below the folder of the job file", where, name));
+    }
+    return seen_in(folder, name);
+}
+
+std::vector<JobStep> steps_of(const JobFile& file, const std::string& folder) {
+    std::vector<JobStep> steps;
+    if (file.set_ups.empty() && !file.program.empty())
+        steps.push_back({1, {}, seen_in(folder, file.program), true, {}});
+    for (std::size_t i = 0; i < file.set_ups.size(); ++i) {
+        const JobSetUp& set_up = file.set_ups[i];
+        for (std::size_t k = 0; k < set_up.programs.size(); ++k) {
+            JobStep step{i + 1, set_up.name, seen_in(folder, set_up.programs[k]), k == 0, {}};
+            step.label = fmt::format("set-up {}", i + 1);
+            if (!set_up.name.empty()) step.label += ", " + report::one_line(set_up.name);
+            if (set_up.programs.size() > 1)
+                step.label += fmt::format(", program {} of {}", k + 1, set_up.programs.size());
+            steps.push_back(std::move(step));
+        }
+    }
+    return steps;
 }
 
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
@@ -512,25 +808,66 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
         for (const auto& [d, radius] : file.compensation)
             out << 'D' << d << " = " << number(radius) << '\n';
     }
+    write_stock_and_tools(out, file, remarks);
+}
+
+void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
+                     const std::vector<FirstSetUp>& set_ups) {
+    out << "# Written by ncsim init. Lengths in mm, angles in degrees.\n"
+           "#\n"
+           "# A name in a list \"assumed\" stands for a value that no file specifies. Measure the "
+           "value at\n"
+           "# the machine, correct it here, and remove the name. Until then ncsim check says \"not "
+           "proven\".\n"
+        << "version = " << kVersion << '\n';
+    std::vector<std::string> assumed{"machine"};
+    if (file.units_assumed) assumed.emplace_back("units");
+    if (file.dialect_assumed) assumed.emplace_back("dialect");
+    write_list(out, "assumed", assumed);
+    out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
+        << "\"  # where neither G20 nor G21 stands before the first length\n"
+        << "dialect = \"" << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto))
+        << "\"  # the control: rs274 (LinuxCNC), fanuc, haas, grbl, mach3\n"
+        << "# The machine: travels, rates, kinematics. Without a machine, remove the name above.\n"
+           "#machine = \"mill.toml\"\n"
+           "# What has to be known for a clean check:\n"
+           "#require = [\"holder\", \"fixtures\", \"travels\", \"offsets\"]\n"
+           "# Files of ncsim run, below the folder of this file:\n"
+           "#outputs = { png = \"part.png\", step = \"part.step\" }\n";
     if (file.stock) {
-        out << "\n[stock]\n" << remark(remarks.stock);
-        std::vector<std::string> assumed_of_stock;
-        if (file.stock_assumed) assumed_of_stock.emplace_back("size");
-        if (file.stock_place_assumed) assumed_of_stock.emplace_back("place");
-        write_list(out, "assumed", assumed_of_stock);
-        write_stock(out, *file.stock);
+        out << "\n# Measure the blank. Its corners are in the frame of the first set-up: distances "
+               "from the\n# program zero. A file: file = \"blank.stl\".";
     }
-    for (std::size_t i = 0; i < file.tools.size(); ++i) {
-        out << '\n';
-        for (const std::string& line : remarks.tools.at(i))
-            out << remark(line);
-        write_tool(out, file.tools[i].spec, file.tools[i].offset);
-    }
-    for (const auto& [number, line] : remarks.unknown_tools) {
-        out << '\n'
-            << remark(fmt::format("tool {} moves from line {} on and is not described: fill in",
-                                  number, line))
-            << "#[[tool]]\n#number = " << number << "\n#kind = \"flat\"\n#diameter = 10.0\n";
+    write_stock_and_tools(out, file, remarks);
+    for (std::size_t i = 0; i < set_ups.size(); ++i) {
+        const FirstSetUp& set_up = set_ups[i];
+        out << "\n[[setup]]\nname = " << quoted(set_up.name)
+            << "\nprogram = " << quoted(set_up.program) << '\n';
+        std::vector<std::string> open;
+        if (!set_up.start_is_specified) open.emplace_back("start");
+        open.emplace_back("fixtures");
+        if (i > 0) open.emplace_back("place");
+        write_list(out, "assumed", open);
+        out << "# Position of the tool when the program starts, from the zero of G54.\n"
+            << "start = " << triple(set_up.start) << '\n';
+        if (i > 0) {
+            out << "# Position of the part: the part of the last set-up, turned about its zero, "
+                   "then "
+                   "moved.\n"
+                << "turn = \"X180\"\nmove = " << triple({0.0, 0.0, -set_up.height}) << '\n';
+        }
+        out << "# Origin of " << set_up.zero
+            << " in machine coordinates, from the offset table of the control.\n#offsets = { "
+            << (set_up.zero.find(' ') == std::string::npos ? set_up.zero : quoted(set_up.zero))
+            << " = [-250.0, -200.0, -300.0] }\n"
+               "# Fixtures, in the frame of the program. None: keep the empty list.\n"
+               "fixture = []\n"
+               "#[[setup.fixture]]  # instead of fixture = []\n"
+               "#vise = { at = [0, 0, -40], along = \"Y\", opening = 50, jaw_width = 120, "
+               "jaw_height = 30, jaw_depth = 25 }\n"
+               "#[[setup.fixture]]\n"
+               "#clamp = { at = [-40, 0, 0], toward = \"-X\", length = 80, width = 25, height = "
+               "15, table = -20, heel = 20, bolt = [40, 20, 18] }\n";
     }
 }
 

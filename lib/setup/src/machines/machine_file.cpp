@@ -7,8 +7,8 @@
 
 #include "files/toml_reader.h"
 #include "files/tool_keys.h"
+#include "machines/fixture_reader.h"
 #include "machines/kinematics_reader.h"
-#include "meshes/mesh_keys.h"
 
 #include <fmt/format.h>
 
@@ -58,51 +58,6 @@ void read_travels(const TomlReader& r, const toml::node& node, const std::string
         };
     }
     r.each(r.table(node, key), key, keys);
-}
-
-verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
-                             const toml::node& node, const std::string& key) {
-    verify::Fixture fixture;
-    MeshKeys mesh(r, folder, inputs);
-    const auto take_mesh = [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); };
-    r.each(r.table(node, key), key,
-           {{"name", [&](const auto& n, const auto& k) { fixture.name = r.text(n, k); }},
-            {"mesh", take_mesh},
-            {"stl", take_mesh},  // alternative name
-            {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
-            {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
-            {"clearance",
-             [&](const auto& n, const auto& k) { fixture.clearance_mm = r.not_negative(n, k); }},
-            {"offset",
-             [&](const auto& n, const auto& k) {
-                 const auto system = system_named(r.text(n, k));
-                 if (!system) r.fail(n, fmt::format("'{}': expected a system such as \"G55\"", k));
-                 fixture.system = *system;
-             }},
-            {"box", [&](const toml::node& n, const std::string& k) {
-                 const toml::array& corners = r.list(n, k, 2);
-                 fixture.box.add(r.vector(corners[0], k));
-                 fixture.box.add(r.vector(corners[1], k));
-                 const cda::Vec3 size = fixture.box.size();
-                 if (size.x <= 0.0 || size.y <= 0.0 || size.z <= 0.0) {
-                     r.fail(n, fmt::format("'{}': the box has no volume", k));
-                 }
-             }}});
-    if (auto file = mesh.finish()) {
-        fixture.mesh = std::move(file->mesh);
-        fixture.deflection_mm = file->deflection_mm;
-        fixture.assumed = std::move(file->assumed);
-        fixture.mesh_at = mesh.place();
-        fixture.as_hull = mesh.as_hull();
-        for (const cda::Vec3& v : fixture.mesh.vertices)
-            fixture.box.add(v);
-    }
-    if (fixture.box.is_empty()) r.fail(node, "a fixture needs a box or a mesh");
-    if (!fixture.mesh.triangles.empty() && node.as_table()->contains("box")) {
-        r.fail(node, "a fixture has a box or a mesh, not both");
-    }
-    if (fixture.name.empty()) fixture.name = "fixture";
-    return fixture;
 }
 
 void read_tool_limits(const TomlReader& r, const toml::node& node, const std::string& key,
@@ -259,7 +214,7 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
           [&](const toml::node& n, const std::string& k) {
               m.fixtures_specified = true;
               r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
-                  m.fixtures.push_back(read_fixture(r, folder, inputs, element, key));
+                  read_fixture(r, folder, inputs, element, key, m.fixtures);
               });
           }},
          {"tool", [&](const toml::node& n, const std::string& k) {

@@ -3,18 +3,27 @@
 // Stock from surfaces and from .ncstock files.
 #include "ncsim/setup/stock_file.h"
 
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/tree.h"
+#include "ncsim/cda/workpiece.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/setup/mesh_file.h"
+#include "ncsim/trig/angles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace ncsim::setup {
 
@@ -32,40 +41,54 @@ bool is_saved(const toolpath::StockFile& file, InputSet& inputs) {
     return inputs.read(file.path).starts_with("ncsim stock");
 }
 
-cda::Shape read_saved(const toolpath::StockFile& file, cda::Placement placement, InputSet& inputs) {
-    std::istringstream in(inputs.read(file.path));
+// Turns and moves a closed surface. The result is on the finest lattice that contains it.
+cda::Shape turned(cda::TriangleMesh& mesh, const Turn& turn, cda::Vec3 move) {
+    cda::Box box;
+    for (cda::Vec3& p : mesh.vertices) {
+        cda::Vec3 q = move;
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k)
+                q[i] += turn.rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] * p[k];
+        }
+        p = q;
+        box.add(p);
+    }
+    return cda::shape_of(mesh, cda::Lattice::for_stock(box));
+}
+
+// Error of a surface whose corners are rounded: cda::shape_of() differs by two units of 10 nm, and
+// so does the rounding.
+constexpr double kRoundedMm = 4e-5;
+
+cda::Shape read_saved(const toolpath::StockFile& file, const Turn& turn, const std::string& text,
+                      double& deflection_mm) {
+    std::istringstream in(text);
     cda::Shape shape;
     try {
         shape = cda::read_shape(in);
     } catch (const std::runtime_error& e) {
         throw std::runtime_error(fmt::format("{}:{}", name_of_input(file.path), e.what()));
     }
-    placement.shift = shape.lattice.round(file.move);
-    return cda::placed(shape, placement);
+    if (turn.placement) {
+        cda::Placement placement = *turn.placement;
+        placement.shift = shape.lattice.round(file.move);
+        return cda::placed(shape, placement);
+    }
+    cda::TriangleMesh mesh =
+        cda::triangulate(cda::create(cda::TreeCda(cda::TreeParameters{}), shape)->boundary());
+    cda::Shape result = turned(mesh, turn, file.move);
+    result.assumed = std::move(shape.assumed);
+    deflection_mm = kRoundedMm;
+    return result;
 }
 
 // Reads a closed surface. `deflection_mm` is set to the value of the file.
-cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& placement,
-                        InputSet& inputs, double& deflection_mm) {
+cda::Shape read_surface(const toolpath::StockFile& file, const Turn& turn, InputSet& inputs,
+                        double& deflection_mm) {
     SurfaceFile surface = read_surface_file(file.path, inputs);
     deflection_mm = surface.deflection_mm;
-    cda::TriangleMesh& mesh = surface.mesh;
-    cda::Box box;
-    std::vector<std::string> assumed;
-    if (!surface.assumed.empty()) assumed.push_back(std::move(surface.assumed));
-    for (cda::Vec3& p : mesh.vertices) {
-        cda::Vec3 turned = file.move;
-        for (int i = 0; i < 3; ++i) {
-            for (int k = 0; k < 3; ++k) {
-                turned[i] +=
-                    placement.rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] * p[k];
-            }
-        }
-        p = turned;
-        box.add(p);
-    }
-    cda::Shape shape = cda::shape_of(mesh, cda::Lattice::for_stock(box));
-    shape.assumed = std::move(assumed);
+    cda::Shape shape = turned(surface.mesh, turn, file.move);
+    if (!surface.assumed.empty()) shape.assumed = {std::move(surface.assumed)};
     return shape;
 }
 
@@ -76,41 +99,112 @@ bool is_stock_file(const std::string& text) {
            ends_with(text, ".glb") || ends_with(text, ".step") || ends_with(text, ".stp");
 }
 
-cda::Placement parse_turn(const std::string& text) {
-    cda::Placement placement;
+namespace {
+
+struct AxisTurn {
+    int axis = 0;
+    double degrees = 0.0;
+};
+
+// Reads "X90,Z-37.5". Empty if the text has another form.
+std::optional<std::vector<AxisTurn>> turns_of(std::string_view text) {
+    constexpr double kMost = 3600.0;
+    std::vector<AxisTurn> turns;
     for (std::size_t begin = 0; begin <= text.size() && !text.empty();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string_view turn = std::string_view(text).substr(begin, end - begin);
+        const std::string_view turn = text.substr(begin, end - begin);
         const std::size_t axis =
-            turn.empty() ? std::string_view::npos : std::string_view("XYZxyz").find(turn[0]);
-        int degrees = 0;
-        const auto read =
-            turn.size() < 2 ? std::from_chars_result{turn.data(), std::errc::invalid_argument}
-                            : std::from_chars(turn.data() + 1, turn.data() + turn.size(), degrees);
-        if (axis == std::string_view::npos || read.ec != std::errc{} ||
-            read.ptr != turn.data() + turn.size() || degrees % 90 != 0) {
-            throw std::invalid_argument(fmt::format(
-                "'{}': expected right angles about axes, such as X180 or X90,Z-90", text));
-        }
-        placement = placement.turned(static_cast<int>(axis % 3), degrees / 90 % 4);
+            turn.size() < 2 ? std::string_view::npos : std::string_view("XYZxyz").find(turn[0]);
+        if (axis == std::string_view::npos) return std::nullopt;
+        AxisTurn one{static_cast<int>(axis % 3), 0.0};
+        const char* const last = turn.data() + turn.size();
+        const auto read = std::from_chars(turn.data() + 1, last, one.degrees);
+        if (read.ec != std::errc{} || read.ptr != last || !(std::abs(one.degrees) <= kMost))
+            return std::nullopt;
+        turns.push_back(one);
         begin = end + 1;
     }
+    return turns;
+}
+
+bool is_right_angle(const AxisTurn& turn) {
+    return std::fmod(turn.degrees, 90.0) == 0.0;
+}
+
+cda::Placement placement_of(const std::vector<AxisTurn>& turns) {
+    cda::Placement placement;
+    for (const AxisTurn& turn : turns)
+        placement = placement.turned(turn.axis, static_cast<int>(turn.degrees / 90.0) % 4);
     return placement;
 }
 
-toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& inputs) {
+}  // namespace
+
+cda::Placement parse_turn(const std::string& text) {
+    const auto turns = turns_of(text);
+    if (!turns || !std::ranges::all_of(*turns, is_right_angle)) {
+        throw std::invalid_argument(
+            fmt::format("'{}': expected right angles about axes, such as X180 or X90,Z-90", text));
+    }
+    return placement_of(*turns);
+}
+
+Turn parse_any_turn(const std::string& text) {
+    const auto turns = turns_of(text);
+    if (!turns) {
+        throw std::invalid_argument(
+            fmt::format("'{}': expected angles about axes, such as X180 or X90,Z-37.5", text));
+    }
+    Turn all;
+    if (std::ranges::all_of(*turns, is_right_angle)) {
+        all.placement = placement_of(*turns);
+        for (std::size_t i = 0; i < 3; ++i)
+            std::ranges::copy(all.placement->rows[i], all.rows[i].begin());
+        return all;
+    }
+    all.placement.reset();
+    for (const AxisTurn& turn : *turns) {
+        const trig::SinCos angle = trig::sin_cos(turn.degrees);
+        const auto a = static_cast<std::size_t>((turn.axis + 1) % 3);
+        const auto b = static_cast<std::size_t>((turn.axis + 2) % 3);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double p = all.rows[a][k], q = all.rows[b][k];
+            all.rows[a][k] = angle.cos * p - angle.sin * q;
+            all.rows[b][k] = angle.sin * p + angle.cos * q;
+        }
+    }
+    return all;
+}
+
+namespace {
+
+// Makes a stock of the shape that `read` places by file.turn.
+template <class Read>
+toolpath::Stock stock_of(const toolpath::StockFile& file, const Read& read) {
     toolpath::Stock stock;
     stock.from = file;
     try {
-        const cda::Placement placement = parse_turn(file.turn);
-        stock.shape = std::make_shared<const cda::Shape>(
-            is_saved(file, inputs) ? read_saved(file, placement, inputs)
-                                   : read_surface(file, placement, inputs, stock.deflection_mm));
+        stock.shape = std::make_shared<const cda::Shape>(read(parse_any_turn(file.turn), stock));
     } catch (const std::invalid_argument& e) {
         throw std::runtime_error(fmt::format("stock '{}': {}", file.path, e.what()));
     }
     stock.box = stock.shape->outer.bounds;
     return stock;
+}
+
+}  // namespace
+
+toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& inputs) {
+    if (is_saved(file, inputs)) return read_saved_stock(file, inputs.read(file.path));
+    return stock_of(file, [&](const Turn& turn, toolpath::Stock& stock) {
+        return read_surface(file, turn, inputs, stock.deflection_mm);
+    });
+}
+
+toolpath::Stock read_saved_stock(const toolpath::StockFile& file, const std::string& text) {
+    return stock_of(file, [&](const Turn& turn, toolpath::Stock& stock) {
+        return read_saved(file, turn, text, stock.deflection_mm);
+    });
 }
 
 void write_stock_file(std::ostream& out, const cda::Shape& stock, std::span<const cda::Cell> carved,

@@ -27,7 +27,11 @@ struct CalledFile {
 struct Scope {
     std::vector<ExcludedEntry> excluded;
     std::vector<CalledFile> called;
+    std::string job{};  ///< Job file of all programs; empty: none.
 };
+
+/// Returns the worst verdict: "not-verified", "failed", "not-proven", "accepted", "clean".
+std::string worst_verdict(const Entries& all);
 
 /// Returns the subprograms of `all` that a judged program reads, in the order of the list. Only an
 /// entry with `is_subprogram` can be called. A subprogram that no judged program reads is judged as

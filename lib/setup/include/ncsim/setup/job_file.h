@@ -8,7 +8,10 @@
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/dialect.h"
 #include "ncsim/gcode/source.h"
+#include "ncsim/setup/input.h"
+#include "ncsim/setup/project_file.h"
 #include "ncsim/toolpath/tool_table.h"
+#include "ncsim/verify/machine_description.h"
 
 #include <cstdint>
 #include <iosfwd>
@@ -19,6 +22,40 @@
 #include <vector>
 
 namespace ncsim::setup {
+
+/// Value of a job file that is marked as assumed.
+struct AssumedValue {
+    std::string name;   ///< As in the list `assumed`: "start".
+    std::string where;  ///< Place in the file: "job.toml:5:12".
+};
+
+/// Value of a file, for messages.
+struct PlacedValue {
+    std::string where;  ///< Place in the file: "job.toml:12:1".
+    std::string text;   ///< The value in TOML; empty for a table.
+};
+
+/// A set-up of a job: one clamping of the part. Lengths in mm.
+struct JobSetUp {
+    std::string name;
+    std::vector<std::string> programs;  ///< Paths as written, in the order of machining.
+    /// Position of the part: the part that the previous set-up left, turned about the zero of that
+    /// set-up, then moved.
+    std::string turn;
+    cda::Vec3 move{};
+    /// Work zero in the frame of part and fixtures.
+    cda::Vec3 zero{};
+    std::optional<cda::Vec3> start;
+    std::map<int, cda::Vec3> offsets;
+    std::map<std::string, double> variables;
+    std::vector<verify::Fixture> fixtures;
+    bool fixtures_specified = false;
+    /// Free space below the stock, as in a machine file.
+    std::optional<double> below_stock;
+    std::map<std::string, std::string> outputs;  ///< By format, as in JobFile::outputs.
+    std::vector<AssumedValue> assumed;
+    std::string where;  ///< Place in the file: "job.toml:12:1".
+};
 
 /// Content of a job file; unspecified values are empty. Lengths in mm, angles in degrees.
 struct JobFile {
@@ -36,6 +73,18 @@ struct JobFile {
     std::string holders;               ///< Name of a file, as written.
     std::optional<toolpath::Stock> stock;
     std::vector<toolpath::ToolEntry> tools;  ///< Including ToolSpec::assumed.
+    /// Set-ups in the order of machining; empty if `program` is the only one.
+    std::vector<JobSetUp> set_ups;
+    std::vector<verify::Fixture> fixtures;  ///< Fixtures of the only set-up.
+    bool fixtures_specified = false;
+    std::optional<double> below_stock;
+    /// Options of commands: machine, tool tables, accuracy, rules. File names are as written.
+    std::vector<ProjectSetting> settings;
+    /// Output files of ncsim run by format ("png", "step"), as written; of the last set-up.
+    std::map<std::string, std::string> outputs;
+    std::vector<AssumedValue> assumed;  ///< In addition to units, dialect, stock and tools.
+    /// Values by key, for messages: "stock", "tool 3", "variables #500", "offsets G54".
+    std::map<std::string, PlacedValue> values;
     bool units_assumed = false, dialect_assumed = false;
     bool stock_assumed = false, stock_place_assumed = false;
     /// True for version 1, of ncsim 0.1, which does not record assumptions.
@@ -49,10 +98,32 @@ std::optional<std::string> variable_name(std::string_view text);
 /// texts.
 std::optional<int> compensation_register(std::string_view text);
 
+/// A program of a job.
+struct JobStep {
+    std::size_t set_up = 1;  ///< Number of the set-up, from 1.
+    std::string name;        ///< Name of the set-up; may be empty.
+    std::string program;     ///< Path, seen from the working directory.
+    bool begins_set_up = true;
+    /// "set-up 2, back"; with the program's name if the set-up has several programs.
+    std::string label;
+};
+
+/// Returns the programs of a job in the order of machining; `folder` is the folder of the file.
+/// Empty if the file names no program.
+std::vector<JobStep> steps_of(const JobFile& file, const std::string& folder);
+
 /// Reads a job file. Throws: std::runtime_error with line and column if `file` is not TOML, or
 /// contains an unknown key or an invalid value. Unknown keys are refused because an ignored key
 /// would change the set-up unnoticed.
 JobFile parse_job_file(const gcode::SourceFile& file);
+/// Does the same for the file `path`, with the meshes of its fixtures.
+JobFile read_job_file(const std::string& path, InputSet& inputs);
+/// True if `path` has the ending of a job file, .toml.
+bool is_job_file(const std::string& path);
+/// Returns the path of an output that a job file in `folder` names.
+/// Throws: std::runtime_error, beginning with `where`, if the output is not below `folder`.
+std::string output_below(const std::string& folder, const std::string& name,
+                         const std::string& where);
 
 /// Remarks of one line each that explain the values of a job file.
 struct JobRemarks {
@@ -61,6 +132,21 @@ struct JobRemarks {
     /// Undescribed tools, to be filled in, and the line of their first move.
     std::map<int, std::uint32_t> unknown_tools;
 };
+
+/// A set-up of a first job file, for write_first_job().
+struct FirstSetUp {
+    std::string name, program;
+    std::string zero;   ///< Coordinate system of the first cut: "G54".
+    cda::Vec3 start{};  ///< Tool position at the start, in G54.
+    bool start_is_specified = false;
+    double height = 0.0;  ///< Height of the stock; the move of a part that is turned over.
+};
+
+/// Writes a first job file for the user to complete: the stock, the tools and the defaults of
+/// `file`, and set-ups. Each value that no file specifies is in a list `assumed`, with a comment
+/// that says what to measure.
+void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
+                     const std::vector<FirstSetUp>& set_ups);
 
 /// Writes a file for parse_job_file(). Paths are written as in `file`.
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks);

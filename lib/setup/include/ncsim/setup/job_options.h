@@ -29,7 +29,12 @@ struct JobOptions {
     std::vector<toolpath::ToolSpec> tools;
     /// Specification used for undescribed tools; its number is 0.
     std::optional<toolpath::ToolSpec> assumed_tool;
-    std::string job;                       ///< Job file; empty if none.
+    std::string job;  ///< Job file; empty if none.
+    /// Program of a job with set-ups, numbered from 0 in the order of machining (steps_of()); empty
+    /// if `program` identifies the step, or if there is only one.
+    std::optional<std::size_t> job_step;
+    /// Stock that the previous step of the job left, placed for this step.
+    std::optional<toolpath::Stock> left_stock;
     std::vector<std::string> tool_tables;  ///< Files of tool tables.
     std::string holders;                   ///< File of holders; empty if none.
     std::optional<cda::Vec3> start;        ///< Initial tool position, in G54.

@@ -38,7 +38,8 @@
 //     name = "vice"
 //     offset = "G55"                 # coordinate system, if a different one
 //     box = [[-60, -40, -20], [60, -30, 5]]
-//     clearance = 2                  # or mesh = "vice.stl" (also: stl = …), as for a link
+//     clearance = 2                  # or mesh = "vice.stl" (also: stl = …), as for a link; or
+//                                    # vise = { … }, clamp = { … }: see docs/jobs.md
 //     [[tool]]                       # limits of a tool
 //     number = 3
 //     max_feed = 600                 # mm/min

@@ -8,7 +8,9 @@
 #include "ncsim/setup/input.h"
 #include "ncsim/toolpath/stock.h"
 
+#include <array>
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,12 +25,26 @@ bool is_stock_file(const std::string& text);
 /// Throws: std::invalid_argument with the expected form.
 cda::Placement parse_turn(const std::string& text);
 
-/// Reads, rotates and moves a stock. Surfaces are read as by read_surface_file(), in mm, on the
-/// finest lattice that contains them. A .ncstock of --save-stock is read exactly, on its own
-/// lattice.
-/// Throws: std::runtime_error with the name of the file, if it has neither form or is too far from
-/// the origin.
+/// A rotation of stock from a file.
+struct Turn {
+    /// Rows of the rotation matrix.
+    std::array<std::array<double, 3>, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    /// The same rotation if it consists of right angles; then it is exact.
+    std::optional<cda::Placement> placement = cda::Placement{};
+};
+/// Reads rotations by any angles in degrees, in sequence: "X180", "X90,Z-37.5".
+/// Throws: std::invalid_argument with the expected form.
+Turn parse_any_turn(const std::string& text);
+
+/// Reads, rotates and moves a stock. A rotation by other angles than right angles rounds the
+/// corners of the surface to the lattice, within 40 nm (Stock::deflection_mm). Surfaces are read as
+/// by read_surface_file(), in mm, on the finest lattice that contains them. A .ncstock of
+/// --save-stock is read exactly, on its own lattice. Throws: std::runtime_error with the name of
+/// the file, if it has neither form or is too far from the origin.
 toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& inputs);
+
+/// Does the same for the text of a .ncstock, which `file` names in messages.
+toolpath::Stock read_saved_stock(const toolpath::StockFile& file, const std::string& text);
 
 /// Writes the rest of `stock` after the cells `carved`, for read_stock_file(), with the assumptions
 /// of the run, a text each.

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command `ncsim init`: a first job file for programs, or a first ncsim.toml for a folder.
+#pragma once
+
+#include "options/program_options.h"
+
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+struct InitOptions {
+    std::vector<std::string> programs;  ///< NC programs, a set-up each; with `repo` a folder.
+    std::string output;                 ///< File to write; empty: job.toml or ncsim.toml.
+    bool repo = false;                  ///< Write ncsim.toml.
+};
+
+/// Adds the command `init` to `app`, which reads into `options`.
+/// Requires: `options` outlives `app`.
+cli::App* add_init(cli::App& app, InitOptions& options);
+/// Checks `options` after all options were read.
+/// Throws: Refusal.
+void complete(InitOptions& options);
+
+/// Writes the file. Never replaces an existing file.
+/// Throws: std::runtime_error if the file exists, or on an environment failure; then no file is
+/// left.
+int run(const InitOptions& options);
+
+}  // namespace ncsim::app

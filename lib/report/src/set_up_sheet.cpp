@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes set-up sheets.
+#include "ncsim/report/set_up_sheet.h"
+
+#include "ncsim/report/describe.h"
+#include "ncsim/report/machining_time.h"
+#include "ncsim/report/version.h"
+
+#include "markup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <ostream>
+#include <string>
+
+namespace ncsim::report {
+
+namespace {
+
+constexpr const char* kStyle =
+    "@page { size: A4; margin: 12mm }\n"
+    "body { font: 10pt sans-serif; margin: 1em; color: #000; background: #fff }\n"
+    "section { page-break-after: always } section:last-of-type { page-break-after: auto }\n"
+    "h1 { font-size: 15pt; margin: 0 0 .2em } h2 { font-size: 11pt; margin: .9em 0 .2em }\n"
+    "table { border-collapse: collapse; width: 100% }\n"
+    "th, td { border: 1px solid #999; padding: .2em .4em; text-align: left; vertical-align: top }\n"
+    "th { background: #eee } .values th { width: 8em } ul { margin: 0; padding-left: 1.2em }\n"
+    ".open { border: 2px solid #000; padding: .4em .6em } footer { color: #666; margin-top: 1em "
+    "}\n";
+
+// Returns a drawing of the tool from its profiles: cutting pieces dark, further pieces light.
+std::string drawing_of(const toolpath::Tool& tool) {
+    double radius = 0.0, height = 0.0;
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        for (const toolpath::ProfilePoint& p : piece.profile) {
+            radius = std::max(radius, p.radius);
+            height = std::max(height, p.height);
+        }
+    }
+    constexpr double kMostMm = 200.0;  // the upper part of long tools is cut off
+    height = std::min(height, kMostMm);
+    if (radius <= 0.0 || height <= 0.0) return {};
+    std::string text = fmt::format(
+        "<svg height=\"90\" viewBox=\"{:.3f} {:.3f} {:.3f} {:.3f}\" role=\"img\" "
+        "aria-label=\"tool {}\">",
+        -radius, -height, 2 * radius, height, tool.number);
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        std::string right, left;
+        for (const toolpath::ProfilePoint& p : piece.profile) {
+            right += fmt::format("{:.3f},{:.3f} ", p.radius, -p.height);
+            left = fmt::format("{:.3f},{:.3f} ", -p.radius, -p.height) + left;
+        }
+        text += fmt::format(
+            "<polygon points=\"{}{}\" fill=\"{}\" stroke=\"#000\" "
+            "stroke-width=\"{:.3f}\"/>",
+            right, left, piece.cutting ? "#777" : "#ddd", height / 200);
+    }
+    return text + "</svg>";
+}
+
+std::string mm(const std::optional<double>& value) {
+    return value ? fmt::format("{:g} mm", *value) : std::string("?");
+}
+
+std::string holder_of(const toolpath::ToolSpec& spec) {
+    if (spec.holder.empty()) return "?";
+    std::string text;
+    for (const toolpath::ToolSegment& s : spec.holder) {
+        text += text.empty() ? "" : ", ";
+        text +=
+            s.lower_diameter == s.upper_diameter
+                ? fmt::format("D{:g} x {:g}", s.lower_diameter, s.height)
+                : fmt::format("D{:g}-{:g} x {:g}", s.lower_diameter, s.upper_diameter, s.height);
+    }
+    return text;
+}
+
+void write_tools(std::ostream& out, const SheetSetUp& set_up) {
+    out << "<h2>Tools</h2>\n<table>\n<tr><th>tool</th><th>picture</th><th>shape</th>"
+           "<th>stick-out</th><th>holder</th><th>length offset</th><th>path</th><th>time</th>"
+           "</tr>\n";
+    for (const auto& [number, used] : set_up.facts->tools) {
+        const toolpath::ToolEntry* const entry = toolpath::find_tool(set_up.described, number);
+        const double offset = entry ? entry->offset.z : 0.0;
+        std::string path, time;
+        if (const auto d = set_up.facts->distances.find(number);
+            d != set_up.facts->distances.end()) {
+            path = fmt::format("{:.0f} mm feed, {:.0f} mm rapid", d->second.feed_mm,
+                               d->second.rapid_mm);
+            const auto seconds = time_of(d->second).total();
+            time = seconds ? time_text(*seconds) : "?";
+        }
+        std::string shape = toolpath::describe(used.tool);
+        if (!used.assumed_values_text.empty()) shape += "; assumed: " + used.assumed_values_text;
+        if (used.is_guess) shape += "; a guess";
+        out << fmt::format(
+            "<tr><td>T{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "<td>{}</td></tr>\n",
+            number, drawing_of(used.tool), escaped(shape), mm(used.spec.stick_out),
+            escaped(holder_of(used.spec)), offset != 0.0 ? mm(offset) : "?", path, time);
+    }
+    for (const auto& [number, first] : set_up.facts->unknown_tools) {
+        out << fmt::format(
+            "<tr><td>T{}</td><td></td><td colspan=\"6\">not described; moves from "
+            "line {} on</td></tr>\n",
+            number, first.line);
+    }
+    out << "</table>\n";
+}
+
+void write_list(std::ostream& out, const char* title, const char* kind,
+                const std::vector<std::string>& lines) {
+    if (lines.empty()) return;
+    out << "<div class=\"" << kind << "\"><h2>" << title << "</h2>\n<ul>\n";
+    for (const std::string& line : lines)
+        out << "<li>" << escaped(line) << "</li>\n";
+    out << "</ul></div>\n";
+}
+
+}  // namespace
+
+void write_set_up_sheet(std::ostream& out, const std::string& job,
+                        const std::vector<SheetSetUp>& set_ups) {
+    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>"
+        << escaped(job) << "</title>\n<style>\n"
+        << kStyle << "</style></head>\n<body>\n";
+    for (const SheetSetUp& set_up : set_ups) {
+        out << "<section>\n<h1>" << escaped(job);
+        if (!set_up.title.empty()) out << ": " << escaped(set_up.title);
+        out << "</h1>\n<table class=\"values\">\n<tr><th>program</th><td>"
+            << escaped(set_up.program) << "</td></tr>\n";
+        if (set_up.facts->stock) {
+            out << "<tr><th>stock</th><td>" << escaped(describe(*set_up.facts->stock))
+                << "</td></tr>\n";
+        }
+        for (const auto& [name, value] : set_up.values)
+            out << "<tr><th>" << escaped(name) << "</th><td>" << escaped(value) << "</td></tr>\n";
+        out << "<tr><th>time</th><td>" << escaped(time_line(verify::total(set_up.facts->distances)))
+            << "</td></tr>\n"
+            << "</table>\n";
+        write_tools(out, set_up);
+        write_list(out, "Fixtures", "fixtures", set_up.fixtures);
+        write_list(out, "To measure at the machine", "open", set_up.assumed);
+        out << "<footer>ncsim " << kVersion << "; lengths in mm</footer>\n</section>\n";
+    }
+    out << "</body>\n</html>\n";
+}
+
+}  // namespace ncsim::report

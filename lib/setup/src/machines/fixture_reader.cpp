@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads fixtures.
+#include "machines/fixture_reader.h"
+
+#include "ncsim/setup/coordinate_systems.h"
+
+#include "meshes/mesh_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace ncsim::setup {
+
+namespace {
+
+/// A part of a vise or a clamp.
+struct NamedBox {
+    std::string name;
+    cda::Box box;
+};
+
+/// Box whose coordinates are: along a horizontal direction, across this direction, height.
+cda::Box box_along(int axis, cda::Vec3 at, cda::Vec3 low, cda::Vec3 high) {
+    cda::Box box;
+    for (const cda::Vec3& corner : {low, high}) {
+        cda::Vec3 p = at;
+        p[axis] += corner.x;
+        p[1 - axis] += corner.y;
+        p.z += corner.z;
+        box.add(p);
+    }
+    return box;
+}
+
+const toml::node& required(const TomlReader& r, const toml::table& t, const std::string& where,
+                           const char* key) {
+    const toml::node* const node = t.get(key);
+    if (!node) r.fail(t, fmt::format("'{}' needs {}", where, key));
+    return *node;
+}
+
+std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
+                                const std::string& key) {
+    const toml::table& t = r.table(node, key);
+    cda::Vec3 at;
+    int axis = 1;
+    double opening = 0.0, width = 0.0, height = 0.0, depth = 0.0, base = 0.0;
+    std::optional<std::pair<double, double>> parallels;
+    const auto size = [&r](double& into) {
+        return [&r, &into](const toml::node& n, const std::string& k) { into = r.positive(n, k); };
+    };
+    r.each(t, key,
+           {{"at", [&](const auto& n, const auto& k) { at = r.vector(n, k); }},
+            {"along",
+             [&](const auto& n, const auto& k) {
+                 const std::string name = r.text(n, k);
+                 if (name != "X" && name != "Y") r.fail(n, "expected \"X\" or \"Y\"");
+                 axis = name[0] - 'X';
+             }},
+            {"opening", size(opening)},
+            {"jaw_width", size(width)},
+            {"jaw_height", size(height)},
+            {"jaw_depth", size(depth)},
+            {"base_height", size(base)},
+            {"parallels", [&](const toml::node& n, const std::string& k) {
+                 const toml::array& two = r.list(n, k, 2);
+                 parallels.emplace(r.positive(two[0], k), r.positive(two[1], k));
+             }}});
+    for (const char* name : {"at", "opening", "jaw_width", "jaw_height", "jaw_depth"})
+        (void)required(r, t, key, name);
+    const double half = opening / 2, end = half + depth, side = width / 2;
+    std::vector<NamedBox> parts{
+        {"fixed jaw", box_along(axis, at, {-end, -side, 0}, {-half, side, height})},
+        {"moving jaw", box_along(axis, at, {half, -side, 0}, {end, side, height})}};
+    if (base > 0.0)
+        parts.push_back({"base", box_along(axis, at, {-end, -side, -base}, {end, side, 0})});
+    if (parallels) {
+        const auto& [thick, high] = *parallels;
+        if (2 * thick > opening)
+            r.fail(*t.get("parallels"), "the parallels are wider than the opening");
+        if (high >= height)
+            r.fail(*t.get("parallels"),
+                   "the parallels are as high as the jaws: nothing is clamped");
+        parts.push_back(
+            {"parallel", box_along(axis, at, {-half, -side, 0}, {thick - half, side, high})});
+        parts.push_back(
+            {"parallel", box_along(axis, at, {half - thick, -side, 0}, {half, side, high})});
+    }
+    return parts;
+}
+
+std::vector<NamedBox> read_clamp(const TomlReader& r, const toml::node& node,
+                                 const std::string& key) {
+    const toml::table& t = r.table(node, key);
+    cda::Vec3 at;
+    int axis = 0;
+    double sign = 1.0, length = 0.0, width = 0.0, height = 0.0, heel = 0.0;
+    std::optional<double> table;
+    std::optional<cda::Vec3> bolt;
+    const auto size = [&r](double& into) {
+        return [&r, &into](const toml::node& n, const std::string& k) { into = r.positive(n, k); };
+    };
+    r.each(t, key,
+           {{"at", [&](const auto& n, const auto& k) { at = r.vector(n, k); }},
+            {"toward",
+             [&](const auto& n, const auto& k) {
+                 const std::string name = r.text(n, k);
+                 if (name != "+X" && name != "-X" && name != "+Y" && name != "-Y")
+                     r.fail(n, "expected \"+X\", \"-X\", \"+Y\" or \"-Y\"");
+                 axis = name[1] - 'X';
+                 sign = name[0] == '-' ? -1.0 : 1.0;
+             }},
+            {"length", size(length)},
+            {"width", size(width)},
+            {"height", size(height)},
+            {"heel", size(heel)},
+            {"table", [&](const auto& n, const auto& k) { table = r.number(n, k); }},
+            {"bolt", [&](const toml::node& n, const std::string& k) {
+                 bolt = r.vector(n, k);
+                 if (bolt->x <= 0.0 || bolt->y <= 0.0 || bolt->z <= 0.0)
+                     r.fail(n, fmt::format("'{}': expected three numbers above 0", k));
+             }}});
+    for (const char* name : {"at", "toward", "length", "width", "height"})
+        (void)required(r, t, key, name);
+    if (table && *table >= at.z)
+        r.fail(*t.get("table"), "the table is at the height of the clamp or above");
+    if ((heel > 0.0) != table.has_value()) r.fail(t, "heel and table belong together");
+    if (heel > length) r.fail(*t.get("heel"), "the heel is longer than the clamp");
+    const double side = width / 2;
+    const double floor = table ? *table - at.z : 0.0;
+    std::vector<NamedBox> parts{
+        {"arm", box_along(axis, at, {0, -side, 0}, {sign * length, side, height})}};
+    if (heel > 0.0) {
+        parts.push_back({"heel", box_along(axis, at, {sign * (length - heel), -side, floor},
+                                           {sign * length, side, 0})});
+    }
+    if (bolt) {
+        const double nut = bolt->y / 2;
+        if (bolt->x + nut > length) r.fail(*t.get("bolt"), "the bolt is outside the clamp");
+        parts.push_back({"bolt", box_along(axis, at, {sign * bolt->x - nut, -nut, floor},
+                                           {sign * bolt->x + nut, nut, height + bolt->z})});
+    }
+    return parts;
+}
+
+}  // namespace
+
+void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
+                  const toml::node& node, const std::string& key,
+                  std::vector<verify::Fixture>& fixtures) {
+    verify::Fixture fixture;
+    MeshKeys mesh(r, folder, inputs);
+    std::vector<NamedBox> parts;
+    std::string kind = "fixture";
+    int shapes = 0;
+    const auto take_mesh = [&](const auto& n, const auto& k) {
+        mesh.take_mesh(n, k);
+        ++shapes;
+    };
+    r.each(r.table(node, key), key,
+           {{"name", [&](const auto& n, const auto& k) { fixture.name = r.text(n, k); }},
+            {"mesh", take_mesh},
+            {"stl", take_mesh},  // alternative name
+            {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
+            {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
+            {"clearance",
+             [&](const auto& n, const auto& k) { fixture.clearance_mm = r.not_negative(n, k); }},
+            {"offset",
+             [&](const auto& n, const auto& k) {
+                 const auto system = system_named(r.text(n, k));
+                 if (!system) r.fail(n, fmt::format("'{}': expected a system such as \"G55\"", k));
+                 fixture.system = *system;
+             }},
+            {"vise",
+             [&](const auto& n, const auto& k) {
+                 parts = read_vise(r, n, k);
+                 kind = "vise";
+                 ++shapes;
+             }},
+            {"clamp",
+             [&](const auto& n, const auto& k) {
+                 parts = read_clamp(r, n, k);
+                 kind = "clamp";
+                 ++shapes;
+             }},
+            {"box", [&](const toml::node& n, const std::string& k) {
+                 ++shapes;
+                 const toml::array& corners = r.list(n, k, 2);
+                 fixture.box.add(r.vector(corners[0], k));
+                 fixture.box.add(r.vector(corners[1], k));
+                 const cda::Vec3 size = fixture.box.size();
+                 if (size.x <= 0.0 || size.y <= 0.0 || size.z <= 0.0) {
+                     r.fail(n, fmt::format("'{}': the box has no volume", k));
+                 }
+             }}});
+    if (auto file = mesh.finish()) {
+        fixture.mesh = std::move(file->mesh);
+        fixture.deflection_mm = file->deflection_mm;
+        fixture.assumed = std::move(file->assumed);
+        fixture.mesh_at = mesh.place();
+        fixture.as_hull = mesh.as_hull();
+        for (const cda::Vec3& v : fixture.mesh.vertices)
+            fixture.box.add(v);
+    }
+    if (shapes == 0) r.fail(node, "a fixture needs a box or a mesh, a vise or a clamp");
+    if (shapes > 1) {
+        r.fail(node, parts.empty() ? "a fixture has a box or a mesh, not both"
+                                   : "a fixture has one shape: a box, a mesh, a vise or a clamp");
+    }
+    if (fixture.name.empty()) fixture.name = kind;
+    if (parts.empty()) fixtures.push_back(std::move(fixture));
+    for (NamedBox& part : parts) {
+        verify::Fixture body = fixture;
+        body.name = fmt::format("{}: {}", fixture.name, part.name);
+        body.box = part.box;
+        fixtures.push_back(std::move(body));
+    }
+}
+
+}  // namespace ncsim::setup
