@@ -21,6 +21,7 @@ std::string_view name_of(Dialect dialect) {
         case Dialect::Haas: return "haas";
         case Dialect::Grbl: return "grbl";
         case Dialect::Mach3: return "mach3";
+        case Dialect::Heidenhain: return "heidenhain";
     }
     return "";
 }
