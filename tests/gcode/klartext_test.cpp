@@ -158,6 +158,10 @@ TEST(Klartext, FautoIsTheFeedOfToolCall) {
                 "G1 X1. F50\nX2. F333\nX3.");
 }
 
+TEST(Klartext, WordsThatWereLeftEmptyChangeNothing) {
+    expect_same("L X+1 F100\nL X+2 R F MAX M\nL X+3 R F M8", "G1 X1. F100\nG0 X2.\nG1 X3. M8");
+}
+
 TEST(Klartext, FeedPerTooth) {
     expect_refused(
         "L X+1 FZ0.1",

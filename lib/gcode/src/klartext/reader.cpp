@@ -352,7 +352,9 @@ private:
         if (scan_.take_word("MAX")) return add(Address::FMax, false, {}, begin), true;
         if (scan_.take_word("AUTO")) return add(Address::FAuto, false, {}, begin), true;
         const Value value = scan_.value();
-        if (value.kind == Value::Kind::None) return fail(begin);
+        // "L X10 F": a feed that was left empty.
+        const char next = scan_.peek();
+        if (value.kind == Value::Kind::None) return next == '\0' || is_blank(next) || fail(begin);
         add(Address::F, false, value, begin);
         return true;
     }

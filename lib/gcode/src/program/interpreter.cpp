@@ -114,7 +114,11 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
     if (is_klartext) {
         result.dialect.dialect = Dialect::Heidenhain;
         result.dialect.kind = Kind::Milling;
-        if (!result.dialect.stated) result.dialect.evidence = result.dialect.kind_evidence;
+        if (!result.dialect.stated) {
+            result.dialect.evidence = result.dialect.kind_evidence;
+            log.add(Message::DialectConcluded, place(result.dialect.evidence),
+                    {name_of(Dialect::Heidenhain), reasons(result.dialect.evidence)});
+        }
         interpret_klartext(program, options, sink, log, result);
         result.diagnostics = log.take();
         return result;
