@@ -400,6 +400,17 @@ TEST(Klartext, RepeatsNest) {
     expect_end(r, 6, 3, 50);
 }
 
+TEST(Klartext, RepeatLeftByAJumpDoesNotStay) {
+    const Made r =
+        run(klartext("LBL 1\nQ1 = 0\nLBL 2\nL IX+1 F100\nQ1 = Q1 + 1\nFN 9: IF +Q1 EQU +2 GOTO LBL "
+                     "3\nCALL LBL 2 REP5\nLBL 3\nCALL LBL 1 REP2"));
+    expect_end(r, 6, 0, 50);
+}
+
+TEST(Klartext, BlockAfterACommentWithTildeIsNotLost) {
+    expect_end(run(klartext("L X+1 F100 ; text ~\nL Y+2\n5 L Z+3 ; text ~\n6 L IX+1")), 2, 2, 3);
+}
+
 TEST(Klartext, SubprogramRunsUpToLabelZero) {
     const Made r =
         run("BEGIN PGM T MM\nL X+0 Y+0 Z+0 FMAX\nCALL LBL 5\nCALL LBL \"NAME\"\nM30\nLBL 5\nL IX+1 "

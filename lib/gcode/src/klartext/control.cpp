@@ -452,7 +452,9 @@ bool Control::straight(const Block& block, Words& words, const Corner* corner) {
         const bool done = run(command);
         machine_.state().incremental = false;
         if (!done) return false;
-        if (is_of_machine) {
+        if (command.group(MGroup::Kinematics) != kNone) {
+            refresh();
+        } else if (is_of_machine) {
             refresh();
             tangent_.reset();
         } else {

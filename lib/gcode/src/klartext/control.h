@@ -153,7 +153,7 @@ private:
     bool bore(double bottom, double clear);
     bool back_bore(SourceSpan span);
     bool tap(SourceSpan span, double surface, double bottom, double clear);
-    bool bore_mill(SourceSpan span, double surface, double bottom, double clear);
+    bool bore_mill(SourceSpan span, double bottom, double clear);
     bool fail(const MessageText& message, SourceSpan span,
               std::initializer_list<std::string_view> arguments = {});
 

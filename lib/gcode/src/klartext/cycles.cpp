@@ -383,7 +383,7 @@ bool Control::drill(SourceSpan span) {
         case 206:
         case 207:
         case 209: done = tap(span, surface, bottom, clear); break;
-        case 208: done = bore_mill(span, surface, bottom, clear); break;
+        case 208: done = bore_mill(span, bottom, clear); break;
         default: done = peck(span, surface, bottom, clear); break;
     }
     if (!done) return false;
@@ -429,13 +429,14 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
     double step = in_one ? total : infeed;
     double depth = from;
     double breaks_left = breaks;
+    double count = 0.0;  // Bounds the loops if an infeed is below the rounding of the heights.
     while (!in_one && depth - step > bottom + kPeckRounding) {
         const double target = depth - step;
+        if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
         if (broken_depth > 0.0) {
             for (double at = depth - broken_depth; at > target + kPeckRounding;
                  at -= broken_depth) {
-                if ((depth - target) / broken_depth > kMostPecks)
-                    return fail(Message::CycleRepeats, span);
+                if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
                 if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
                     return false;
             }
@@ -454,8 +455,8 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
         if (decrement > 0.0) step = std::max(step - decrement, least > 0.0 ? least : decrement);
     }
     if (broken_depth > 0.0) {
-        if ((depth - bottom) / broken_depth > kMostPecks) return fail(Message::CycleRepeats, span);
         for (double at = depth - broken_depth; at > bottom + kPeckRounding; at -= broken_depth) {
+            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
             if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
                 return false;
         }
@@ -538,8 +539,9 @@ bool Control::tap(SourceSpan span, double surface, double bottom, double clear) 
     if (number == 209 && value(257, 0.0) != 0.0) {
         const double step = std::abs(value(257, 0.0));
         const double breaking = std::abs(value(256, 0.0));
-        if ((surface - bottom) / step > kMostPecks) return fail(Message::CycleRepeats, span);
+        double count = 0.0;
         for (double at = surface - step; done && at > bottom + kPeckRounding; at -= step) {
+            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
             done = move_to(at, feed);
             turn(out);
             done = done && move_to(breaking > 0.0 ? std::min(at + breaking, clear) : clear, feed);
@@ -554,7 +556,7 @@ bool Control::tap(SourceSpan span, double surface, double bottom, double clear) 
 }
 
 /// 208: mills a bore along a helix.
-bool Control::bore_mill(SourceSpan span, double surface, double bottom, double clear) {
+bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
     if (!needs({206, 334, 335}, span)) return false;
     const std::optional<double> tool = radius_of_tool();
     if (!tool)
@@ -564,8 +566,6 @@ bool Control::bore_mill(SourceSpan span, double surface, double bottom, double c
     if (!(radius > 0.0))
         return fail(Message::KlartextWordMissing, span,
                     {"cycle 208", "a diameter larger than the tool"});
-    const double total = surface - bottom;
-    if (infeed > 0.0 && total / infeed > kMostPecks) return fail(Message::CycleRepeats, span);
     const double feed = feed_of(feed_value(206).value_or(0.0));
     const bool is_climb = value(351, 1.0) >= 0.0;
     const bool is_clockwise = machine_.state().spindle == SpindleTurning::Counterclockwise;
@@ -594,7 +594,9 @@ bool Control::bore_mill(SourceSpan span, double surface, double bottom, double c
     if (!arc(edge, y, x + radius / 2.0, y, at_[axes.third])) return false;
     double height = clear;
     // The helix begins at the clearance; each turn goes down by the infeed.
+    double count = 0.0;
     while (height > bottom) {
+        if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
         height = infeed > 0.0 ? std::max(bottom, height - infeed) : bottom;
         if (!arc(edge, y, x, y, height)) return false;
     }

@@ -353,8 +353,8 @@ private:
         if (scan_.take_word("AUTO")) return add(Address::FAuto, false, {}, begin), true;
         const Value value = scan_.value();
         // "L X10 F": a feed that was left empty.
-        const char next = scan_.peek();
-        if (value.kind == Value::Kind::None) return next == '\0' || is_blank(next) || fail(begin);
+        const bool is_alone = begin + 1 >= block_.code.size() || is_blank(block_.code[begin + 1]);
+        if (value.kind == Value::Kind::None) return is_alone || fail(begin);
         add(Address::F, false, value, begin);
         return true;
     }
@@ -413,6 +413,16 @@ std::size_t skip_number(std::string_view code, bool& block_delete, bool& has_num
     return at;
 }
 
+/// True for code that is a block of its own.
+bool begins_block(std::string_view code) {
+    bool block_delete = false;
+    bool has_number = false;
+    Block block;
+    block.code = code.substr(skip_number(code, block_delete, has_number));
+    find_verb(block);
+    return has_number || (block.verb != Verb::Empty && block.verb != Verb::Unreadable);
+}
+
 /// True for "Q200 = 2": a parameter of the cycle in the lines before.
 bool is_cycle_parameter(std::string_view code) {
     Scanner scan(code);
@@ -441,8 +451,13 @@ void Reader::continue_block(Block& block, bool is_in_comment) {
     constexpr std::size_t kMostLines = 200;
     bool goes_on = true;
     for (std::size_t i = 0; goes_on && i < kMostLines && place_.offset < file_->text.size(); ++i) {
+        const Place before = place_;
         const SplitLine line = split(take_line());
         const bool is_parameter = is_cycle_parameter(line.code);
+        if (is_in_comment && !is_parameter && begins_block(line.code)) {
+            place_ = before;
+            return;
+        }
         if (!is_in_comment || is_parameter) {
             block.joined += ' ';
             block.parts.push_back(

@@ -172,7 +172,18 @@ bool Runner::act() {
     Scanner scan(block_.code, block_.rest);
     const std::optional<std::string> label = label_of(scan);
     if (!label) return false;
-    if (*label == "0" && !frames_.empty() && !frames_.back().is_program) leave_frame();
+    if (*label == "0") {
+        if (!frames_.empty() && !frames_.back().is_program) leave_frame();
+        return true;
+    }
+    // A repeat begins anew; a repeat of this label that a jump left does not count.
+    const std::size_t base = frames_.empty() ? 0 : frames_.back().repeats;
+    repeats_.erase(
+        std::remove_if(repeats_.begin() + static_cast<std::ptrdiff_t>(base), repeats_.end(),
+                       [&](const Repeat& repeat) {
+                           return repeat.file == current_ && repeat.label == *label;
+                       }),
+        repeats_.end());
     return true;
 }
 
@@ -530,18 +541,21 @@ bool Runner::call_label() {
         if (!scan.is_at_end()) return refuse_text();
         const Reader::Place call = file().reader.place();
         const std::size_t base = frames_.empty() ? 0 : frames_.back().repeats;
-        const bool runs = repeats_.size() > base && repeats_.back().file == current_ &&
-                          repeats_.back().call == call;
-        if (!runs) {
+        auto own = std::find_if(
+            repeats_.begin() + static_cast<std::ptrdiff_t>(base), repeats_.end(),
+            [&](const Repeat& repeat) { return repeat.file == current_ && repeat.call == call; });
+        if (own == repeats_.end()) {
             if (*count < 1.0) return true;
             if (repeats_.size() >= 1000) return fail(Message::CallDepth, span);
-            repeats_.push_back({current_, call, static_cast<std::uint64_t>(std::min(*count, 1e9))});
+            repeats_.push_back(
+                {current_, call, *label, static_cast<std::uint64_t>(std::min(*count, 1e9))});
+            own = repeats_.end() - 1;
         }
-        if (repeats_.back().remaining == 0) {
-            repeats_.pop_back();
+        if (own->remaining == 0) {
+            repeats_.erase(own);
             return true;
         }
-        --repeats_.back().remaining;
+        --own->remaining;
         return jump_to(*label, span);
     }
     if (!scan.is_at_end()) return refuse_text();

@@ -52,6 +52,7 @@ private:
     struct Repeat {
         std::size_t file = 0;
         Reader::Place call;
+        std::string label;
         std::uint64_t remaining = 0;
     };
 

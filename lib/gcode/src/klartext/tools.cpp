@@ -11,10 +11,12 @@
 namespace ncsim::gcode::klartext {
 
 std::vector<std::string> tool_names(const SourceFile& program) {
+    constexpr std::size_t kMostNames = 1000;
     std::vector<std::string> names;
+    if (program.text.find('"') == std::string::npos) return names;
     Reader reader(program);
     Block block;
-    while (reader.next_verb(block)) {
+    while (names.size() < kMostNames && reader.next_verb(block)) {
         if (block.verb != Verb::ToolCall) continue;
         Scanner scan(block.code, block.rest);
         const std::optional<std::string_view> name = scan.quoted();
