@@ -919,6 +919,58 @@ TEST(Klartext, PlaneNeedsAMachine) {
     EXPECT_TRUE(run(klartext("PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY")).says("kinematics"));
 }
 
+// --- Comments, stock, listing ---
+
+TEST(Klartext, NotesHaveCommentsToolsAndStock) {
+    const SourceFile file{"t.h",
+                          "0 BEGIN PGM T MM\n1 BLK FORM 0.1 Z X0 Y0 Z-20,5\n2 BLK FORM 0.2 IX100 "
+                          "IY50 IZ20\n3 * - MILL D10\n4 ; #3 D=8 - drill\n5 TOOL CALL \"FR_D6\" Z "
+                          "S100\n6 TOOL DEF 4 L+10 R+3\n7 L X+1 FMAX\n8 END PGM T MM\n"};
+    KlartextNotes notes(file);
+    Block block;
+    std::vector<std::string> texts;
+    std::string words;
+    while (notes.next(block)) {
+        for (const Comment& comment : block.comments)
+            texts.emplace_back(comment.text);
+        for (const Word& word : block.words)
+            words += word.letter;
+    }
+    const std::vector<std::string> expected{"BLK FORM 0.1 Z X+0 Y+0 Z-20.5",
+                                            "BLK FORM 0.2 X+100 Y+50 Z-0.5",
+                                            "MILL D10",
+                                            "T3 D=8 - drill",
+                                            "FR D6",
+                                            "T4 D=6 CR=0 - flat end mill"};
+    EXPECT_EQ(texts, expected);
+    EXPECT_EQ(words, "GTGX");
+}
+
+TEST(Klartext, RoundBlank) {
+    const auto found = klartext_cylinder(
+        {"t.h", "BEGIN PGM T MM\nBLK FORM CYLINDER Z R50 L105 DIST+5\nEND PGM T MM\n"});
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->axis, 2);
+    EXPECT_EQ(found->radius.mm(), 50.0);
+    EXPECT_EQ(found->length.mm(), 105.0);
+    EXPECT_EQ(found->top.mm(), 5.0);
+}
+
+TEST(Klartext, ListingHasOneLineABlock) {
+    const SourceFile file{"t.h",
+                          "0 BEGIN PGM T MM\n1  L   X+1\tR0 ; text\n; text\n2 CYCL DEF 247 ~\n  "
+                          "Q339=1 ;N\nwhat is this\n"};
+    KlartextListing listing(file);
+    KlartextLine line;
+    DiagnosticLog log;
+    std::vector<std::string> lines;
+    while (listing.next(line, log))
+        lines.push_back(std::to_string(line.line) + " " + line.text);
+    EXPECT_EQ(lines, (std::vector<std::string>{"1 BEGIN PGM T MM", "2 L X+1 R0",
+                                               "4 CYCL DEF 247 Q339=1", "6 what is this"}));
+    EXPECT_EQ(log.errors(), 1U);
+}
+
 // --- Hostile input ---
 
 TEST(Klartext, HugeNumbersAreErrors) {
