@@ -298,6 +298,7 @@ bool Control::end_compensation(SourceSpan span) {
 
 /// Executes what acts at the end of the block: M5, M9, stops, M99, M89.
 bool Control::act_after(const Block& block, const Words& words) {
+    if (words.m.empty() && !calls_at_each_) return true;
     const SourceSpan span = block.whole();
     Command command = make(span);
     bool acts = false;

@@ -229,6 +229,9 @@ constexpr auto kAddresses = std::to_array<AddressName>({
 });
 
 const AddressName* find_address(std::string_view name) {
+    // X, Y and Z are the first rows, and the most frequent names.
+    if (name.size() == 1 && name[0] >= 'X' && name[0] <= 'Z')
+        return &kAddresses[static_cast<std::size_t>(name[0] - 'X')];
     const auto* const found = std::ranges::find(kAddresses, name, &AddressName::name);
     return found == kAddresses.end() ? nullptr : found;
 }

@@ -374,6 +374,12 @@ public:
         look_at_axes(words, number);
     }
 
+    /// True if no further line can change the conclusion that the program is Klartext.
+    bool is_certainly_klartext() const {
+        constexpr int kCertain = 12;
+        return kinds_[kHeidenhain].weight >= kCertain;
+    }
+
     void conclude(DialectFindings& findings) const {
         findings.c_may_be_corner = c_like_corners_ && !c_is_axis_;
         std::size_t best = 0;
@@ -679,7 +685,9 @@ DialectFindings detect_dialect(const SourceFile& program) {
     const std::size_t whole = rest.size();
     for (std::uint32_t line = 1; !rest.empty(); ++line) {
         const LineEnd end = find_line_end(rest);
-        detective.look_at(rest.substr(0, end.length), line, whole - rest.size() < kEveryLine);
+        const bool every = whole - rest.size() < kEveryLine;
+        if (!every && detective.is_certainly_klartext()) break;
+        detective.look_at(rest.substr(0, end.length), line, every);
         rest.remove_prefix(end.next);
     }
     detective.conclude(findings);
