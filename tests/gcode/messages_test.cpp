@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Mach3, Tip, Turning };
+enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Mach3, Tip, Turning, Klartext };
 
 // Machine with rotary axes that reaches no orientation, and no tip position with X > 50 mm.
 class Stubborn : public JointSolver {
@@ -63,6 +63,7 @@ std::vector<std::string> said_of(const Case& c) {
     options.dialect = c.by == By::Fanuc || c.by == By::Turning ? Dialect::Fanuc
                       : c.by == By::Grbl                       ? Dialect::Grbl
                       : c.by == By::Mach3                      ? Dialect::Mach3
+                      : c.by == By::Klartext                   ? Dialect::Heidenhain
                                                                : Dialect::Rs274;
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
@@ -81,6 +82,7 @@ std::string many_points() {
 }
 
 const std::vector<Case>& cases() {
+    static const std::string kKlartext = "BEGIN PGM T MM~TOOL CALL 1 Z S1~";
     static const std::string kStart = "G21 G90 G17 F100 G0 X0 Y0 Z0~";
     static const std::vector<Case> kCases = {
         {By::Grbl, "G21 G81 X5 Z-3 R1",
@@ -294,6 +296,81 @@ const std::vector<Case>& cases() {
          "1:1: warning: this looks like a program for a 3-D printer: M140 heats a bed (line 1), "
          "M104 heats an extruder (line 2), G92 E (line 3); it is run as if it milled "
          "[foreign-kind]"},
+        // Klartext
+        {By::Klartext, kKlartext + "TCH PROBE 400",
+         "3:1: error: TCH PROBE is not read; the program is stopped here [klartext-verb]"},
+        {By::Klartext, kKlartext + "L X+1 FAMX",
+         "3:7: error: 'FAMX' is no word of this block; the program is stopped here "
+         "[klartext-word]"},
+        {By::Klartext, kKlartext + "G91 G28 Z0",
+         "3:1: error: 'G91 G28 Z0' is no block of Klartext; the program is stopped here "
+         "[klartext-verb]"},
+        {By::Klartext, "=====~" + kKlartext,
+         "1:1: warning: the text before BEGIN PGM is no Klartext; it is left out [klartext-head]"},
+        {By::Klartext, kKlartext + "CR X+1 DR+",
+         "3:1: error: CR needs a radius (R); the program is stopped here [word-missing]"},
+        {By::Klartext, kKlartext + "L X+Q5 F1",
+         "3:3: warning: Q5 has no value before this block; 0 is taken [variable-unknown]"},
+        {By::Klartext, kKlartext + "Q2000 = 1",
+         "3:1: error: there is no parameter Q2000 = [parameter-range]"},
+        {By::Klartext, kKlartext + "FN 18: SYSREAD Q1 = ID20 NR1",
+         "3:1: warning: FN 18 reads data of the control, which are not known; Q1 is taken as 0 "
+         "[variable-unknown]"},
+        {By::Klartext, kKlartext + "FN 17: SYSWRITE ID50 NR1 = +0",
+         "3:1: warning: FN 17 writes data of the control, which has no effect here "
+         "[variable-not-applied]"},
+        {By::Klartext, kKlartext + "CALL LBL 7",
+         "3:1: error: there is no LBL 7; the program is stopped here [label-missing]"},
+        {By::Klartext, kKlartext + "CALL LBL 7~M30~LBL 7~END PGM T MM",
+         "6:1: error: there is no LBL 0 behind LBL 7; the program is stopped here "
+         "[label-missing]"},
+        {By::Klartext, kKlartext + "CALL PGM A",
+         "3:1: error: the program A is not in the folder (--subprograms DIR names a folder with "
+         "it); the program is stopped here [program-not-found]"},
+        {By::Klartext, kKlartext + "CYCL CALL",
+         "3:1: error: no machining cycle is defined before this call [cycle-undefined]"},
+        {By::Klartext, kKlartext + "CYCL DEF 200 A Q200=1~CYCL CALL",
+         "4:1: error: cycle 200 needs Q201; the program is stopped here [cycle-parameter]"},
+        {By::Klartext, kKlartext + "CYCL DEF 200 A Q200=1 Q201=1~CYCL CALL",
+         "4:1: error: the depth of cycle 200 is positive; the cycle is left out "
+         "[depth-positive]"},
+        {By::Klartext, kKlartext + "CYCL DEF 200 A Q200=1 Q201=0~CYCL CALL",
+         "4:1: warning: the depth of cycle 200 is 0; the control does not run the cycle "
+         "[depth-zero]"},
+        {By::Klartext, kKlartext + "CC X+0 Y+0~CP IPA+9 DR-",
+         "4:1: error: the sign of IPA and of DR differ; the block is left out "
+         "[direction-differs]"},
+        {By::Klartext, kKlartext + "C X+1 Y+1 DR+",
+         "3:1: error: C needs a centre (CC) before it; the block is left out "
+         "[arc-without-centre]"},
+        {By::Klartext, kKlartext + "CC X+0 Y+0~C X+1 Y+1",
+         "4:1: error: C needs a direction (DR+ or DR-); the block is left out "
+         "[direction-missing]"},
+        {By::Klartext, kKlartext + "CT X+1 Y+1",
+         "3:1: error: CT needs a move in the plane before it; the block is left out "
+         "[tangent-missing]"},
+        {By::Klartext, kKlartext + "L X+9 RL F1~L X+19 RR",
+         "4:1: error: between RL and RR a block with R0 is needed; the program is stopped here "
+         "[rl-change]"},
+        {By::Klartext, kKlartext + "ERROR = L X",
+         "3:1: error: the control rejected this block; the program is stopped here "
+         "[control-error]"},
+        {By::Klartext, kKlartext + "FN 14: ERROR = 1000",
+         "3:1: warning: the control stops here with an error of the program (FN 14); what follows "
+         "is not simulated [control-alarm]"},
+        {By::Klartext, kKlartext + "L Z+0 FMAX M92",
+         "3:1: warning: M92 refers to a point of the machine builder; it is read as the zero of "
+         "the machine (M91) [machine-point]"},
+        {By::Klartext, kKlartext + "CC X+0 Y+0~C X+0 Y+0 DR+ FMAX",
+         "4:1: warning: FMAX in an arc is simulated at the last feed [arc-rapid]"},
+        {By::Klartext, kKlartext + "TOOL CALL \"A\" Z",
+         "3:11: note: the tool \"A\" has no number; it is T9001 here [tool-name]"},
+        {By::Klartext, kKlartext + "CYCL DEF 247 A Q339=999",
+         "3:1: error: the preset 999 of cycle 247 is no number from 0 to 290; the program is "
+         "stopped here [preset-unknown]"},
+        {By::Klartext, kKlartext + "CYCL END",
+         "3:1: warning: CYCL END is no block of the control; it is taken to end M89 "
+         "[klartext-verb]"},
     };
     return kCases;
 }

@@ -10,6 +10,8 @@ ncsim_add_test(gcode
     expression_test.cpp
     file_programs_test.cpp
     head_modes_test.cpp
+    klartext_plane_test.cpp
+    klartext_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp
     parser_test.cpp

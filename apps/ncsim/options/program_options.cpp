@@ -123,11 +123,11 @@ cda::Vec3 read_triple(const char* option, const std::string& text) {
 gcode::Dialect read_dialect(const std::string& name) {
     using gcode::Dialect;
     for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
-                                  Dialect::Grbl, Dialect::Mach3}) {
+                                  Dialect::Grbl, Dialect::Mach3, Dialect::Heidenhain}) {
         if (name == gcode::name_of(dialect)) return dialect;
     }
-    throw Refusal{
-        fmt::format("--dialect '{}': expected auto, rs274, fanuc, haas, grbl or mach3", name)};
+    throw Refusal{fmt::format(
+        "--dialect '{}': expected auto, rs274, fanuc, haas, grbl, mach3 or heidenhain", name)};
 }
 
 bool read_inches(const std::string& unit) {
@@ -220,7 +220,7 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
-            "Control: auto, rs274, fanuc, haas, grbl, mach3 [auto]")
+            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain (Klartext) [auto]")
         ->type_name("NAME");
     command.add_flag("--strict", o.strict, "Refuse what LinuxCNC refuses");
     command

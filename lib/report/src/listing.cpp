@@ -3,6 +3,7 @@
 // Blocks, motions and codes of a program, as text or JSON.
 #include "ncsim/report/listing.h"
 
+#include "ncsim/gcode/klartext.h"
 #include "ncsim/gcode/print.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
@@ -207,9 +208,37 @@ Json to_json(const gcode::Motion& motion) {
 
 }  // namespace
 
+namespace {
+
+gcode::Diagnostics list_klartext(const gcode::SourceFile& program, bool as_json,
+                                 const TextSink& sink) {
+    gcode::DiagnosticLog log;
+    gcode::KlartextListing listing(program);
+    gcode::KlartextLine line;
+    if (as_json) {
+        JsonLines out(base_name(program.name), "blocks", sink);
+        while (listing.next(line, log)) {
+            out.add({{"line", line.line},
+                     {"text", line.text},
+                     {"kind", line.is_readable ? "klartext" : "unreadable"}});
+        }
+        out.finish(log.diagnostics());
+        return log.take();
+    }
+    BufferedText out(sink);
+    while (listing.next(line, log))
+        out.add(fmt::format("L{} {}\n", line.line, one_line(line.text)));
+    out.flush();
+    return log.take();
+}
+
+}  // namespace
+
 gcode::Diagnostics list_blocks(const gcode::SourceFile& program,
                                const gcode::ParserOptions& options, bool as_json,
                                const TextSink& sink) {
+    if (!options.strict && gcode::is_klartext(program))
+        return list_klartext(program, as_json, sink);
     gcode::DiagnosticLog log;
     gcode::BlockReader reader(program, options);
     gcode::Block block;

@@ -3,6 +3,7 @@
 // Parses suppressions in the comments of a program.
 #include "ncsim/verify/suppression.h"
 
+#include "ncsim/gcode/klartext.h"
 #include "ncsim/gcode/parser.h"
 #include "ncsim/verify/rule.h"
 
@@ -70,9 +71,11 @@ std::optional<std::vector<std::string>> ignored_in(std::string_view comment) {
 
 Suppressions::Suppressions(const gcode::SourceFile& program) {
     gcode::BlockReader reader(program);
+    std::optional<gcode::KlartextNotes> klartext;
+    if (gcode::is_klartext(program)) klartext.emplace(program);
     gcode::Block block;
     std::set<std::string, std::less<>> pending;
-    while (reader.next(block)) {
+    while (klartext ? klartext->next(block) : reader.next(block)) {
         for (const gcode::Comment& comment : block.comments) {
             const auto names = ignored_in(comment.text);
             if (names && names->empty()) unknown_.push_back({{}, comment.span});
@@ -83,7 +86,8 @@ Suppressions::Suppressions(const gcode::SourceFile& program) {
             }
         }
         const bool does_something = !block.words.empty() || !block.assignments.empty() ||
-                                    block.control.word != gcode::ControlWord::None;
+                                    block.control.word != gcode::ControlWord::None ||
+                                    (klartext && !block.text.empty());
         if (!does_something || pending.empty()) continue;
         lines_.emplace(block.line, std::move(pending));
         pending.clear();

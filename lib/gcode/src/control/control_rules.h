@@ -63,8 +63,9 @@ struct Rules {
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = !strict && dialect == Dialect::Fanuc;
         rules.pecks_shrink = !strict && dialect == Dialect::Haas;
-        rules.corner_words = fanuc;
-        if (fanuc) rules.compensation_start = CompensationStart::SquareToNext;
+        const bool klartext = !strict && dialect == Dialect::Heidenhain;
+        rules.corner_words = fanuc || klartext;
+        if (fanuc || klartext) rules.compensation_start = CompensationStart::SquareToNext;
         rules.hole_patterns = fanuc;
         rules.circular_pockets = fanuc;
         rules.macro_b = fanuc;

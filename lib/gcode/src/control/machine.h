@@ -92,6 +92,25 @@ public:
     /// Acts as M0 does.
     void pause() { stop_at(0); }
 
+    // For languages other than G-code, whose blocks have no words of G-code for these actions.
+    /// Returns the position in the coordinates of the program: rotation, scale and mirror images
+    /// are removed.
+    Axes programmed_position() const { return to_programmed(state_.position); }
+    /// Solution of the rotary axes: as the machine prefers, or with the leading axis at or above
+    /// (below) 0.
+    enum class LeadingAxis : std::uint8_t { Preferred, Positive, Negative };
+    /// Sets the tilted plane `frame`, in coordinates of the datum and active units. The rotary axes
+    /// do not turn. `name`: the words of the program.
+    bool tilt(const FeatureFrame& frame, std::string_view name, SourceSpan span);
+    /// Ends the tilted plane, if any.
+    void end_tilt() { end_plane(); }
+    /// Returns the positions of the rotary axes that make the tool normal to the tilted plane;
+    /// nullopt after reporting an error.
+    std::optional<Axes> axes_of_tilt(LeadingAxis leading, std::string_view name, SourceSpan span);
+    /// Turns the rotary axes to `axes`. `tip_stays`: the tip stays in place; otherwise X, Y and Z
+    /// of the machine stay.
+    void turn_axes(const Axes& axes, MoveKind kind, bool tip_stays);
+
     /// Ends the program and resets the modes to the start values of the control.
     void finish();
 
@@ -215,7 +234,8 @@ private:
     bool drill(const Drilling& drilling, const Axes& above);
     std::optional<std::vector<double>> peck_depths(double r, double bottom) const;
     bool hole_pattern(const Command& command, Code code, bool words_taken);
-    static std::string_view corner_name(char letter) {
+    std::string_view corner_name(char letter) const {
+        if (rules_.dialect == Dialect::Heidenhain) return letter == 'R' ? "RND" : "CHF";
         return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
     }
     bool is_line(const Command& command) const;

@@ -4,6 +4,7 @@
 #include "ncsim/gcode/interpreter.h"
 
 #include "control/control_rules.h"
+#include "klartext/runner.h"
 #include "program/runner.h"
 #include "text/message.h"
 
@@ -63,6 +64,20 @@ bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
     return true;
 }
 
+/// Interprets a program in Klartext.
+void interpret_klartext(const SourceFile& program, const InterpreterOptions& options,
+                        const MotionSink& sink, DiagnosticLog& log, Interpretation& result) {
+    InterpreterOptions own = options;
+    // M128, M129 and M126 are codes of the language.
+    own.tip_control.m_codes[128] = Coordinates::Tip;
+    own.tip_control.m_codes[129] = Coordinates::Axes;
+    own.rotary_ways = {};
+    const Rules rules = Rules::of(Dialect::Heidenhain, false);
+    ArcCentres centres;
+    centres.is_settled = true;
+    klartext::Runner(program, own, rules, centres, sink, log, result).run();
+}
+
 /// Interprets the whole program without output.
 /// Returns: true if more arcs fit absolute than incremental centres.
 bool has_absolute_centres(const SourceFile& program, InterpreterOptions options,
@@ -92,6 +107,21 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
         result.dialect.stated = true;
     }
     if (options.strict) result.dialect.dialect = Dialect::Rs274;
+    const bool is_klartext = result.dialect.stated
+                                 ? result.dialect.dialect == Dialect::Heidenhain
+                                 : result.dialect.kind == Kind::Heidenhain && !options.strict;
+    if (is_klartext) {
+        result.dialect.dialect = Dialect::Heidenhain;
+        result.dialect.kind = Kind::Milling;
+        if (!result.dialect.stated) {
+            result.dialect.evidence = result.dialect.kind_evidence;
+            log.add(Message::DialectConcluded, place(result.dialect.evidence),
+                    {name_of(Dialect::Heidenhain), reasons(result.dialect.evidence)});
+        }
+        interpret_klartext(program, options, sink, log, result);
+        result.diagnostics = log.take();
+        return result;
+    }
     if (refuse(result.dialect, options.strict, log)) {
         result.refused = true;
         result.diagnostics = log.take();

@@ -21,6 +21,7 @@ std::string_view name_of(Dialect dialect) {
         case Dialect::Haas: return "haas";
         case Dialect::Grbl: return "grbl";
         case Dialect::Mach3: return "mach3";
+        case Dialect::Heidenhain: return "heidenhain";
     }
     return "";
 }
@@ -373,6 +374,12 @@ public:
         record_axes(words, number);
     }
 
+    /// True if no further line can change the conclusion that the program is Klartext.
+    bool is_certainly_klartext() const {
+        constexpr int kCertain = 12;
+        return kinds_[kHeidenhain].weight >= kCertain;
+    }
+
     void conclude(DialectFindings& findings) const {
         findings.c_may_be_corner = c_like_corners_ && !c_is_axis_;
         std::size_t best = 0;
@@ -678,7 +685,9 @@ DialectFindings detect_dialect(const SourceFile& program) {
     const std::size_t whole = rest.size();
     for (std::uint32_t line = 1; !rest.empty(); ++line) {
         const LineEnd end = find_line_end(rest);
-        detective.scan_line(rest.substr(0, end.length), line, whole - rest.size() < kEveryLine);
+        const bool every = whole - rest.size() < kEveryLine;
+        if (!every && detective.is_certainly_klartext()) break;
+        detective.scan_line(rest.substr(0, end.length), line, every);
         rest.remove_prefix(end.next);
     }
     detective.conclude(findings);

@@ -413,10 +413,10 @@ private:
         using gcode::Dialect;
         const std::string name = r_.text(node, key);
         for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
-                                      Dialect::Grbl, Dialect::Mach3}) {
+                                      Dialect::Grbl, Dialect::Mach3, Dialect::Heidenhain}) {
             if (name == gcode::name_of(dialect)) return dialect;
         }
-        r_.fail(node, "expected auto, rs274, fanuc, haas, grbl or mach3");
+        r_.fail(node, "expected auto, rs274, fanuc, haas, grbl, mach3 or heidenhain");
     }
 
     std::map<std::string, double> read_variables(const toml::node& node,

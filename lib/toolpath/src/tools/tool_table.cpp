@@ -4,6 +4,7 @@
 // remarks in order, tool calls, and units; then every remark gets its tool and its unit.
 #include "ncsim/toolpath/tool_table.h"
 
+#include "ncsim/gcode/klartext.h"
 #include "ncsim/gcode/parser.h"
 
 #include "tools/comment_text.h"
@@ -345,12 +346,41 @@ private:
     int last_tool_ = 0;
 };
 
+/// Returns the round bar of BLK FORM CYLINDER.
+std::optional<StockEntry> cylinder_of(const gcode::SourceFile& program) {
+    const std::optional<gcode::KlartextCylinder> found = gcode::klartext_cylinder(program);
+    if (!found || !text::is_sane_length(found->radius.mm()) ||
+        !text::is_sane_length(found->length.mm()))
+        return std::nullopt;
+    StockEntry entry;
+    const double radius = found->radius.mm();
+    cda::Vec3 min{-radius, -radius, -radius};
+    cda::Vec3 max{radius, radius, radius};
+    min[found->axis] = found->top.mm() - found->length.mm();
+    max[found->axis] = found->top.mm();
+    entry.box = {min, max};
+    entry.is_round = true;
+    entry.axis = found->axis;
+    entry.specified_by = ValueSource::Comment;
+    entry.span = found->span;
+    entry.text = found->text;
+    return entry;
+}
+
 }  // namespace
 
 ProgramNotes read_notes(const gcode::SourceFile& program, bool default_inches) {
     NoteReader notes(default_inches);
-    gcode::BlockReader reader(program);
     Block block;
+    if (gcode::is_klartext(program)) {
+        gcode::KlartextNotes reader(program);
+        while (reader.next(block))
+            notes.read(block);
+        ProgramNotes found = notes.finish();
+        if (!found.stock) found.stock = cylinder_of(program);
+        return found;
+    }
+    gcode::BlockReader reader(program);
     while (reader.next(block))
         notes.read(block);
     return notes.finish();

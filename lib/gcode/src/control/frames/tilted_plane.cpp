@@ -337,6 +337,60 @@ bool Machine::orient(const Command& command) {
     return true;
 }
 
+bool Machine::tilt(const FeatureFrame& frame, std::string_view name, SourceSpan span) {
+    flush();
+    if (!options_.joints || !options_.joints->turns())
+        return stop_with(Message::RotaryUnspecified, span, {name});
+    if (state_.cutter_side != CutterSide::Off)
+        return stop_with(Message::ForbiddenWithCompensation, span, {name});
+    take_coordinates(Coordinates::Tip);
+    set_plane_frame(frame);
+    return true;
+}
+
+std::optional<Axes> Machine::axes_of_tilt(LeadingAxis leading, std::string_view name,
+                                          SourceSpan span) {
+    constexpr double kZero = 1e-6;  // Degrees
+    if (!state_.plane_frame || !options_.joints) return state_.position;
+    const Triple axis =
+        turn_about(2, state_.rotation)
+            .direction_to_parent(state_.plane_frame->direction_to_parent({0, 0, 1}));
+    std::string why_not = "no position has the sign that SEQ asks for";
+    for (const JointSolver::Way way :
+         {JointSolver::Way::Specified, JointSolver::Way::Up, JointSolver::Way::Down}) {
+        const JointSolver::Solution turned =
+            options_.joints->joints_for_direction(axis, axis_positions(), way);
+        if (!turned.joints) {
+            if (way == JointSolver::Way::Specified) why_not = turned.why_not;
+            continue;
+        }
+        const Axes axes = from_machine(from_axis_positions(*turned.joints));
+        // A or B tilts the tool; C alone only turns the part.
+        const double tilts = std::abs(axes[kA]) > kZero ? axes[kA] : axes[kB];
+        if (leading == LeadingAxis::Preferred ||
+            (leading == LeadingAxis::Positive ? tilts >= -kZero : tilts <= kZero))
+            return axes;
+    }
+    stop_with(Message::Unreachable, span, {name, why_not});
+    return std::nullopt;
+}
+
+void Machine::turn_axes(const Axes& axes, MoveKind kind, bool tip_stays) {
+    const auto turn = [&](Axes end) {
+        for (std::size_t i = kA; i <= kC; ++i)
+            end[i] = axes[i];
+        return end;
+    };
+    if (tip_stays) {
+        path_.linear_move(state_, turn(state_.position), kind, kRotaryAxes);
+        return;
+    }
+    const SavedCoordinates before = as_joints();
+    const Axes end = turn(state_.position);
+    if (end != state_.position) path_.linear_move(state_, end, kind, kRotaryAxes);
+    resume(before);
+}
+
 /// Applies I, J and K of a straight move under G43.5.
 bool Machine::turn_to_vector(const Command& command, Axes& end, AxisMask& mask) {
     if (!command.has_any(letters('I', 'J', 'K'))) return true;

@@ -1,0 +1,676 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Paths: L, LP, C, CP, CR, CT, CTP, CC, M codes, feeds, cutter compensation.
+// Source: HEIDENHAIN TNC 640, User's Manual for Klartext Programming, 34059x.
+#include "klartext/control.h"
+
+#include "ncsim/gcode/print.h"
+#include "ncsim/trig/angles.h"
+
+#include "text/message.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode::klartext {
+namespace {
+
+const gcode::Block kNoWords;
+constexpr int kMaxArcTurns = 100'000;
+
+/// M codes that move no axis and do not change the meaning of other words: programming aids, feed
+/// rules, look-ahead, clamps of rotary axes and displays.
+bool moves_nothing(int m) {
+    constexpr std::array kCodes{6,   90,  94,  101, 102, 103, 105, 106, 107, 108, 109, 110, 111,
+                                112, 114, 116, 117, 120, 124, 134, 135, 138, 141, 142, 143, 144,
+                                145, 148, 149, 197, 200, 201, 202, 203, 204, 125, 104};
+    return std::ranges::find(kCodes, m) != kCodes.end();
+}
+
+std::string_view verb_of(const Block& block) {
+    return block.name.empty() ? std::string_view("L") : block.name;
+}
+
+}  // namespace
+
+Control::Control(const InterpreterOptions& options, Machine& machine, Parameters& parameters,
+                 DiagnosticLog& log)
+    : options_(options), machine_(machine), parameters_(parameters), log_(log) {
+    machine_.state().absolute_centres = true;
+    at_ = machine_.programmed_position();
+}
+
+bool Control::fail(const MessageText& message, SourceSpan span,
+                   std::initializer_list<std::string_view> arguments) {
+    log_.add(message, span, arguments);
+    return false;
+}
+
+bool Control::Words::has(int code) const {
+    return std::ranges::find(m, code) != m.end();
+}
+
+bool Control::Words::has_axes() const {
+    return std::ranges::any_of(axis, [](const auto& value) { return value.has_value(); });
+}
+
+// --- Commands ---
+
+Command Control::make(SourceSpan span) const {
+    Command command;
+    command.block = &kNoWords;
+    command.span = span;
+    command.g.fill(Code::None);
+    command.m.fill(kNone);
+    return command;
+}
+
+void Control::put(Command& command, char letter, double value) const {
+    command.present |= 1U << letter_index(letter);
+    command.value[letter_index(letter)] = value;
+}
+
+void Control::put(Command& command, Code code) const {
+    command.g[static_cast<std::size_t>(entry_of(code).group)] = code;
+}
+
+bool Control::run(const Command& command) {
+    machine_.set_origin(command.span, file_);
+    const bool done = machine_.execute(command);
+    if (machine_.stopped()) return false;
+    if (!done) refresh();
+    return true;
+}
+
+void Control::refresh() {
+    at_ = machine_.programmed_position();
+    pr_.reset();
+    pa_.reset();
+}
+
+void Control::arrive(const Axes& end) {
+    const PlaneAxes axes = axes_of(plane_);
+    const double dx = end[axes.first] - at_[axes.first];
+    const double dy = end[axes.second] - at_[axes.second];
+    if (dx != 0.0 || dy != 0.0) {
+        tangent_ = {{dx, dy}};
+        pr_.reset();
+        pa_.reset();
+    }
+    at_ = end;
+}
+
+void Control::set_units(bool inches) {
+    inches_ = inches;
+    Command command = make({});
+    put(command, inches ? Code::G20 : Code::G21);
+    (void)machine_.execute(command);
+    refresh();
+}
+
+// --- Words ---
+
+bool Control::gather(const Block& block, Words& words) {
+    for (const Word& word : block.words) {
+        double value = 0.0;
+        if (word.value.kind != klartext::Value::Kind::None) {
+            const std::optional<double> read = parameters_.value_of(word.value, word.span);
+            if (!read) return false;
+            value = *read;
+        }
+        switch (word.address) {
+            case Address::PR:
+                words.pr = value, words.is_pr_incremental = word.is_incremental;
+                break;
+            case Address::PA:
+                words.pa = value, words.is_pa_incremental = word.is_incremental;
+                break;
+            case Address::Radius:
+                words.radius = value;
+                words.is_radius_signed = std::signbit(value);
+                break;
+            case Address::R0: words.side = CutterSide::Off; break;
+            case Address::RL: words.side = CutterSide::Left; break;
+            case Address::RR: words.side = CutterSide::Right; break;
+            case Address::F: words.feed = value; break;
+            case Address::FMax: words.is_rapid = true; break;
+            case Address::FAuto: words.feed = tool_feed_; break;
+            case Address::FU: {
+                // Feed per revolution, as a feed per minute.
+                const double rpm = machine_.state().spindle_rpm;
+                words.feed = value * rpm * (inches_ ? 10.0 : 1.0);
+                break;
+            }
+            case Address::FZ:
+                return fail(Message::KlartextVerb, word.span, {"a feed per tooth (FZ)"});
+            case Address::S: words.speed = value; break;
+            case Address::M:
+                if (!take_m(block, word, words)) return false;
+                break;
+            case Address::DrPlus: words.direction = 1; break;
+            case Address::DrMinus: words.direction = -1; break;
+            case Address::MB: words.mb = value; break;
+            case Address::MBMax: words.is_retracted_fully = true; break;
+            case Address::LA: break;
+            default: {
+                const auto axis = static_cast<std::size_t>(word.address);
+                words.axis[axis] = value;
+                words.is_incremental[axis] = word.is_incremental;
+                words.span[axis] = word.span;
+                break;
+            }
+        }
+    }
+    if (words.feed && *words.feed < 0.0) return fail(Message::NegativeValue, block.whole(), {"F"});
+    return true;
+}
+
+bool Control::take_m(const Block& block, const Word& word, Words& words) {
+    const std::optional<double> number = parameters_.value_of(word.value, word.span);
+    if (!number) return false;
+    const double whole = std::round(*number);
+    if (whole != *number || whole < 0.0 || whole > 9999.0)
+        return fail(Message::KlartextWord, word.span, {"M"});
+    const int m = static_cast<int>(whole);
+    const bool is_compensated =
+        side_ != CutterSide::Off || words.side.value_or(CutterSide::Off) != CutterSide::Off;
+    std::string name = "M";
+    name += std::to_string(m);
+    switch (m) {
+        case 97:
+        case 98:
+            if (is_compensated) return fail(Message::KlartextVerb, word.span, {name});
+            return true;
+        case 118:
+        case 130:
+        case 140: {
+            if (m == 130 && !machine_.state().plane_frame) return true;
+            if (m != 140) return fail(Message::KlartextVerb, word.span, {name});
+            break;
+        }
+        case 0:
+        case 1:
+        case 2:
+        case 3:
+        case 4:
+        case 5:
+        case 7:
+        case 8:
+        case 9:
+        case 13:
+        case 14:
+        case 19:
+        case 30:
+        case 89:
+        case 91:
+        case 92:
+        case 99:
+        case 126:
+        case 127:
+        case 128:
+        case 129:
+        case 136:
+        case 137: break;
+        default:
+            if (!moves_nothing(m)) log_.add(Message::UnknownM, word.span, {name});
+            break;
+    }
+    (void)block;
+    words.m.push_back(m);
+    return true;
+}
+
+/// Puts spindle, coolant, feed and cutter side into `command`: what acts at the start of the block.
+bool Control::act_before(const Block& block, Words& words, Command& command) {
+    for (const int m : words.m) {
+        switch (m) {
+            case 3:
+            case 4:
+            case 13:
+            case 14:
+            case 19:
+                command.m[static_cast<std::size_t>(MGroup::Spindle)] = static_cast<std::int16_t>(m);
+                break;
+            case 7:
+            case 8:
+                command.m[static_cast<std::size_t>(MGroup::Coolant)] = static_cast<std::int16_t>(m);
+                break;
+            case 126: shortest_way_ = true; break;
+            case 127: shortest_way_ = false; break;
+            case 128:
+            case 129:
+                if (m == 128 && (side_ != CutterSide::Off))
+                    return fail(Message::KlartextVerb, block.whole(),
+                                {"M128 under cutter compensation"});
+                command.m[static_cast<std::size_t>(MGroup::Kinematics)] =
+                    static_cast<std::int16_t>(m);
+                break;
+            case 136:
+            case 137:
+                per_revolution_ = m == 136;
+                put(command, per_revolution_ ? Code::G95 : Code::G94);
+                feed_ = 0.0;
+                break;
+            case 92: log_.add(Message::KlartextMachinePoint, block.whole()); break;
+            default: break;
+        }
+    }
+    if (words.speed) put(command, 'S', *words.speed);
+    // The F of these codes is no feed of the path.
+    const bool is_other_feed = words.has(128) || words.has(103) || words.has(140);
+    if (words.feed && !is_other_feed) {
+        feed_ = *words.feed;
+        put(command, 'F', feed_of(feed_));
+    }
+    return set_side(command, words, block.whole());
+}
+
+bool Control::set_side(Command& command, const Words& words, SourceSpan span) {
+    if (!words.side || *words.side == side_) return true;
+    if (*words.side != CutterSide::Off && side_ != CutterSide::Off)
+        return fail(Message::KlartextSideChange, span);
+    side_ = *words.side;
+    if (side_ == CutterSide::Off) {
+        put(command, Code::G40);
+        return true;
+    }
+    const Transformation& t = transformation_;
+    const PlaneAxes axes = axes_of(plane_);
+    const bool is_mirrored = t.is_mirrored[axes.first] != t.is_mirrored[axes.second];
+    const bool is_left = (side_ == CutterSide::Left) != is_mirrored;
+    if (const std::optional<double> radius = radius_of_tool()) {
+        put(command, is_left ? Code::G41_1 : Code::G42_1);
+        put(command, 'D', 2.0 * *radius);
+    } else {
+        put(command, is_left ? Code::G41 : Code::G42);
+        put(command, 'D', tool_);
+    }
+    return true;
+}
+
+bool Control::end_compensation(SourceSpan span) {
+    if (side_ == CutterSide::Off) return true;
+    side_ = CutterSide::Off;
+    Command command = make(span);
+    put(command, Code::G40);
+    return run(command);
+}
+
+/// Executes what acts at the end of the block: M5, M9, stops, M99, M89.
+bool Control::act_after(const Block& block, const Words& words) {
+    if (words.m.empty() && !calls_at_each_) return true;
+    const SourceSpan span = block.whole();
+    Command command = make(span);
+    bool has_effect = false;
+    for (const int m : words.m) {
+        const MGroup group = m == 5 ? MGroup::Spindle : m == 9 ? MGroup::Coolant : MGroup::Stop;
+        if (m != 5 && m != 9 && m != 0 && m != 1) continue;
+        command.m[static_cast<std::size_t>(group)] = static_cast<std::int16_t>(m);
+        has_effect = true;
+    }
+    if (has_effect && !run(command)) return false;
+    if (words.has(89)) calls_at_each_ = true;
+    const bool moves_in_plane = words.axis[axes_of(plane_).first] ||
+                                words.axis[axes_of(plane_).second] || words.pa || words.pr;
+    if (words.has(99)) {
+        if (!call_cycle(span)) return false;
+        if (!words.has(89)) calls_at_each_ = false;
+    } else if (calls_at_each_ && moves_in_plane) {
+        if (!call_cycle(span)) return false;
+    }
+    if (words.has(2) || words.has(30)) {
+        finish();
+        has_ended_ = true;
+    }
+    return true;
+}
+
+// --- Ends ---
+
+/// Returns the end of a rotary axis at `at`: `value`, or by the shortest way (M126).
+double Control::rotary_end(double value, double at) const {
+    if (!shortest_way_) return value;
+    constexpr double kTurn = 360.0;
+    double way = std::fmod(value - at, kTurn);
+    if (way > kTurn / 2) way -= kTurn;
+    if (way <= -kTurn / 2) way += kTurn;
+    return at + way;
+}
+
+/// Returns the end of the axis words, and the named axes.
+Axes Control::ends(const Words& words, AxisMask& mask) const {
+    Axes end = at_;
+    for (std::size_t i = 0; i < words.axis.size(); ++i) {
+        if (!words.axis[i]) continue;
+        mask |= 1U << i;
+        end[i] = words.is_incremental[i] ? at_[i] + *words.axis[i] : *words.axis[i];
+        if (is_rotary(i) && !words.is_incremental[i]) end[i] = rotary_end(*words.axis[i], at_[i]);
+    }
+    return end;
+}
+
+/// Computes the end of polar coordinates about the centre.
+bool Control::polar_end(const Block& block, const Words& words, Axes& end) {
+    if (!centre_)
+        return fail(Message::KlartextCentreMissing, block.whole(), {verb_of(block)}), false;
+    const PlaneAxes axes = axes_of(plane_);
+    const double x = at_[axes.first] - (*centre_)[0];
+    const double y = at_[axes.second] - (*centre_)[1];
+    double radius = pr_ ? *pr_ : trig::length_of(x, y);
+    double angle = pa_ ? *pa_ : trig::angle_of(x, y);
+    if (words.pr) radius = words.is_pr_incremental ? radius + *words.pr : *words.pr;
+    if (words.pa) angle = words.is_pa_incremental ? angle + *words.pa : *words.pa;
+    const trig::SinCos direction = trig::sin_cos(angle);
+    end[axes.first] = (*centre_)[0] + radius * direction.cos;
+    end[axes.second] = (*centre_)[1] + radius * direction.sin;
+    pr_ = radius;
+    pa_ = angle;
+    return true;
+}
+
+// --- Blocks ---
+
+bool Control::path(const Block& block, const Corner* corner) {
+    Words words;
+    if (!gather(block, words)) return false;
+    if (block.verb == Verb::Straight || block.verb == Verb::StraightPolar) {
+        if (!linear_move(block, words, corner)) return false;
+    } else if (!arc(block, words)) {
+        return false;
+    }
+    return act_after(block, words);
+}
+
+bool Control::centre(const Block& block) {
+    Words words;
+    if (!gather(block, words)) return false;
+    const PlaneAxes axes = axes_of(plane_);
+    std::array<double, 2> centre =
+        centre_.value_or(std::array<double, 2>{at_[axes.first], at_[axes.second]});
+    if (!words.axis[axes.first] && !words.axis[axes.second])
+        centre = {at_[axes.first], at_[axes.second]};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t axis = i == 0 ? axes.first : axes.second;
+        if (!words.axis[axis]) continue;
+        centre[i] = words.is_incremental[axis] ? at_[axis] + *words.axis[axis] : *words.axis[axis];
+    }
+    centre_ = centre;
+    pr_.reset();
+    pa_.reset();
+    return true;
+}
+
+bool Control::linear_move(const Block& block, Words& words, const Corner* corner) {
+    const SourceSpan span = block.whole();
+    Command command = make(span);
+    if (!act_before(block, words, command)) return false;
+    if (words.has(140)) return retract(block, words, command);
+    AxisMask mask = 0;
+    Axes end = ends(words, mask);
+    std::optional<double> pr;
+    std::optional<double> pa;
+    if (block.verb == Verb::StraightPolar) {
+        if (!polar_end(block, words, end)) return true;
+        pr = pr_, pa = pa_;
+        const PlaneAxes axes = axes_of(plane_);
+        mask |= 1U << axes.first | 1U << axes.second;
+    } else if (words.pr || words.pa) {
+        return fail(Message::KlartextWord, span, {"PR, PA"});
+    }
+    const bool is_of_machine = words.has(91) || words.has(92);
+    if (mask != 0) {
+        put(command, words.is_rapid ? Code::G0 : Code::G1);
+        if (is_of_machine) put(command, Code::G53);
+        // From an unknown position only increments are known.
+        MachineState& state = machine_.state();
+        bool is_unknown = false;
+        bool all_incremental = !is_of_machine;
+        for (std::size_t i = 0; i < end.size(); ++i) {
+            if ((mask >> i & 1U) == 0) continue;
+            const bool known = i == kX   ? state.known.x
+                               : i == kY ? state.known.y
+                               : i == kZ ? state.known.z
+                                         : true;
+            is_unknown |= !known || (i == kX && state.relative.x) ||
+                          (i == kY && state.relative.y) || (i == kZ && state.relative.z);
+            all_incremental &= words.is_incremental[i];
+        }
+        const bool by_increments = is_unknown && all_incremental && !corner &&
+                                   block.verb == Verb::Straight && side_ == CutterSide::Off;
+        for (std::size_t i = 0; i < end.size(); ++i) {
+            if ((mask >> i & 1U) == 0) continue;
+            const double value =
+                is_of_machine || by_increments ? words.axis[i].value_or(0.0) : end[i];
+            put(command, kAxisNames[i], value);
+        }
+        command.axis_words = true;
+        if (corner) {
+            command.corner = corner->letter;
+            command.corner_size = corner->size;
+            command.corner_span = corner->span;
+        }
+        state.incremental = by_increments;
+        const bool done = run(command);
+        machine_.state().incremental = false;
+        if (!done) return false;
+        if (command.group(MGroup::Kinematics) != kNone) {
+            refresh();
+        } else if (is_of_machine) {
+            refresh();
+            tangent_.reset();
+        } else {
+            arrive(end);
+            if (pr) pr_ = pr, pa_ = pa;
+        }
+        return true;
+    }
+    const bool had_kinematics = command.group(MGroup::Kinematics) != kNone;
+    if (!run(command)) return false;
+    if (had_kinematics) refresh();
+    return true;
+}
+
+/// M140 MB: retracts along the tool axis.
+bool Control::retract(const Block& block, const Words& words, Command command) {
+    const SourceSpan span = block.whole();
+    if (side_ != CutterSide::Off && command.group(Group::CutterSide) == Code::None)
+        return fail(Message::KlartextVerb, span, {"M140 under cutter compensation"});
+    if (words.has_axes()) return fail(Message::KlartextVerb, span, {"M140 with axes"});
+    if (!words.mb && !words.is_retracted_fully)
+        return fail(Message::KlartextWordMissing, span, {"M140", "MB"});
+    const std::size_t axis = axes_of(plane_).third;
+    const bool feeds = words.feed && !words.is_rapid;
+    const double before = machine_.state().feed;
+    if (feeds) put(command, 'F', feed_of(*words.feed));
+    put(command, feeds ? Code::G1 : Code::G0);
+    command.axis_words = true;
+    if (words.is_retracted_fully) {
+        // The limit of travel is taken as the zero of the machine, as for G28.
+        put(command, Code::G53);
+        put(command, kAxisNames[axis], 0.0);
+    } else {
+        put(command, kAxisNames[axis], *words.mb);
+        machine_.state().incremental = true;
+    }
+    const bool done = run(command);
+    machine_.state().incremental = false;
+    machine_.state().feed = before;
+    refresh();
+    return done;
+}
+
+bool Control::arc(const Block& block, const Words& words_of_block) {
+    Words words = words_of_block;
+    const SourceSpan span = block.whole();
+    Command command = make(span);
+    if (words.has(91) || words.has(92))
+        return fail(Message::KlartextVerb, span, {"an arc with M91"});
+    if (words.has(140)) return fail(Message::KlartextVerb, span, {"an arc with M140"});
+    if (!act_before(block, words, command)) return false;
+    if (words.is_rapid) log_.add(Message::KlartextArcRapid, span);
+    AxisMask mask = 0;
+    ProgramArc arc;
+    arc.end = ends(words, mask);
+    if ((mask & kRotaryAxes) != 0)
+        return fail(Message::KlartextVerb, span, {"an arc with a rotary axis"});
+    const PlaneAxes axes = axes_of(plane_);
+    int direction = words.direction;
+    const auto skip = [&](const MessageText& message) {
+        log_.add(message, span, {verb_of(block)});
+        return true;
+    };
+    if (block.verb == Verb::ArcTangent || block.verb == Verb::ArcTangentPolar) {
+        if (block.verb == Verb::ArcTangentPolar && !polar_end(block, words, arc.end)) return true;
+        if (!tangent_) return skip(Message::KlartextTangentMissing);
+        return tangent_arc(block, words, Axes(arc.end), arc)
+                   ? make_arc(words, arc, false, 0.0, command)
+                   : true;
+    }
+    if (direction == 0 && block.verb == Verb::ArcPolar && words.pa && words.is_pa_incremental)
+        direction = *words.pa < 0.0 ? -1 : 1;
+    if (direction == 0) direction = last_direction_;
+    if (direction == 0) return skip(Message::KlartextDirectionMissing);
+    last_direction_ = direction;
+    arc.turns = direction;
+    if (block.verb == Verb::ArcByRadius) {
+        if (!words.radius) return fail(Message::KlartextWordMissing, span, {"CR", "a radius (R)"});
+        return make_arc(words, arc, true, *words.radius, command);
+    }
+    if (!centre_) return skip(Message::KlartextCentreMissing);
+    arc.centre_1 = (*centre_)[0];
+    arc.centre_2 = (*centre_)[1];
+    if (block.verb == Verb::ArcPolar) {
+        const double x = at_[axes.first] - arc.centre_1;
+        const double y = at_[axes.second] - arc.centre_2;
+        const double start = pa_ ? *pa_ : trig::angle_of(x, y);
+        double sweep = 360.0;  // CP DR+ alone: a full circle.
+        double angle = start;
+        if (words.pa && words.is_pa_incremental) {
+            sweep = std::abs(*words.pa);
+            if (*words.pa != 0.0 && (*words.pa > 0.0) != (direction > 0))
+                return skip(Message::KlartextDirection);
+            if (!(sweep <= 360.0 * kMaxArcTurns)) return fail(Message::ArcTurns, span);
+            angle = start + *words.pa;
+        } else if (words.pa) {
+            sweep = 0.0;
+            angle = *words.pa;
+        }
+        const double pr = pr_.value_or(trig::length_of(x, y));
+        const double whole = std::round(sweep / 360.0);
+        if (sweep > 0.0 && sweep == 360.0 * whole) {
+            // Full circles end exactly at the start.
+            arc.turns = direction * static_cast<int>(whole);
+        } else {
+            const double turned = angle - start;
+            double ex = x;
+            double ey = y;
+            trig::rotate(ex, ey, turned);
+            arc.end[axes.first] = arc.centre_1 + ex;
+            arc.end[axes.second] = arc.centre_2 + ey;
+            if (sweep > 360.0) arc.turns = direction * static_cast<int>(std::ceil(sweep / 360.0));
+        }
+        if (!make_arc(words, arc, false, 0.0, command)) return false;
+        pr_ = pr;
+        pa_ = angle;
+        return true;
+    }
+    return make_arc(words, arc, false, 0.0, command);
+}
+
+/// Computes the arc that continues the last element tangentially to `end`.
+/// Returns: false if `arc` is no arc; a straight move was made, or an error was reported.
+bool Control::tangent_arc(const Block& block, const Words& words, const Axes& end,
+                          ProgramArc& arc) {
+    constexpr double kFlat = 1e-9;
+    const PlaneAxes axes = axes_of(plane_);
+    const double length = trig::length_of((*tangent_)[0], (*tangent_)[1]);
+    const double dx = (*tangent_)[0] / length;
+    const double dy = (*tangent_)[1] / length;
+    const double cx = end[axes.first] - at_[axes.first];
+    const double cy = end[axes.second] - at_[axes.second];
+    const double across = dx * cy - dy * cx;  // Positive: the end is on the left.
+    const double chord = trig::length_of(cx, cy);
+    if (std::abs(across) <= kFlat * chord) {
+        if (chord == 0.0 || dx * cx + dy * cy < 0.0) {
+            log_.add(Message::KlartextTangentMissing, block.whole(), {verb_of(block)});
+            return false;
+        }
+        Command command = make(block.whole());
+        put(command, Code::G1);
+        AxisMask mask = 1U << axes.first | 1U << axes.second;
+        (void)words;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if ((mask >> i & 1U) != 0 || words.axis[i]) put(command, kAxisNames[i], end[i]);
+        }
+        command.axis_words = true;
+        if (run(command)) arrive(end);
+        return false;
+    }
+    const double radius = chord * chord / (2.0 * across);  // Signed: positive to the left.
+    arc.end = end;
+    arc.centre_1 = at_[axes.first] - radius * dy;
+    arc.centre_2 = at_[axes.second] + radius * dx;
+    arc.turns = radius > 0.0 ? 1 : -1;
+    last_direction_ = arc.turns;
+    return true;
+}
+
+/// Makes the arc with the modes in `command`.
+bool Control::make_arc(const Words& words, const ProgramArc& arc, bool is_by_radius, double radius,
+                       Command command) {
+    const PlaneAxes axes = axes_of(plane_);
+    constexpr std::array kCentres{'I', 'J', 'K'};
+    put(command, arc.turns > 0 ? Code::G3 : Code::G2);
+    const Axes start = at_;
+    double c1 = arc.centre_1;
+    double c2 = arc.centre_2;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i == axes.first || i == axes.second || words.axis[i])
+            put(command, kAxisNames[i], arc.end[i]);
+    }
+    command.axis_words = true;
+    if (is_by_radius) {
+        put(command, 'R', radius);
+        // Centre, for the tangent at the end.
+        const double dx = arc.end[axes.first] - start[axes.first];
+        const double dy = arc.end[axes.second] - start[axes.second];
+        const double half = trig::length_of(dx, dy) / 2.0;
+        const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
+        const bool is_left = (arc.turns > 0) == (radius >= 0.0);
+        const double side = half == 0.0 ? 0.0 : (is_left ? height : -height) / (2.0 * half);
+        c1 = start[axes.first] + dx / 2.0 - dy * side;
+        c2 = start[axes.second] + dy / 2.0 + dx * side;
+    } else {
+        put(command, kCentres[axes.first], arc.centre_1);
+        put(command, kCentres[axes.second], arc.centre_2);
+    }
+    if (std::abs(arc.turns) > 1) put(command, 'P', std::abs(arc.turns));
+    if (!run(command)) return false;
+    arrive(arc.end);
+    const double turn = arc.turns > 0 ? 1.0 : -1.0;
+    const double rx = arc.end[axes.first] - c1;
+    const double ry = arc.end[axes.second] - c2;
+    if (rx != 0.0 || ry != 0.0) tangent_ = {{-turn * ry, turn * rx}};
+    return true;
+}
+
+bool Control::stop_block(const Block& block) {
+    Scanner scan(block.code, block.rest);
+    Words words;
+    while (scan.take('M')) {
+        const std::size_t begin = scan.at();
+        const klartext::Value number = scan.value();
+        if (number.kind == klartext::Value::Kind::None) break;
+        const Word word{Address::M, false, number, block.span(begin - 1, scan.at() - begin + 1)};
+        if (!take_m(block, word, words)) return false;
+    }
+    if (!scan.is_at_end())
+        return fail(Message::KlartextWord, block.span(scan.at(), scan.remaining().size()),
+                    {scan.remaining()});
+    Command command = make(block.whole());
+    if (!act_before(block, words, command)) return false;
+    command.m[static_cast<std::size_t>(MGroup::Stop)] = 0;
+    return run(command) && act_after(block, words);
+}
+
+}  // namespace ncsim::gcode::klartext

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Control floor of Klartext: paths, tools, datum shifts, rotation, mirror images, scale, tilted
+// planes and hole cycles, as commands of Machine. No text of G-code is made.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+
+#include "control/command.h"
+#include "control/machine.h"
+#include "klartext/block.h"
+#include "klartext/parameters.h"
+#include "klartext/scanner.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::gcode::klartext {
+
+/// Returns the names of tools that the program calls by name, in the order of the first call.
+std::vector<std::string> tool_names(const SourceFile& program);
+/// Letters of the axes, by index.
+inline constexpr std::string_view kAxisNames = "XYZABCUVW";
+/// Number of the first tool with a name; the next names follow.
+inline constexpr int kFirstNamedTool = 9001;
+
+/// Corner between a straight block and the next block.
+struct Corner {
+    char letter = 'R';  ///< 'R' (RND) or 'C' (CHF).
+    double size = 0.0;
+    SourceSpan span;
+};
+
+/// Executes blocks that act on the machine.
+class Control {
+public:
+    Control(const InterpreterOptions& options, Machine& machine, Parameters& parameters,
+            DiagnosticLog& log);
+
+    /// Sets the file of the following blocks, as an index into Interpretation::files.
+    void set_file(std::uint32_t file) { file_ = file; }
+    void set_units(bool inches);
+    void add_tool_names(const std::vector<std::string>& names);
+
+    // Each function returns false after reporting an error at which the program stops.
+    bool path(const Block& block, const Corner* corner);
+    bool tool_call(const Block& block);
+    bool tool_def(const Block& block);
+    bool cycle_def(const Block& block);
+    bool cycle_call(const Block& block);
+    void cycle_end(const Block& block);
+    bool plane(const Block& block);
+    bool function(const Block& block);
+    bool stop_block(const Block& block);
+    bool centre(const Block& block);
+
+    /// True after M2 or M30.
+    bool has_ended() const { return has_ended_; }
+    /// Ends the program, as M30 does.
+    void finish() { machine_.flush(), machine_.finish(); }
+    /// Ends cutter compensation, as CALL PGM does.
+    bool end_compensation(SourceSpan span);
+
+private:
+    /// Words of a path block with their values.
+    struct Words {
+        std::array<std::optional<double>, 9> axis;
+        std::array<bool, 9> is_incremental{};
+        std::array<SourceSpan, 9> span;
+        std::optional<double> pr, pa, radius, feed, speed, mb;
+        bool is_pr_incremental = false, is_pa_incremental = false;
+        bool is_rapid = false, is_retracted_fully = false;
+        bool is_radius_signed = false;
+        std::optional<CutterSide> side;
+        int direction = 0;  ///< 1: counter-clockwise, -1: clockwise, 0: not specified.
+        std::vector<int> m;
+        bool has(int code) const;
+        bool has_linear() const { return axis[kX] || axis[kY] || axis[kZ]; }
+        bool has_axes() const;
+    };
+    enum class Value : std::uint8_t { Number, Rapid, Automatic };
+    struct CycleValue {
+        Value kind = Value::Number;
+        double number = 0.0;
+    };
+    /// A cycle that CYCL CALL, M99 and M89 execute.
+    struct Cycle {
+        int number = -1;
+        std::map<std::uint32_t, CycleValue> values;
+    };
+    /// A transformation of coordinates by the cycles 8, 10, 11 and 26.
+    struct Transformation {
+        double angle = 0.0;
+        std::array<bool, 3> is_mirrored{};
+        std::array<double, 3> scale{1.0, 1.0, 1.0};
+        std::array<double, 3> centre{};
+    };
+
+    bool gather(const Block& block, Words& words);
+    bool take_m(const Block& block, const Word& word, Words& words);
+    Command make(SourceSpan span) const;
+    bool run(const Command& command);
+    void put(Command& command, char letter, double value) const;
+    void put(Command& command, Code code) const;
+    void put_modes(Command& command, const Words& words) const;
+    bool act_before(const Block& block, Words& words, Command& command);
+    bool set_side(Command& command, const Words& words, SourceSpan span);
+    bool act_after(const Block& block, const Words& words);
+    bool linear_move(const Block& block, Words& words, const Corner* corner);
+    bool retract(const Block& block, const Words& words, Command command);
+    bool arc(const Block& block, const Words& words);
+    bool polar_end(const Block& block, const Words& words, Axes& end);
+    bool tangent_arc(const Block& block, const Words& words, const Axes& end, ProgramArc& arc);
+    bool make_arc(const Words& words, const ProgramArc& arc, bool is_by_radius, double radius,
+                  Command command);
+    Axes ends(const Words& words, AxisMask& mask) const;
+    double rotary_end(double value, double at) const;
+    void arrive(const Axes& end);
+    void refresh();
+
+    std::optional<int> tool_number(Scanner& scan, const Block& block, bool& has_tool);
+    std::optional<double> radius_of_tool() const;
+    double feed_of(double value) const {
+        return inches_ && !per_revolution_ ? value / 10.0 : value;
+    }
+
+    bool numbered_cycle(const Block& block, Scanner& scan, int number);
+    bool old_cycle(const Block& block, Scanner& scan, int number, int part);
+    bool read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle);
+    bool preset(const Block& block, double number);
+    bool datum_shift(const Block& block, Scanner& scan);
+    bool mirror(const Block& block, Scanner& scan);
+    bool rotation(const Block& block, Scanner& scan);
+    bool scaling(const Block& block, Scanner& scan, bool by_axis);
+    bool working_plane(const Block& block, Scanner& scan);
+    bool apply(const Block& block);
+    bool tilt(const FeatureFrame& frame, std::string_view name, SourceSpan span);
+
+    bool call_cycle(SourceSpan span);
+    std::optional<double> value(std::uint32_t q) const;
+    double value(std::uint32_t q, double otherwise) const { return value(q).value_or(otherwise); }
+    bool needs(std::initializer_list<std::uint32_t> parameters, SourceSpan span);
+    bool move_to(double height, std::optional<double> feed);
+    std::optional<double> feed_value(std::uint32_t q) const;
+    bool dwell(double seconds);
+    bool drill(SourceSpan span);
+    bool peck(SourceSpan span, double surface, double bottom, double clear);
+    bool bore(double bottom, double clear);
+    bool back_bore(SourceSpan span);
+    bool tap(SourceSpan span, double surface, double bottom, double clear);
+    bool bore_mill(SourceSpan span, double bottom, double clear);
+    bool fail(const MessageText& message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+
+    const InterpreterOptions& options_;
+    Machine& machine_;
+    Parameters& parameters_;
+    DiagnosticLog& log_;
+    std::uint32_t file_ = 0;
+    bool inches_ = false;
+    bool per_revolution_ = false;
+    /// Position in coordinates of the program, without cutter compensation.
+    Axes at_{};
+    Plane plane_ = Plane::XY;
+    double tool_feed_ = 0.0;        ///< F of TOOL CALL.
+    double feed_ = 0.0;             ///< Last feed, as programmed.
+    double radius_oversize_ = 0.0;  ///< DR of TOOL CALL.
+    int tool_ = 0;
+    std::map<std::string, int> named_tools_;
+    CutterSide side_ = CutterSide::Off;
+    std::optional<std::array<double, 2>> centre_;
+    std::optional<std::array<double, 2>> tangent_;  ///< Direction at the end of the last element.
+    std::optional<double> pr_, pa_;  ///< Last polar coordinates, if the tool is there.
+    int last_direction_ = 0;
+    bool shortest_way_ = false;   ///< M126
+    bool calls_at_each_ = false;  ///< M89
+    Cycle cycle_;
+    Cycle old_;  ///< Cycle with parts ("CYCL DEF 1.1 …") that is being defined.
+    Transformation transformation_;
+    SourceSpan cycle_span_;
+    bool has_ended_ = false;
+};
+
+}  // namespace ncsim::gcode::klartext

@@ -1,0 +1,607 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// CYCL DEF and the hole cycles: drilling, reaming, boring, tapping, bore milling, centring.
+// Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903.
+#include "ncsim/trig/angles.h"
+
+#include "klartext/control.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode::klartext {
+namespace {
+
+constexpr double kMostPecks = 100'000.0;
+constexpr double kPeckRounding = 1e-9;  // A last peck of this size is a rounding error.
+
+bool is_hole_cycle(int number) {
+    switch (number) {
+        case 1:
+        case 2:
+        case 17:
+        case 200:
+        case 201:
+        case 202:
+        case 203:
+        case 204:
+        case 205:
+        case 206:
+        case 207:
+        case 208:
+        case 209:
+        case 240: return true;
+        default: return false;
+    }
+}
+
+/// Cycles without effect on the path: tolerance, orientation of the spindle.
+bool has_no_path(int number) {
+    return number == 13 || number == 32 || number == 239 || number == 332 || number == 392;
+}
+
+std::string name_of_cycle(int number) {
+    std::string name = "CYCL DEF ";
+    return name += std::to_string(number);
+}
+
+/// Skips the name of a value, a word in the language of the control: "V.ZEIT", "DEPTH".
+void skip_name(Scanner& scan) {
+    while (!scan.is_at_end()) {
+        const char c = upper(scan.peek());
+        const bool is_value = is_digit(c) || c == '+' || c == '-' ||
+                              ((c == '.' || c == 'Q') && is_digit(scan.peek(1)));
+        if (is_value) return;
+        scan.move_to(scan.at() + 1);
+    }
+}
+
+}  // namespace
+
+// --- Definitions ---
+
+bool Control::cycle_def(const Block& block) {
+    Scanner scan(block.code, block.rest);
+    scan.skip_blanks();
+    const std::size_t begin = scan.at();
+    const std::optional<std::uint32_t> number = scan.whole();
+    if (!number || *number > 9999) {
+        return fail(Message::KlartextWord, block.span(begin, block.code.size() - begin),
+                    {block.code.substr(begin)});
+    }
+    cycle_span_ = block.whole();
+    const int cycle = static_cast<int>(*number);
+    if (scan.peek() == '.') {
+        scan.move_to(scan.at() + 1);
+        const int part = static_cast<int>(scan.whole().value_or(0));
+        return old_cycle(block, scan, cycle, part);
+    }
+    return numbered_cycle(block, scan, cycle);
+}
+
+/// Reads "Q200=2 Q201=-15 …" behind the name of the cycle.
+bool Control::read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle) {
+    // The name is any text before the first "Qn =".
+    const auto find_next = [&]() -> bool {
+        for (std::size_t at = scan.at(); at < block.code.size(); ++at) {
+            if (upper(block.code[at]) != 'Q') continue;
+            if (at > 0 && is_letter(block.code[at - 1])) continue;
+            Scanner probe(block.code, at);
+            const auto parameter = probe.parameter();
+            if (!parameter || parameter->set != 'Q' || !probe.take('=')) continue;
+            scan.move_to(at);
+            return true;
+        }
+        return false;
+    };
+    if (!find_next()) return true;
+    while (!scan.is_at_end()) {
+        const std::size_t begin = scan.at();
+        const auto parameter = scan.parameter();
+        if (!parameter || !scan.take('=')) {
+            return fail(Message::KlartextWord, block.span(begin, block.code.size() - begin),
+                        {block.code.substr(begin)});
+        }
+        CycleValue value;
+        if (scan.take_word("MAX") || scan.take_word("FMAX")) {
+            value.kind = Value::Rapid;
+        } else if (scan.take_word("AUTO") || scan.take_word("FAUTO")) {
+            value.kind = Value::Automatic;
+            value.number = tool_feed_;
+        } else if (scan.take_word("PREDEF")) {
+            return fail(Message::KlartextVerb, block.span(begin, scan.at() - begin),
+                        {"a global value (PREDEF)"});
+        } else if (scan.take_word("FU") || scan.take_word("FZ")) {
+            return fail(Message::KlartextVerb, block.span(begin, scan.at() - begin),
+                        {"a feed per revolution or tooth in a cycle"});
+        } else if (const auto text = scan.quoted()) {
+            continue;
+        } else if (upper(scan.peek()) == 'Q' && upper(scan.peek(1)) == 'S') {
+            scan.move_to(scan.at() + 2);
+            (void)scan.whole();
+            continue;
+        } else {
+            const std::optional<double> number = parameters_.read_value(scan, block);
+            if (!number) return false;
+            value.number = *number;
+            (void)parameters_.set(*parameter, *number);
+        }
+        cycle.values[parameter->index] = value;
+    }
+    return true;
+}
+
+bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
+    if (has_no_path(number)) return true;
+    const bool is_known = (is_hole_cycle(number) && number >= 200) || number == 247;
+    if (!is_known) return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
+    Cycle cycle;
+    cycle.number = number;
+    if (!read_cycle_values(block, scan, cycle)) return false;
+    if (number == 247) {
+        const auto found = cycle.values.find(339);
+        if (found == cycle.values.end())
+            return fail(Message::KlartextCycleParameter, block.whole(), {"247", "Q339"});
+        return preset(block, found->second.number);
+    }
+    cycle_ = std::move(cycle);
+    return true;
+}
+
+/// CYCL DEF 7.1 X+10: cycles of several blocks with a number after the point.
+bool Control::old_cycle(const Block& block, Scanner& scan, int number, int part) {
+    const bool is_head = part == 0;
+    switch (number) {
+        case 7: return is_head || datum_shift(block, scan);
+        case 8: return is_head || mirror(block, scan);
+        case 9: {
+            if (is_head) return true;
+            skip_name(scan);
+            const std::optional<double> seconds = parameters_.read_value(scan, block);
+            if (!seconds) return false;
+            if (*seconds < 0.0) return fail(Message::NegativeValue, block.whole(), {"the dwell"});
+            return dwell(*seconds);
+        }
+        case 10: return is_head || rotation(block, scan);
+        case 11: return is_head || scaling(block, scan, false);
+        case 19: return is_head || working_plane(block, scan);
+        case 26: return is_head || scaling(block, scan, true);
+        case 13:
+        case 32: return true;
+        case 1:
+        case 2:
+        case 17: break;
+        default: return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
+    }
+    if (is_head) {
+        old_ = {};
+        old_.number = number;
+        return true;
+    }
+    // Pecking, tapping: SETUP, DEPTH, PECKG, DWELL, F or PITCH, in the order of the parts.
+    if (old_.number != number)
+        return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
+    const bool is_feed_part = number == 1 ? part == 5 : number == 2 ? part == 4 : false;
+    const std::uint32_t parameter = part == 1      ? 200
+                                    : part == 2    ? 201
+                                    : is_feed_part ? 206
+                                    : number == 1  ? (part == 3 ? 202 : 211)
+                                    : number == 2  ? 211
+                                                   : 239;
+    skip_name(scan);
+    // "CYCL DEF 1.4 DWELL": a value that was left empty.
+    const std::optional<double> value =
+        scan.is_at_end() ? std::optional(0.0) : parameters_.read_value(scan, block);
+    if (!value) return false;
+    old_.values[parameter] = {Value::Number, *value};
+    cycle_ = old_;
+    return true;
+}
+
+void Control::cycle_end(const Block& block) {
+    log_.add(Message::KlartextCyclEnd, block.whole());
+    calls_at_each_ = false;
+}
+
+// --- Calls ---
+
+bool Control::cycle_call(const Block& block) {
+    Scanner scan(block.code, block.rest);
+    if (scan.take_word("PAT")) return fail(Message::KlartextVerb, block.whole(), {"CYCL CALL PAT"});
+    const bool has_place = scan.take_word("POS");
+    std::array<std::optional<double>, 3> place;
+    std::array<bool, 3> is_incremental{};
+    bool is_rapid = false;
+    Words words;
+    while (!scan.is_at_end()) {
+        const std::size_t begin = scan.at();
+        std::string name = upper_of(scan.letters());
+        if (name == "FMAX" || (name == "F" && scan.take_word("MAX"))) {
+            is_rapid = true;
+            continue;
+        }
+        const bool increment = name.size() == 2 && name[0] == 'I';
+        if (increment) name.erase(0, 1);
+        const klartext::Value value = scan.value();
+        const SourceSpan span = block.span(begin, scan.at() - begin);
+        if (value.kind == klartext::Value::Kind::None || name.size() != 1)
+            return fail(Message::KlartextWord, block.span(begin, block.code.size() - begin),
+                        {block.code.substr(begin)});
+        if (name == "M") {
+            if (!take_m(block, {Address::M, false, value, span}, words)) return false;
+            continue;
+        }
+        const std::optional<double> number = parameters_.value_of(value, span);
+        if (!number) return false;
+        if (name == "F") {
+            words.feed = *number;
+        } else if (has_place && name >= "X" && name <= "Z") {
+            const auto axis = static_cast<std::size_t>(name[0] - 'X');
+            place[axis] = *number;
+            is_incremental[axis] = increment;
+        } else {
+            return fail(Message::KlartextWord, span, {name});
+        }
+    }
+    Command command = make(block.whole());
+    if (!act_before(block, words, command)) return false;
+    if (has_place) {
+        const std::size_t tool_axis = axes_of(plane_).third;
+        if (place[tool_axis])
+            return fail(Message::KlartextVerb, block.whole(), {"CYCL CALL POS with the tool axis"});
+        Axes end = at_;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!place[i]) continue;
+            end[i] = is_incremental[i] ? at_[i] + *place[i] : *place[i];
+            put(command, kAxisNames[i], end[i]);
+            command.axis_words = true;
+        }
+        put(command, is_rapid || !words.feed ? Code::G0 : Code::G1);
+        if (!run(command)) return false;
+        arrive(end);
+    } else if (!run(command)) {
+        return false;
+    }
+    if (!call_cycle(block.whole())) return false;
+    // A call by M99 or M89 in the same block is the same call.
+    std::erase(words.m, 99);
+    std::erase(words.m, 89);
+    return act_after(block, words);
+}
+
+std::optional<double> Control::value(std::uint32_t q) const {
+    const auto found = cycle_.values.find(q);
+    if (found == cycle_.values.end()) return std::nullopt;
+    return found->second.number;
+}
+
+/// Returns the feed `q` of the cycle; nullopt for a rapid (MAX).
+std::optional<double> Control::feed_value(std::uint32_t q) const {
+    const auto found = cycle_.values.find(q);
+    if (found == cycle_.values.end() || found->second.kind == Value::Rapid) return std::nullopt;
+    return found->second.number;
+}
+
+bool Control::needs(std::initializer_list<std::uint32_t> parameters, SourceSpan span) {
+    for (const std::uint32_t q : parameters) {
+        if (cycle_.values.contains(q)) continue;
+        return fail(Message::KlartextCycleParameter, span,
+                    {std::to_string(cycle_.number), "Q" + std::to_string(q)});
+    }
+    return true;
+}
+
+/// Moves the tool axis to `height`; without `feed`: rapid.
+bool Control::move_to(double height, std::optional<double> feed) {
+    const std::size_t axis = axes_of(plane_).third;
+    const KnownAxes& known = machine_.state().known;
+    const bool is_known = axis == kX ? known.x : axis == kY ? known.y : known.z;
+    if (is_known && at_[axis] == height) return true;
+    Command command = make(cycle_span_);
+    put(command, feed ? Code::G1 : Code::G0);
+    if (feed) put(command, 'F', *feed);
+    put(command, kAxisNames[axis], height);
+    command.axis_words = true;
+    if (!run(command)) return false;
+    at_[axis] = height;
+    return true;
+}
+
+bool Control::dwell(double seconds) {
+    if (!(seconds > 0.0)) return true;
+    Command command = make(cycle_span_);
+    put(command, Code::G4);
+    put(command, 'P', seconds);
+    return run(command);
+}
+
+/// Executes the defined cycle at the position of the tool.
+bool Control::call_cycle(SourceSpan span) {
+    if (cycle_.number < 0) {
+        log_.add(Message::KlartextCycleUndefined, span);
+        return true;
+    }
+    if (side_ != CutterSide::Off)
+        return fail(Message::KlartextVerb, span, {"a cycle under RL or RR"});
+    const SourceSpan definition = cycle_span_;
+    cycle_span_ = span;
+    MachineState& state = machine_.state();
+    const double feed = state.feed;
+    const FeedMode mode = state.feed_mode;
+    state.feed_mode = FeedMode::PerMinute;
+    const bool done = drill(span);
+    machine_.state().feed = feed;
+    machine_.state().feed_mode = mode;
+    cycle_span_ = definition;
+    return done;
+}
+
+bool Control::drill(SourceSpan span) {
+    const int number = cycle_.number;
+    if (number == 204) return back_bore(span);
+    if (!needs({200, 201}, span)) return false;
+    const std::string name = std::to_string(number);
+    const double depth = value(201, 0.0);
+    const bool by_diameter = number == 240 && value(343, 0.0) == 1.0;
+    if (by_diameter)
+        return fail(Message::KlartextVerb, span, {"cycle 240 by the diameter (Q343=1)"});
+    if (depth > 0.0) {
+        log_.add(Message::KlartextDepthPositive, span, {name});
+        return true;
+    }
+    if (depth == 0.0) {
+        log_.add(Message::KlartextDepthZero, span, {name});
+        return true;
+    }
+    const std::size_t axis = axes_of(plane_).third;
+    // The old cycles begin at the clearance above the surface.
+    const bool is_old = number < 100;
+    const double clearance = value(200, 0.0);
+    const double surface = is_old ? at_[axis] - clearance : value(203, 0.0);
+    const double clear = surface + clearance;
+    const double bottom = surface + depth;
+    if (!move_to(clear, std::nullopt)) return false;
+    const double down = feed_of(feed_value(206).value_or(0.0));
+    bool done = true;
+    switch (number) {
+        case 240:
+            done = needs({206}, span) && move_to(bottom, down) && dwell(value(211, 0.0)) &&
+                   move_to(clear, std::nullopt);
+            break;
+        case 201: {
+            const double up = feed_of(value(208, 0.0));
+            done = needs({206}, span) && move_to(bottom, down) && dwell(value(211, 0.0)) &&
+                   move_to(clear, feed_value(208) ? std::optional(up > 0.0 ? up : down)
+                                  : cycle_.values.contains(208) ? std::nullopt
+                                                                : std::optional(down));
+            break;
+        }
+        case 202: done = needs({206}, span) && bore(bottom, clear); break;
+        case 2:
+        case 17:
+        case 206:
+        case 207:
+        case 209: done = tap(span, surface, bottom, clear); break;
+        case 208: done = bore_mill(span, bottom, clear); break;
+        default: done = peck(span, surface, bottom, clear); break;
+    }
+    if (!done) return false;
+    // The second clearance is a height above the surface; never down.
+    const double second = surface + value(204, 0.0);
+    return second <= clear || move_to(second, std::nullopt);
+}
+
+/// 1, 200, 203 and 205: infeeds with retraction or chip breaking.
+bool Control::peck(SourceSpan span, double surface, double bottom, double clear) {
+    if (!needs({206, 202}, span)) return false;
+    const int number = cycle_.number;
+    const double down = feed_of(feed_value(206).value_or(0.0));
+    const double infeed = std::abs(value(202, 0.0));
+    const double decrement = number == 200 || number == 1 ? 0.0 : std::abs(value(212, 0.0));
+    const double least = std::min(infeed, std::abs(value(205, 0.0)));
+    const double total = surface - bottom;
+    std::optional<double> up;  // Retract feed; empty: rapid.
+    if (number == 203 || number == 205) {
+        if (const std::optional<double> feed = feed_value(208))
+            up = feed_of(*feed > 0.0 ? *feed : feed_value(206).value_or(0.0));
+    }
+    const double breaking = number == 203 || number == 205 ? std::abs(value(256, 0.0)) : 0.0;
+    const double breaks = number == 203 ? value(213, 0.0) : 0.0;
+    const double broken_depth = number == 205 ? std::abs(value(257, 0.0)) : 0.0;
+    const double ahead = number == 205 && value(258)
+                             ? std::abs(*value(258))
+                             : options_.peck_clearance.value_or(0.2 / machine_.state().unit_mm());
+    double from = surface;
+    if (number == 205 && value(379, 0.0) != 0.0) {
+        // Deepened start: the tool goes there with the feed of pre-positioning.
+        from = surface - std::abs(value(379, 0.0));
+        if (from <= bottom) from = surface;
+        const std::optional<double> feed = feed_value(253);
+        if (from < surface && !move_to(from, feed ? std::optional(feed_of(*feed)) : std::nullopt))
+            return false;
+    }
+    const bool in_one = infeed <= 0.0 || infeed >= total;
+    if (!in_one && decrement > 0.0 && least <= 0.0 && total / decrement > kMostPecks)
+        return fail(Message::CycleRepeats, span);
+    const double smallest = decrement > 0.0 ? (least > 0.0 ? least : decrement) : infeed;
+    if (!in_one && total / smallest > kMostPecks) return fail(Message::CycleRepeats, span);
+    double step = in_one ? total : infeed;
+    double depth = from;
+    double breaks_left = breaks;
+    double count = 0.0;  // Bounds the loops if an infeed is below the rounding of the heights.
+    while (!in_one && depth - step > bottom + kPeckRounding) {
+        const double target = depth - step;
+        if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
+        if (broken_depth > 0.0) {
+            for (double at = depth - broken_depth; at > target + kPeckRounding;
+                 at -= broken_depth) {
+                if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
+                if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
+                    return false;
+            }
+        }
+        if (!move_to(target, down)) return false;
+        if (breaks_left >= 1.0 && breaking > 0.0) {
+            breaks_left -= 1.0;
+            if (!move_to(std::min(target + breaking, clear), up)) return false;
+        } else {
+            breaks_left = breaks;
+            if (!move_to(clear, up) || !dwell(value(210, 0.0)) ||
+                !move_to(std::min(target + ahead, clear), std::nullopt))
+                return false;
+        }
+        depth = target;
+        if (decrement > 0.0) step = std::max(step - decrement, least > 0.0 ? least : decrement);
+    }
+    if (broken_depth > 0.0) {
+        for (double at = depth - broken_depth; at > bottom + kPeckRounding; at -= broken_depth) {
+            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
+            if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
+                return false;
+        }
+    }
+    return move_to(bottom, down) && dwell(value(211, 0.0)) && move_to(clear, up);
+}
+
+/// 202: the spindle is oriented at the bottom, and the tool steps away from the wall (Q214).
+bool Control::bore(double bottom, double clear) {
+    const double down = feed_of(feed_value(206).value_or(0.0));
+    if (!move_to(bottom, down) || !dwell(value(211, 0.0))) return false;
+    MachineState& state = machine_.state();
+    const SpindleTurning turning = state.spindle;
+    state.spindle = SpindleTurning::Stopped;
+    state.spindle_oriented = true;
+    state.steps_aside = value(214, 0.0) != 0.0;
+    const std::optional<double> feed = feed_value(208);
+    const bool done =
+        move_to(clear, feed && *feed > 0.0 ? std::optional(feed_of(*feed)) : std::nullopt);
+    machine_.state().spindle = turning;
+    machine_.state().spindle_oriented = false;
+    machine_.state().steps_aside.reset();
+    return done;
+}
+
+/// 204: bores upwards from below the part. The tool goes through the hole with the spindle
+/// oriented, aside by Q251.
+bool Control::back_bore(SourceSpan span) {
+    if (!needs({200, 249, 250, 252, 253, 254, 203}, span)) return false;
+    const double surface = value(203, 0.0);
+    const double clear = surface + value(200, 0.0);
+    const double lower_edge = surface - std::abs(value(250, 0.0));
+    const double edge = std::abs(value(252, 0.0));  // Height of the cutting edge above the tip.
+    const double below = lower_edge - value(200, 0.0) - edge;
+    const double bottom = lower_edge + std::abs(value(249, 0.0)) - edge;
+    const auto feed_or_rapid = [this](std::uint32_t q) {
+        const std::optional<double> feed = feed_value(q);
+        return feed ? std::optional(feed_of(*feed)) : std::nullopt;
+    };
+    const SpindleTurning turning = machine_.state().spindle;
+    const auto orient = [&](bool on) {
+        MachineState& state = machine_.state();
+        state.spindle = on ? SpindleTurning::Stopped : turning;
+        state.spindle_oriented = on;
+        if (on) state.steps_aside = value(251, 0.0) != 0.0;
+        if (!on) state.steps_aside.reset();
+    };
+    bool done = move_to(clear, std::nullopt);
+    orient(true);
+    done = done && move_to(below, feed_or_rapid(253));
+    orient(false);
+    done = done && move_to(bottom, feed_or_rapid(254)) && dwell(value(255, 0.0)) &&
+           move_to(below, feed_or_rapid(253));
+    orient(true);
+    done = done && move_to(clear, feed_or_rapid(253));
+    orient(false);
+    const double second = surface + value(204, 0.0);
+    return done && (second <= clear || move_to(second, std::nullopt));
+}
+
+/// 2, 17, 206, 207, 209: taps; the spindle turns back at the bottom.
+bool Control::tap(SourceSpan span, double surface, double bottom, double clear) {
+    MachineState& state = machine_.state();
+    const int number = cycle_.number;
+    const bool is_rigid = number == 17 || number == 207 || number == 209;
+    if (!(is_rigid ? needs({239}, span) : needs({206}, span))) return false;
+    const SpindleTurning turning = state.spindle;
+    double feed = feed_of(feed_value(206).value_or(0.0));
+    SpindleTurning in = turning;
+    if (is_rigid) {
+        feed = std::abs(value(239, 0.0)) * state.spindle_rpm;
+        in = value(239, 0.0) < 0.0 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
+    }
+    const SpindleTurning out = in == SpindleTurning::Clockwise ? SpindleTurning::Counterclockwise
+                               : in == SpindleTurning::Counterclockwise ? SpindleTurning::Clockwise
+                                                                        : in;
+    const auto turn = [&](SpindleTurning sense) { machine_.state().spindle = sense; };
+    turn(in);
+    bool done = true;
+    if (number == 209 && value(257, 0.0) != 0.0) {
+        const double step = std::abs(value(257, 0.0));
+        const double breaking = std::abs(value(256, 0.0));
+        double count = 0.0;
+        for (double at = surface - step; done && at > bottom + kPeckRounding; at -= step) {
+            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
+            done = move_to(at, feed);
+            turn(out);
+            done = done && move_to(breaking > 0.0 ? std::min(at + breaking, clear) : clear, feed);
+            turn(in);
+        }
+    }
+    done = done && move_to(bottom, feed) && dwell(value(211, 0.0));
+    turn(out);
+    done = done && move_to(clear, feed);
+    turn(turning);
+    return done;
+}
+
+/// 208: mills a bore along a helix.
+bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
+    if (!needs({206, 334, 335}, span)) return false;
+    const std::optional<double> tool = radius_of_tool();
+    if (!tool)
+        return fail(Message::KlartextWordMissing, span, {"cycle 208", "the radius of the tool"});
+    const double radius = value(335, 0.0) / 2.0 - *tool;
+    const double infeed = std::abs(value(334, 0.0));
+    if (!(radius > 0.0))
+        return fail(Message::KlartextWordMissing, span,
+                    {"cycle 208", "a diameter larger than the tool"});
+    const double feed = feed_of(feed_value(206).value_or(0.0));
+    const bool is_climb = value(351, 1.0) >= 0.0;
+    const bool is_clockwise = machine_.state().spindle == SpindleTurning::Counterclockwise;
+    const bool is_left = is_climb != is_clockwise;  // Climb milling in a bore: counter-clockwise.
+    const PlaneAxes axes = axes_of(plane_);
+    constexpr std::array kCentres{'I', 'J', 'K'};
+    const double x = at_[axes.first];
+    const double y = at_[axes.second];
+    const auto arc = [&](double to_1, double to_2, double c1, double c2, double height) {
+        Command command = make(span);
+        put(command, is_left ? Code::G3 : Code::G2);
+        put(command, 'F', feed);
+        put(command, kAxisNames[axes.first], to_1);
+        put(command, kAxisNames[axes.second], to_2);
+        if (height != at_[axes.third]) put(command, kAxisNames[axes.third], height);
+        put(command, kCentres[axes.first], c1);
+        put(command, kCentres[axes.second], c2);
+        command.axis_words = true;
+        if (!run(command)) return false;
+        at_[axes.first] = to_1;
+        at_[axes.second] = to_2;
+        at_[axes.third] = height;
+        return true;
+    };
+    const double edge = x + radius;
+    if (!arc(edge, y, x + radius / 2.0, y, at_[axes.third])) return false;
+    double height = clear;
+    // The helix begins at the clearance; each turn goes down by the infeed.
+    double count = 0.0;
+    while (height > bottom) {
+        if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
+        height = infeed > 0.0 ? std::max(bottom, height - infeed) : bottom;
+        if (!arc(edge, y, x, y, height)) return false;
+    }
+    return arc(edge, y, x, y, bottom) && arc(x, y, x + radius / 2.0, y, bottom) &&
+           move_to(clear, std::nullopt);
+}
+
+}  // namespace ncsim::gcode::klartext

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs a Klartext program: labels, repeats, calls, Q parameters, jumps. Blocks that act on the
+// machine go to Control.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+
+#include "control/machine.h"
+#include "klartext/control.h"
+#include "klartext/parameters.h"
+#include "klartext/reader.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::gcode::klartext {
+
+/// Runs a program.
+class Runner {
+public:
+    Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
+           ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
+
+    void run();
+
+private:
+    struct OpenFile {
+        const SourceFile* source = nullptr;
+        std::unique_ptr<SourceFile> owned;  // Set for files other than the main program.
+        Reader reader;
+        bool has_labels = false;
+        std::map<std::string, Reader::Place> labels;  // Start of the block after each label.
+    };
+    /// A subprogram (CALL LBL) or a program (CALL PGM) that runs.
+    struct Frame {
+        bool is_program = false;
+        std::string label;
+        std::size_t file = 0;  // To return to.
+        Reader::Place back;
+        std::size_t repeats = 0;  // Size of repeats_ at the call.
+        Parameters::Locals locals;
+    };
+    /// A CALL LBL with REP that runs.
+    struct Repeat {
+        std::size_t file = 0;
+        Reader::Place call;
+        std::string label;
+        std::uint64_t remaining = 0;
+    };
+
+    bool step();
+    bool act();
+    bool begin_program();
+    void end_program();
+    void finish_subprogram();
+    bool path();
+    std::optional<Corner> corner_after(bool& is_refused);
+    bool assignment();
+    bool assign_text(Scanner& scan);
+    bool fn();
+    bool arithmetic(Scanner& scan, std::uint32_t number);
+    bool branch(Scanner& scan);
+    bool system_read(Scanner& scan);
+    bool call_label();
+    bool call_program();
+    std::optional<std::string> label_of(Scanner& scan);
+    std::optional<Reader::Place> find_label(const std::string& label);
+    bool jump_to(const std::string& label, SourceSpan span);
+    void go(std::size_t file_number, Reader::Place place);
+    bool enter(Frame frame, std::size_t file_number, Reader::Place place, SourceSpan span);
+    std::optional<std::size_t> open_file(const std::string& name);
+    bool refuse(std::string_view what);
+    bool refuse_text();
+    bool fail(const MessageText& message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+
+    OpenFile& file() { return files_[current_]; }
+
+    const InterpreterOptions& options_;
+    DiagnosticLog& log_;
+    Interpretation& result_;
+    gcode::Parameters registers_;  // Required by Machine; Klartext does not read them.
+    Parameters parameters_;
+    Path path_;
+    Machine machine_;
+    Control control_;
+    std::deque<OpenFile> files_;
+    std::size_t current_ = 0;
+    std::vector<Frame> frames_;
+    std::vector<Repeat> repeats_;
+    Block block_, next_;
+    std::uint64_t repeated_ = 0;
+    std::uint64_t most_blocks_ = 0;
+    bool has_begun_ = false;  // After BEGIN PGM, or a block without BEGIN PGM.
+    bool has_begin_ = false;  // The main program has BEGIN PGM.
+    bool ended_ = false;
+};
+
+}  // namespace ncsim::gcode::klartext
