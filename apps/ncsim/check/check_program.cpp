@@ -42,26 +42,27 @@ simulation::Plan plan_to_check(const std::string& path, const CheckOptions& opti
 }
 
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
-                  const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
-                  std::stop_token stop, std::size_t number, std::size_t& programs) {
+                  const simulation::VerificationOptions& verification_options, unsigned threads,
+                  setup::InputSet& inputs, std::stop_token stop, std::size_t number,
+                  std::size_t& programs) {
     checked.path = setup::name_of_input(path);
     int code = kEnvironment;
     try {
         simulation::Plan plan = plan_to_check(path, options, threads, inputs, number);
         programs = plan.job.programs_in_file;
         checked.program = plan.job.label;
-        if (programs > 1 && questions.tiles) {
+        if (programs > 1 && verification_options.tiles) {
             throw std::runtime_error(
                 fmt::format("{} programs in one file: tiles are of a single one", programs));
         }
         plan.budget.stop_with(std::move(stop));
-        simulation::check(std::move(plan), questions, checked);
+        simulation::check(std::move(plan), verification_options, checked);
         return exit_code_of(checked.outcome);
     } catch (const std::bad_alloc&) {
         checked.failure = "out of memory";
     } catch (const std::logic_error& e) {
         checked.failure = fmt::format("a bug of ours, please report it: {}", e.what());
-        code = kBug;
+        code = kInternalError;
     } catch (const std::exception& e) {
         checked.failure = e.what();
     }

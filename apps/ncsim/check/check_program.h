@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
-#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/program_check.h"
 
 #include "options/check_options.h"
 
@@ -24,7 +24,8 @@ simulation::Plan plan_to_check(const std::string& path, const CheckOptions& opti
 /// in the file; `programs` becomes the number of programs in the file, if known.
 /// Guarantees: never throws. The result depends on the file and the options only.
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
-                  const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
-                  std::stop_token stop, std::size_t number, std::size_t& programs);
+                  const simulation::VerificationOptions& verification_options, unsigned threads,
+                  setup::InputSet& inputs, std::stop_token stop, std::size_t number,
+                  std::size_t& programs);
 
 }  // namespace ncsim::app

@@ -30,9 +30,9 @@ bool is_digest(const std::string& name) {
 }
 
 /// Files that this run writes, and further runs with the same output folders.
-class Written {
+class OutputFiles {
 public:
-    explicit Written(const CheckOptions& options)
+    explicit OutputFiles(const CheckOptions& options)
         : files_(outputs_of(options)),
           shards_(whole(options.out)),
           verdicts_(whole(options.cache)),
@@ -77,7 +77,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 class Collector {
 public:
-    explicit Collector(const CheckOptions& options) : written_(options) {}
+    explicit Collector(const CheckOptions& options) : output_files_(options) {}
 
     void add_named(const std::string& name) {
         const std::size_t before = list_.programs.size();
@@ -89,11 +89,11 @@ public:
         const std::size_t before = list_.programs.size();
         if (add_folder(name)) {
             if (list_.programs.size() == before)
-                list_.left_out.push_back({name, "folder without programs"});
+                list_.excluded.push_back({name, "folder without programs"});
             return;
         }
         if (auto why = name == "-" ? std::nullopt : setup::why_no_program(name)) {
-            list_.left_out.push_back({name, std::move(*why)});
+            list_.excluded.push_back({name, std::move(*why)});
         } else {
             add(name, name != "-" && setup::is_subprogram_file(name));
         }
@@ -107,8 +107,8 @@ private:
         setup::ProgramFolder folder = setup::programs_in_folder(name);
         for (const std::string& program : folder.programs)
             add(program, setup::is_subprogram_file(program));
-        for (report::LeftOut& file : folder.left_out) {
-            if (!written_.contains(file.path)) list_.left_out.push_back(std::move(file));
+        for (report::ExcludedEntry& file : folder.excluded) {
+            if (!output_files_.contains(file.path)) list_.excluded.push_back(std::move(file));
         }
         return true;
     }
@@ -117,7 +117,7 @@ private:
         list_.is_subprogram.push_back(is_subprogram);
     }
 
-    Written written_;
+    OutputFiles output_files_;
     ProgramList list_;
 };
 
@@ -132,7 +132,7 @@ ProgramList programs_of(const CheckOptions& options, setup::InputSet& inputs) {
             collector.add_listed(name);
     }
     ProgramList list = std::move(collector).take();
-    say(report::text_of(list.left_out));
+    print_error(report::text_of(list.excluded));
     if (list.programs.empty()) throw std::runtime_error("the list names no programs");
     return list;
 }
@@ -145,7 +145,7 @@ std::vector<std::size_t> share_of(const std::vector<std::string>& programs,
         const std::uintmax_t size = fs::file_size(program, error);
         sizes.push_back(error ? 0 : size);
     }
-    return report::dealt(sizes, number.shard, number.of);
+    return report::programs_of_shard(sizes, number.shard, number.of);
 }
 
 }  // namespace ncsim::app

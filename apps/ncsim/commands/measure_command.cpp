@@ -108,7 +108,7 @@ int run(const MeasureOptions& options) {
     simulation::Survey survey = simulation::survey(plan);
     print_findings(plan.job.program, survey.diagnostics);
     if (!survey.is_ready()) {
-        say("ncsim: the program was not simulated\n");
+        print_error("ncsim: the program was not simulated\n");
         return kFindings;
     }
     simulation::Verification nothing;
@@ -125,7 +125,8 @@ int run(const MeasureOptions& options) {
     outputs.commit();
     const bool faulty =
         gcode::has_errors(survey.diagnostics) || gcode::has_errors(milled.diagnostics);
-    if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
+    if (faulty)
+        print_error("ncsim: the part is not what the blocks with errors would make of it\n");
     return faulty ? kFindings : kClean;
 }
 

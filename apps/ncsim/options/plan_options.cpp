@@ -29,7 +29,7 @@ simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
     plan.at_line = options.at_line;
     plan.keep_boundary = needs_surface(options);
     plan.keep_paths = options.shows_path;
-    plan.keep_carved = !options.save_stock.empty();
+    plan.keep_removed_cells = !options.save_stock.empty();
     plan.tool_volumes = !options.quiet || !options.report.empty();
     plan.block_volumes = options.block_volumes;
     plan.hull_times = !options.stats.empty();

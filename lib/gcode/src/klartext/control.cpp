@@ -301,14 +301,14 @@ bool Control::act_after(const Block& block, const Words& words) {
     if (words.m.empty() && !calls_at_each_) return true;
     const SourceSpan span = block.whole();
     Command command = make(span);
-    bool acts = false;
+    bool has_effect = false;
     for (const int m : words.m) {
         const MGroup group = m == 5 ? MGroup::Spindle : m == 9 ? MGroup::Coolant : MGroup::Stop;
         if (m != 5 && m != 9 && m != 0 && m != 1) continue;
         command.m[static_cast<std::size_t>(group)] = static_cast<std::int16_t>(m);
-        acts = true;
+        has_effect = true;
     }
-    if (acts && !run(command)) return false;
+    if (has_effect && !run(command)) return false;
     if (words.has(89)) calls_at_each_ = true;
     const bool moves_in_plane = words.axis[axes_of(plane_).first] ||
                                 words.axis[axes_of(plane_).second] || words.pa || words.pr;
@@ -374,7 +374,7 @@ bool Control::path(const Block& block, const Corner* corner) {
     Words words;
     if (!gather(block, words)) return false;
     if (block.verb == Verb::Straight || block.verb == Verb::StraightPolar) {
-        if (!straight(block, words, corner)) return false;
+        if (!linear_move(block, words, corner)) return false;
     } else if (!arc(block, words)) {
         return false;
     }
@@ -400,7 +400,7 @@ bool Control::centre(const Block& block) {
     return true;
 }
 
-bool Control::straight(const Block& block, Words& words, const Corner* corner) {
+bool Control::linear_move(const Block& block, Words& words, const Corner* corner) {
     const SourceSpan span = block.whole();
     Command command = make(span);
     if (!act_before(block, words, command)) return false;

@@ -111,7 +111,7 @@ private:
     bool act_before(const Block& block, Words& words, Command& command);
     bool set_side(Command& command, const Words& words, SourceSpan span);
     bool act_after(const Block& block, const Words& words);
-    bool straight(const Block& block, Words& words, const Corner* corner);
+    bool linear_move(const Block& block, Words& words, const Corner* corner);
     bool retract(const Block& block, const Words& words, Command command);
     bool arc(const Block& block, const Words& words);
     bool polar_end(const Block& block, const Words& words, Axes& end);

@@ -90,7 +90,7 @@ bool Control::apply(const Block& block) {
     if (side_ != CutterSide::Off)
         return fail(Message::KlartextVerb, block.whole(), {"a transformation under RL or RR"});
     machine_.flush();
-    Programmed& programmed = machine_.state().programmed;
+    ProgrammedTransform& programmed = machine_.state().programmed;
     programmed.rotated = t.angle != 0.0;
     programmed.plane = plane_;
     programmed.angle = t.angle;

@@ -58,7 +58,7 @@ void Runner::run() {
     machine_.flush();
     path_.finish();
     result_.uses_length_offsets = machine_.uses_length_offsets();
-    result_.asked_for_places = machine_.asked_for_places();
+    result_.requested_tip_positions = machine_.requested_tip_positions();
     result_.unread_registers = machine_.unread_registers();
     result_.stopped = ended_ && !result_.ended;
     if (!result_.ended && !ended_) log_.add(Message::ProgramEndMissing, {block_.line, 1, 0});
@@ -88,7 +88,7 @@ bool Runner::step() {
             ended_ = true;
             return false;
         }
-        leave_frame();
+        finish_subprogram();
         return true;
     }
     ++result_.lines;
@@ -137,7 +137,7 @@ bool Runner::act() {
             if (!frames_.empty()) {
                 if (!frames_.back().is_program)
                     return fail(Message::KlartextLabelEnd, block_.whole(), {frames_.back().label});
-                leave_frame();
+                finish_subprogram();
                 return true;
             }
             control_.finish();
@@ -173,7 +173,7 @@ bool Runner::act() {
     const std::optional<std::string> label = label_of(scan);
     if (!label) return false;
     if (*label == "0") {
-        if (!frames_.empty() && !frames_.back().is_program) leave_frame();
+        if (!frames_.empty() && !frames_.back().is_program) finish_subprogram();
         return true;
     }
     // A repeat begins anew; a repeat of this label that a jump left does not count.
@@ -516,7 +516,7 @@ bool Runner::enter(Frame frame, std::size_t file_number, Reader::Place place, So
     return true;
 }
 
-void Runner::leave_frame() {
+void Runner::finish_subprogram() {
     Frame frame = std::move(frames_.back());
     frames_.pop_back();
     repeats_.resize(std::min(repeats_.size(), frame.repeats));

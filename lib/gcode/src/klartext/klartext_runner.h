@@ -60,7 +60,7 @@ private:
     bool act();
     bool begin_program();
     void end_program();
-    void leave_frame();
+    void finish_subprogram();
     bool path();
     std::optional<Corner> corner_after(bool& is_refused);
     bool assignment();
