@@ -287,6 +287,12 @@ TEST(Klartext, SignOfIpaAndDrMustBeEqual) {
     EXPECT_TRUE(run(klartext("L X+10 F100\nCC X+0 Y+0\nCP IPA+90 DR-")).says("direction-differs"));
 }
 
+TEST(Klartext, WholeTurnsFollowDr) {
+    const Made r = run(klartext("L X+10 Y+0 Z+0 F100\nCC X+0 Y+0\nCP IPA+360 Z-2 DR-"));
+    expect_end(r, 10, 0, -2);
+    EXPECT_EQ(std::get<Arc>(r.moves.back().what).turns, -1);
+}
+
 TEST(Klartext, CircleByRadius) {
     expect_same("L X+10 Y+0 F100\nCR X+0 Y+10 R+10 DR+\nCR X+10 Y+0 R-10 DR+\nCR X+20 Y+0 R5 DR-",
                 "G1 X10. Y0. F100\nG3 X0. Y10. R10.\nG3 X10. Y0. R-10.\nG2 X20. Y0. R5.");

@@ -340,6 +340,9 @@ const std::vector<Case>& cases() {
         {By::Klartext, kKlartext + "CC X+0 Y+0~CP IPA+9 DR-",
          "4:1: error: the sign of IPA and of DR differ; the block is left out "
          "[direction-differs]"},
+        {By::Klartext, kKlartext + "CC X+5 Y+0~CP IPA+360 DR-",
+         "4:1: warning: the sign of IPA and of DR differ; the tool turns in the direction of DR "
+         "[direction-differs]"},
         {By::Klartext, kKlartext + "C X+1 Y+1 DR+",
          "3:1: error: C needs a centre (CC) before it; the block is left out "
          "[arc-without-centre]"},

@@ -547,10 +547,14 @@ bool Control::arc(const Block& block, const Words& words_of_block) {
         double angle = start;
         if (words.pa && words.is_pa_incremental) {
             sweep = std::abs(*words.pa);
-            if (*words.pa != 0.0 && (*words.pa > 0.0) != (direction > 0))
-                return skip(Message::KlartextDirection);
+            if (*words.pa != 0.0 && (*words.pa > 0.0) != (direction > 0)) {
+                // The end of whole turns does not depend on the sign.
+                const bool is_whole = std::fmod(sweep, 360.0) == 0.0;
+                if (!is_whole) return skip(Message::KlartextDirection);
+                log_.add(Message::KlartextDirectionOfTurns, span);
+            }
             if (!(sweep <= 360.0 * kMaxArcTurns)) return fail(Message::ArcTurns, span);
-            angle = start + *words.pa;
+            angle = start + direction * sweep;
         } else if (words.pa) {
             sweep = 0.0;
             angle = *words.pa;

@@ -9,7 +9,7 @@
 #include "control/command.h"
 #include "control/machine.h"
 #include "klartext/block.h"
-#include "klartext/parameters.h"
+#include "klartext/q_parameters.h"
 #include "klartext/scanner.h"
 
 #include <array>

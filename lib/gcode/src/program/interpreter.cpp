@@ -4,7 +4,7 @@
 #include "ncsim/gcode/interpreter.h"
 
 #include "control/control_rules.h"
-#include "klartext/runner.h"
+#include "klartext/klartext_runner.h"
 #include "program/runner.h"
 #include "text/message.h"
 

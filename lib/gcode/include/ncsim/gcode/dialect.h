@@ -12,8 +12,8 @@
 
 namespace ncsim::gcode {
 
-/// A dialect: the rules by which a family of controls reads blocks. Heidenhain: Klartext, a language
-/// other than G-code.
+/// A dialect: the rules by which a family of controls reads blocks. Heidenhain: Klartext, a
+/// language other than G-code.
 enum class Dialect : std::uint8_t { Auto, Rs274, Fanuc, Haas, Grbl, Mach3, Heidenhain };
 
 /// Direction of the offset at the end of the first move with cutter compensation: square to the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Execution of blocks, labels and calls.
-#include "klartext/runner.h"
+#include "klartext/klartext_runner.h"
 
 #include "ncsim/trig/angles.h"
 

@@ -8,7 +8,7 @@
 
 #include "control/machine.h"
 #include "klartext/control.h"
-#include "klartext/parameters.h"
+#include "klartext/q_parameters.h"
 #include "klartext/reader.h"
 
 #include <cstddef>

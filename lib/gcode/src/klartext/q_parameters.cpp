@@ -2,7 +2,7 @@
 //
 // Values and formulas. Angles are in degrees.
 // Source: HEIDENHAIN TNC 640, User's Manual for Klartext Programming, "Programming Q parameters".
-#include "klartext/parameters.h"
+#include "klartext/q_parameters.h"
 
 #include "ncsim/trig/angles.h"
 
