@@ -3,7 +3,7 @@
 // The ncsim program: reads argv, runs a command and turns uncaught exceptions into exit codes.
 #include "ncsim/report/plain_text.h"
 
-#include "check/check.h"
+#include "check/check_command.h"
 #include "commands/diff.h"
 #include "commands/machine_command.h"
 #include "commands/measure_command.h"
@@ -28,13 +28,13 @@
 
 namespace {
 
-int run(const ncsim::app::EarlyExit& farewell) {
-    if (farewell.exit_code == ncsim::app::kClean) {
-        ncsim::app::put_text(farewell.text);
+int run(const ncsim::app::EarlyExit& early_exit) {
+    if (early_exit.exit_code == ncsim::app::kClean) {
+        ncsim::app::put_text(early_exit.text);
     } else {
-        ncsim::app::say(farewell.text);
+        ncsim::app::print_error(early_exit.text);
     }
-    return farewell.exit_code;
+    return early_exit.exit_code;
 }
 
 // Opens /dev/null for each standard stream that the caller has closed, so no opened file takes its
@@ -61,10 +61,11 @@ int main(int argc, char** argv) {
         std::fputs("ncsim: out of memory\n", stderr);
         return kEnvironment;
     } catch (const std::logic_error& e) {
-        say("ncsim: a bug of ours, please report it: " + ncsim::report::one_line(e.what()) + '\n');
-        return kBug;
+        print_error("ncsim: a bug of ours, please report it: " + ncsim::report::one_line(e.what()) +
+                    '\n');
+        return kInternalError;
     } catch (const std::exception& e) {
-        say("ncsim: " + ncsim::report::one_line(e.what()) + '\n');
+        print_error("ncsim: " + ncsim::report::one_line(e.what()) + '\n');
         return kEnvironment;
     }
 }

@@ -83,7 +83,7 @@ void serve(const std::string& tile) {
 }
 
 // Combines the tiles of all ranks, on rank 0. Receives each tile when needed and keeps none.
-int put_together(app::Options options, std::optional<report::TileFile> own, int ranks) {
+int combine_tiles(app::Options options, std::optional<report::TileFile> own, int ranks) {
     std::vector<report::TileFile> files;
     std::vector<std::string> names;
     bool is_cut = own.has_value();
@@ -102,7 +102,7 @@ int put_together(app::Options options, std::optional<report::TileFile> own, int 
     }
     // run() reports the faults of the program.
     if (!is_cut) return run(std::move(options));
-    const std::vector<std::size_t> order = report::in_order(files, names);
+    const std::vector<std::size_t> order = report::order_tiles(files, names);
     // MPI is initialised for one calling thread at a time.
     std::mutex asking;
     return app::run_of_tiles(std::move(options), files, order, [&](std::size_t number) {
@@ -137,27 +137,27 @@ int run(app::Options options, int rank, int ranks) {
     }
     if (!options.gltf.empty() && app::names_a_folder(options.gltf))
         options.mesh_folder = std::exchange(options.gltf, {});
-    const int code = put_together(std::move(options), std::move(tile), ranks);
+    const int code = combine_tiles(std::move(options), std::move(tile), ranks);
     for (int other = 1; other < ranks; ++other)
         ask(Request::Nothing, other);
     return code;
 }
 
 // Only rank 0 prints the text.
-int say_once(const app::EarlyExit& farewell, int rank) {
+int print_once(const app::EarlyExit& early_exit, int rank) {
     if (rank == 0) {
-        if (farewell.exit_code == app::kClean) {
-            app::put_text(farewell.text);
+        if (early_exit.exit_code == app::kClean) {
+            app::put_text(early_exit.text);
         } else {
-            app::say(farewell.text);
+            app::print_error(early_exit.text);
         }
     }
-    return farewell.exit_code;
+    return early_exit.exit_code;
 }
 
 // Aborts all ranks, because the remaining ranks would wait for this rank.
 [[noreturn]] void end_all(int rank, const std::string& why, int code) {
-    app::say(fmt::format("ncsim-mpi: rank {}: {}\n", rank, report::one_line(why)));
+    app::print_error(fmt::format("ncsim-mpi: rank {}: {}\n", rank, report::one_line(why)));
     MPI_Abort(MPI_COMM_WORLD, code);
     std::terminate();
 }
@@ -177,15 +177,17 @@ int main(int argc, char** argv) {
         if (auto* options = std::get_if<app::Options>(&command)) {
             if (threads < MPI_THREAD_SERIALIZED) options->threads = 1;
             code = run(std::move(*options), rank, ranks);
-        } else if (const auto* farewell = std::get_if<app::EarlyExit>(&command)) {
-            code = say_once(*farewell, rank);
+        } else if (const auto* early_exit = std::get_if<app::EarlyExit>(&command)) {
+            code = print_once(*early_exit, rank);
         } else {
-            code = say_once({app::kEnvironment, "ncsim-mpi: there is only ncsim-mpi run\n"}, rank);
+            code =
+                print_once({app::kEnvironment, "ncsim-mpi: there is only ncsim-mpi run\n"}, rank);
         }
     } catch (const std::bad_alloc&) {
         end_all(rank, "out of memory", app::kEnvironment);
     } catch (const std::logic_error& e) {
-        end_all(rank, std::string("a bug of ours, please report it: ") + e.what(), app::kBug);
+        end_all(rank, std::string("a bug of ours, please report it: ") + e.what(),
+                app::kInternalError);
     } catch (const std::exception& e) {
         end_all(rank, e.what(), app::kEnvironment);
     }

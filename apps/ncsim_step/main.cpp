@@ -72,7 +72,7 @@ struct Surface {
     std::vector<std::string> names;                       // of faces
 };
 
-std::string on_a_line(const char* text) {
+std::string to_one_line(const char* text) {
     std::string line = text;
     for (char& c : line) {
         if (static_cast<unsigned char>(c) < ' ') c = ' ';
@@ -81,7 +81,7 @@ std::string on_a_line(const char* text) {
 }
 
 // Classes of numbers of the same corner (union-find).
-class Same {
+class CornerClasses {
 public:
     std::uint32_t add() {
         first_.push_back(static_cast<std::uint32_t>(first_.size()));
@@ -199,7 +199,7 @@ private:
             entity = transfer->EntityFromShapeResult(face.Located(TopLoc_Location()), 1);
         const auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity);
         if (item.IsNull() || item->Name().IsNull()) return {};
-        return on_a_line(item->Name()->ToCString());
+        return to_one_line(item->Name()->ToCString());
     }
 
     const STEPControl_Reader& reader_;
@@ -209,7 +209,7 @@ private:
     std::map<Standard_Integer, std::uint32_t> vertices_;
     std::vector<std::array<double, 3>> points_;
     std::vector<std::array<std::uint32_t, 4>> raw_;
-    Same same_;
+    CornerClasses same_;
 };
 
 // Returns the solids of `shape`, including closed shells without a solid.
@@ -274,7 +274,7 @@ Surface read(std::istream& in, double deflection) {
     reader.FileUnits(lengths, angles, solid_angles);
     if (lengths.IsEmpty() || !has_lengths(reader.WS()->Model()))
         throw Refused{"it does not say in which unit its lengths are"};
-    surface.unit = on_a_line(lengths.First().ToCString());
+    surface.unit = to_one_line(lengths.First().ToCString());
     if (reader.NbRootsForTransfer() == 0) throw Refused{"there is no shape in it"};
     reader.TransferRoots();
     const TopoDS_Shape shape = reader.OneShape();
@@ -335,9 +335,9 @@ int main(int argc, char** argv) {
     } catch (const Refused& refused) {
         what = refused.reason;
     } catch (const Standard_Failure& failure) {
-        what = std::string("OpenCASCADE gave up: ") + on_a_line(failure.GetMessageString());
+        what = std::string("OpenCASCADE gave up: ") + to_one_line(failure.GetMessageString());
     } catch (const std::exception& e) {
-        what = std::string("OpenCASCADE gave up: ") + on_a_line(e.what());
+        what = std::string("OpenCASCADE gave up: ") + to_one_line(e.what());
     }
     std::fprintf(out, "error %s\n", what.c_str());
     std::fclose(out);

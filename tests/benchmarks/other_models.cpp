@@ -8,10 +8,10 @@
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/dexel/dexel.h"
+#include "ncsim/export/contact_sheet.h"
 #include "ncsim/export/image.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
-#include "ncsim/export/sheet.h"
 
 #include "hulls.h"
 #include "measure.h"

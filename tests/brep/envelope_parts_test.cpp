@@ -4,7 +4,7 @@
 // squares.
 #include "ncsim/brep/curve.h"
 #include "ncsim/brep/measure.h"
-#include "ncsim/brep/swept.h"
+#include "ncsim/brep/swept_surfaces.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
@@ -87,13 +87,13 @@ TEST(Recognise, KnowsWhereBullNosesStopOnSlopes) {
     constexpr double kStep = 0.1;
     for (double x = 0.5 * kStep; x < 80.0; x += kStep) {
         for (double y = 0.5 * kStep; y < 30.0; y += kStep) {
-            const double beside = y - 30.0;
-            if (beside <= -6.0) continue;
-            const double half = std::sqrt(36.0 - beside * beside);
+            const double lateral = y - 30.0;
+            if (lateral <= -6.0) continue;
+            const double half = std::sqrt(36.0 - lateral * lateral);
             const double from = std::max(20.0, x - half), to = std::min(40.0, x + half);
             if (from >= to) continue;
             const auto floor = [&](double at) {
-                return bull_height(x - at, beside) - 0.6 * (at - 20.0);
+                return bull_height(x - at, lateral) - 0.6 * (at - 20.0);
             };
             cut += 2.0 * kStep * kStep * std::max(0.0, -least_of(floor, from, to));
         }
@@ -119,8 +119,8 @@ double removed_on_helix(double down, double turns) {
     for (double x = 20.0 + 0.5 * kStep; x < 60.0; x += kStep) {
         for (double y = 10.0 + 0.5 * kStep; y < 50.0; y += kStep) {
             double depth = 0.0;
-            const double u = x - 40.0, v = y - 30.0, away = std::hypot(u, v);
-            if (std::abs(away - 15.0) >= 4.0) continue;
+            const double u = x - 40.0, v = y - 30.0, radius = std::hypot(u, v);
+            if (std::abs(radius - 15.0) >= 4.0) continue;
             const double at = std::atan2(v, u) / (2.0 * kPi);
             for (double middle = at - 1.0; middle < turns + 1.0; middle += 1.0) {
                 for (double t = std::max(0.0, middle - 0.05); t < std::min(turns, middle + 0.05);
@@ -322,10 +322,12 @@ TEST(Envelope, ManyTurnsAreFewSurfaces) {
     gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
         if (!std::holds_alternative<gcode::Arc>(motion.what)) return;
         ++arcs;
-        const Source source = surfaces_of(motion, survey.tools.at(motion.tool).tool, nullptr);
-        const auto envelopes = std::ranges::count_if(source.candidates, [](const Candidate& c) {
-            return std::holds_alternative<brep::Envelope>(c.surface.form);
-        });
+        const SweptSurfaces source =
+            surfaces_of(motion, survey.tools.at(motion.tool).tool, nullptr);
+        const auto envelopes =
+            std::ranges::count_if(source.candidates, [](const CandidateSurface& c) {
+                return std::holds_alternative<brep::Envelope>(c.surface.form);
+            });
         EXPECT_GT(envelopes, 0);
         EXPECT_LE(envelopes, 8);
         EXPECT_TRUE(source.may_leave_other_surfaces);

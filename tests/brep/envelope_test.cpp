@@ -4,7 +4,7 @@
 // points.
 #include "ncsim/brep/envelope.h"
 
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 
 #include "brep/draw.h"
 
@@ -28,13 +28,13 @@ using cda::normalized;
 using test::Draw;
 
 // Returns a motion of the tip along a bent line while the axis rotates about a fixed direction;
-// empty if `turning_way` cannot represent the motion.
+// empty if `fit_rotary_path` cannot represent the motion.
 std::optional<RotaryPath> random_turn(Draw& draw, Vec3 axis) {
     const Vec3 from = draw.point(), along = draw.from(8.0, 30.0) * draw.direction();
     const Vec3 bow = draw.from(0.0, 3.0) * draw.direction();
     const Vec3 about = draw.direction(), side = cross(about, axis);
     const double most = draw.from(0.02, 0.5), level = dot(axis, about);
-    return turning_way([=](double t) {
+    return fit_rotary_path([=](double t) {
         const double angle = most * t;
         return TipAndAxis{
             from + t * along + (t * t) * bow,
@@ -43,11 +43,11 @@ std::optional<RotaryPath> random_turn(Draw& draw, Vec3 axis) {
 }
 
 // Returns a helix or a spiral about the tool axis or about a random direction.
-RoundWay random_round_way(Draw& draw, Vec3 axis, double tool) {
-    RoundWay round;
+HelixPath random_helix_path(Draw& draw, Vec3 axis, double tool) {
+    HelixPath round;
     round.centre = draw.point();
     round.about = draw.from(0, 1) < 0.5 ? axis : draw.direction();
-    round.ahead = across(round.about);
+    round.ahead = any_perpendicular(round.about);
     round.reach = 1.5 * tool + draw.from(0.0, 10.0);
     round.growth = draw.from(0, 1) < 0.5 ? 0.0 : draw.from(-0.3, 0.3);
     round.lead = draw.from(0.1, 1.0);
@@ -66,7 +66,7 @@ Envelope random_flank(Draw& draw) {
             flank.cosine = std::sqrt(1.0 - flank.sine * flank.sine);
         }
         const Vec3 axis = draw.direction();
-        ToolWay way = random_round_way(draw, axis, flank.radius + flank.length);
+        ToolPath way = random_helix_path(draw, axis, flank.radius + flank.length);
         if (draw.from(0, 1) < 0.7) {
             const auto turn = random_turn(draw, axis);
             if (!turn) continue;
@@ -77,9 +77,9 @@ Envelope random_flank(Draw& draw) {
         const auto is_usual = [&](const ToolFrame& at) {
             return std::ranges::all_of(std::array{0.5, 1.0, 1.5, 2.0, 2.5}, [&](double place) {
                 const Vec3 p = point_across(sweep, at, place * flank.length);
-                const ClosestPoint aspect = aspect_at(sweep, at, p);
-                return std::abs(aspect.rate) < 1e-6 && aspect.bend > 0.0 &&
-                       !is_at_pivot(sweep, aspect);
+                const ClosestPoint closest = closest_point_at(sweep, at, p);
+                return std::abs(closest.rate) < 1e-6 && closest.bend > 0.0 &&
+                       !is_at_pivot(sweep, closest);
             });
         };
         if (std::ranges::all_of(sweep.samples(), is_usual)) return envelope;
@@ -104,20 +104,20 @@ Envelope random_envelope(Draw& draw) {
         const Fillet fillet{is_ball ? 0.0 : draw.from(0.5, 4.0), draw.from(0.0, 3.0),
                             draw.from(0.5, 3.0)};
         const Vec3 axis = draw.direction();
-        ToolWay way;
+        ToolPath way;
         if (draw.from(0, 1) < 0.4) {
             const auto turn = random_turn(draw, axis);
             if (!turn) continue;
             way = *turn;
         } else if (!is_ball && draw.from(0, 1) < 0.5) {
-            way = StraightWay{draw.point(), draw.from(2.0, 30.0) * draw.direction(), axis};
+            way = StraightPath{draw.point(), draw.from(2.0, 30.0) * draw.direction(), axis};
         } else {
-            way = random_round_way(draw, axis, fillet.ring + fillet.radius);
+            way = random_helix_path(draw, axis, fillet.centre_radius + fillet.radius);
         }
         Envelope envelope{std::make_shared<Sweep>(fillet, way)};
         const auto is_usual = [&](const ToolFrame& at) {
             const double lean = std::abs(dot(normalized(at.speed), at.axis));
-            return lean < 0.95 && (fillet.ring == 0.0 || lean > 0.05);
+            return lean < 0.95 && (fillet.centre_radius == 0.0 || lean > 0.05);
         };
         if (has_across(*envelope.sweep) && std::ranges::all_of(envelope.sweep->samples(), is_usual))
             return envelope;
@@ -129,7 +129,7 @@ double least_off(const Sweep& sweep, Vec3 p) {
     double least = std::numeric_limits<double>::infinity();
     constexpr int kTimes = 2000;
     for (int k = 0; k <= kTimes; ++k)
-        least = std::min(least, aspect_at(sweep, double(k) / kTimes, p).off);
+        least = std::min(least, closest_point_at(sweep, double(k) / kTimes, p).deviation);
     return least;
 }
 
@@ -152,17 +152,17 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
         const Vec3 u = point(t, across_way + kAcross) - point(t, across_way - kAcross);
         const Vec3 v = point(t + kTime, across_way) - point(t - kTime, across_way);
         const Vec3 n = normalized(cross(u, v));
-        const ClosestPoint place = place_on(envelope, p);
-        EXPECT_NEAR(place.off, 0.0, 1e-11);
+        const ClosestPoint place = project_onto(envelope, p);
+        EXPECT_NEAR(place.deviation, 0.0, 1e-11);
         EXPECT_NEAR(norm(place.normal - n), 0.0, 1e-5);
         EXPECT_NEAR(place.t, t, 1e-9);
         EXPECT_NEAR(place.rate, 0.0, 1e-9 * sweep.length_mm());
-        EXPECT_NEAR(place_across(sweep, place.passage, p), across_way, 1e-8);
-        const double off = draw.from(-0.05, 0.05);
-        EXPECT_NEAR(distance(envelope, p + off * n), off, 1e-6);
+        EXPECT_NEAR(place_across(sweep, place.tool, p), across_way, 1e-8);
+        const double deviation = draw.from(-0.05, 0.05);
+        EXPECT_NEAR(distance(envelope, p + deviation * n), deviation, 1e-6);
         // Surfaces that cross the envelope at `p`.
         EXPECT_NEAR(distance(Characteristic{envelope, t}, p), 0.0, 1e-10);
-        EXPECT_NEAR(distance(Trail{envelope, dot(n, place.passage.axis)}, p), 0.0, 1e-3);
+        EXPECT_NEAR(distance(Trail{envelope, dot(n, place.tool.axis)}, p), 0.0, 1e-3);
         EXPECT_LT(std::abs(dot(gradient(Characteristic{envelope, t}, p), place.normal)), 1e-6);
     }
     EXPECT_GT(seen, 1000);
@@ -178,10 +178,10 @@ TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
                        0.3 * draw.direction();
         const double least = least_off(sweep, p);
         if (least < -0.05) continue;
-        const ClosestPoint place = place_on(envelope, p);
+        const ClosestPoint place = project_onto(envelope, p);
         if (place.t < 0.0 || place.t > 1.0) continue;
-        EXPECT_NEAR(place.off, least, 1e-3);
-        EXPECT_LE(place.off, least + 1e-9);
+        EXPECT_NEAR(place.deviation, least, 1e-3);
+        EXPECT_LE(place.deviation, least + 1e-9);
     }
 }
 
@@ -196,16 +196,16 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
                                     random_place(draw, sweep, 120.0, 240.0)) +
                        0.01 * draw.direction();
         const auto value = [&](Vec3 at) {
-            const ClosestPoint aspect = place_on(envelope, at);
-            return Vec3{aspect.off, aspect.t, dot(aspect.normal, aspect.passage.axis)};
+            const ClosestPoint closest = project_onto(envelope, at);
+            return Vec3{closest.deviation, closest.t, dot(closest.normal, closest.tool.axis)};
         };
-        const ClosestPoint aspect = place_on(envelope, p);
-        const Vec3 time = gradient_of_time(aspect), rise = gradient_of_rise(sweep, aspect);
+        const ClosestPoint closest = project_onto(envelope, p);
+        const Vec3 time = gradient_of_time(closest), rise = gradient_of_rise(sweep, closest);
         for (int k = 0; k < 3; ++k) {
             Vec3 step;
             step[k] = kStep;
             const Vec3 slope = (0.5 / kStep) * (value(p + step) - value(p - step));
-            EXPECT_NEAR(slope.x, aspect.normal[k], 1e-5);
+            EXPECT_NEAR(slope.x, closest.normal[k], 1e-5);
             EXPECT_NEAR(slope.y, time[k], 1e-4 * (1.0 + norm(time)));
             EXPECT_NEAR(slope.z, rise[k], 1e-4 * (1.0 + norm(rise)));
         }
@@ -224,17 +224,18 @@ TEST(Envelope, PointsInARowHaveTheirTimesForetold) {
         const Vec3 p = point_across(sweep, sweep.at(t), place);
         if (least_off(sweep, p) < -1e-6) continue;
         ++seen;
-        ProjectionSeed beside;
-        EXPECT_EQ(place_on(envelope, p, beside).t, place_on(envelope, p).t);
+        ProjectionSeed seed;
+        EXPECT_EQ(project_onto(envelope, p, seed).t, project_onto(envelope, p).t);
         const Vec3 q = p + kStep * draw.direction();
-        const double foretold = *beside.time + dot(beside.slope, q - beside.at);
-        const ClosestPoint next = place_on(envelope, q, beside), alone = place_on(envelope, q);
+        const double expected = *seed.time + dot(seed.slope, q - seed.at);
+        const ClosestPoint next = project_onto(envelope, q, seed),
+                           alone = project_onto(envelope, q);
         EXPECT_NEAR(next.t, alone.t, 1e-10);
-        EXPECT_NEAR(next.off, alone.off, 1e-10);
+        EXPECT_NEAR(next.deviation, alone.deviation, 1e-10);
         const double gone = std::abs(next.t - t);
-        EXPECT_LE(std::abs(foretold - next.t), 1e-8 + 0.2 * gone);
-        EXPECT_EQ(*beside.time, next.t);
-        EXPECT_EQ(norm(beside.at - q), 0.0);
+        EXPECT_LE(std::abs(expected - next.t), 1e-8 + 0.2 * gone);
+        EXPECT_EQ(*seed.time, next.t);
+        EXPECT_EQ(norm(seed.at - q), 0.0);
     }
     EXPECT_GT(seen, 200);
 }
@@ -249,7 +250,7 @@ TEST(Envelope, SidesTouchTheirCornerRadii) {
         // A ball about the axis point in which the normal of the flank ends.
         const double radius = flank.radius / flank.cosine;
         const Envelope ball{std::make_shared<Sweep>(
-            Fillet{0.0, flank.height - radius * flank.sine, radius}, side.sweep->way())};
+            Fillet{0.0, flank.height - radius * flank.sine, radius}, side.sweep->path())};
         for (const double sign : {-1.0, 1.0}) {
             const Vec3 p =
                 point_across(*side.sweep, side.sweep->at(draw.from(0.1, 0.9)), sign * flank.length);
@@ -286,30 +287,30 @@ TEST(Envelope, OfARimIsWhereItsCirclePasses) {
         constexpr double kTime = 1e-5, kAcross = 1e-3;
         const Vec3 n = normalized(cross(point(t, place + kAcross) - point(t, place - kAcross),
                                         point(t + kTime, place) - point(t - kTime, place)));
-        const ClosestPoint on = place_on(rim, p);
-        EXPECT_NEAR(on.off, 0.0, 1e-10);
+        const ClosestPoint on = project_onto(rim, p);
+        EXPECT_NEAR(on.deviation, 0.0, 1e-10);
         EXPECT_NEAR(on.t, t, 1e-9);
         EXPECT_NEAR(std::abs(dot(on.normal, n)), 1.0, 1e-8);
         // The normal points down along the tool axis.
-        EXPECT_LT(dot(on.normal, on.passage.axis), 0.0);
-        EXPECT_NEAR(place_across(sweep, on.passage, p), place, 1e-8);
-        const double off = draw.from(-0.05, 0.05);
-        const Vec3 beside = p + off * on.normal;
-        EXPECT_NEAR(distance(rim, beside), off, 1e-6);
-        EXPECT_NEAR(distance(Trail{rim, dot(on.normal, on.passage.axis)}, p), 0.0, 1e-8);
+        EXPECT_LT(dot(on.normal, on.tool.axis), 0.0);
+        EXPECT_NEAR(place_across(sweep, on.tool, p), place, 1e-8);
+        const double deviation = draw.from(-0.05, 0.05);
+        const Vec3 q = p + deviation * on.normal;
+        EXPECT_NEAR(distance(rim, q), deviation, 1e-6);
+        EXPECT_NEAR(distance(Trail{rim, dot(on.normal, on.tool.axis)}, p), 0.0, 1e-8);
         EXPECT_NEAR(distance(Characteristic{rim, t}, p), 0.0, 1e-10);
         constexpr double kStep = 1e-6;
         const auto value = [&](Vec3 at) {
-            const ClosestPoint aspect = place_on(rim, at);
-            return Vec3{aspect.off, aspect.t, dot(aspect.normal, aspect.passage.axis)};
+            const ClosestPoint closest = project_onto(rim, at);
+            return Vec3{closest.deviation, closest.t, dot(closest.normal, closest.tool.axis)};
         };
-        const ClosestPoint aspect = place_on(rim, beside);
-        const Vec3 time = gradient_of_time(aspect), rise = gradient_of_rise(sweep, aspect);
+        const ClosestPoint closest = project_onto(rim, q);
+        const Vec3 time = gradient_of_time(closest), rise = gradient_of_rise(sweep, closest);
         for (int k = 0; k < 3; ++k) {
             Vec3 step;
             step[k] = kStep;
-            const Vec3 slope = (0.5 / kStep) * (value(beside + step) - value(beside - step));
-            EXPECT_NEAR(slope.x, aspect.normal[k], 1e-5);
+            const Vec3 slope = (0.5 / kStep) * (value(q + step) - value(q - step));
+            EXPECT_NEAR(slope.x, closest.normal[k], 1e-5);
             EXPECT_NEAR(slope.y, time[k], 1e-4 * (1.0 + norm(time)));
             EXPECT_NEAR(slope.z, rise[k], 1e-4 * (1.0 + norm(rise)));
         }
@@ -318,7 +319,7 @@ TEST(Envelope, OfARimIsWhereItsCirclePasses) {
 
 // The tool pivots about a fixed point of its axis.
 TEST(Envelope, HasNoSideWhereTheToolPivots) {
-    const auto way = turning_way([](double t) {
+    const auto way = fit_rotary_path([](double t) {
         const double angle = 0.3 * t;
         const Vec3 axis{std::sin(angle), 0.0, std::cos(angle)};
         return TipAndAxis{Vec3{0, 0, 20} - 20.0 * axis, axis};
@@ -328,7 +329,7 @@ TEST(Envelope, HasNoSideWhereTheToolPivots) {
     const auto pivots = [&](double height) {
         const ToolFrame at = side.sweep->at(0.5);
         const Vec3 p = point_across(*side.sweep, at, 40.0 + height);
-        return is_at_pivot(*side.sweep, aspect_at(*side.sweep, at, p));
+        return is_at_pivot(*side.sweep, closest_point_at(*side.sweep, at, p));
     };
     EXPECT_TRUE(pivots(19.0));
     EXPECT_TRUE(pivots(22.0));
@@ -349,11 +350,11 @@ TEST(RotaryPath, GoesThroughWhatItIsMadeOf) {
         };
         return TipAndAxis{turned(tip), turned({0, 0, 1})};
     };
-    const auto way = turning_way(pose);
+    const auto way = fit_rotary_path(pose);
     ASSERT_TRUE(way.has_value());
     constexpr double kStep = 1e-4;
     for (const double t : {-0.2, 0.0, 0.1, 0.37, 0.5, 0.93, 1.0, 1.2}) {
-        const ToolFrame at = passage(*way, t);
+        const ToolFrame at = tool_frame(*way, t);
         const TipAndAxis here = pose(t), before = pose(t - kStep), after = pose(t + kStep);
         EXPECT_NEAR(norm(at.tip - here.tip), 0.0, 1e-10);
         EXPECT_NEAR(norm(at.axis - here.axis), 0.0, 1e-12);
@@ -370,14 +371,15 @@ TEST(RotaryPath, DoesNotGoThroughMoreThanItCan) {
     const auto spin = [](double t) {
         return TipAndAxis{{}, {std::cos(40.0 * t), std::sin(40.0 * t), 0.0}};
     };
-    EXPECT_FALSE(turning_way(spin).has_value());
+    EXPECT_FALSE(fit_rotary_path(spin).has_value());
 }
 
 TEST(Envelope, OfLinesIsTheSameWhateverPieceItIs) {
     const Fillet bull{4.0, 2.0, 2.0};
     const Vec3 up{0, 0, 1};
     const auto of = [&](Vec3 from, Vec3 along) {
-        return Surface{Envelope{std::make_shared<Sweep>(bull, StraightWay{from, along, up})}, true};
+        return Surface{Envelope{std::make_shared<Sweep>(bull, StraightPath{from, along, up})},
+                       true};
     };
     const Surface first = of({1, 2, 3}, {10, 0, -2});
     EXPECT_TRUE(is_same(first, of({21, 2, -1}, {5, 0, -1}), 1e-9));
@@ -387,13 +389,13 @@ TEST(Envelope, OfLinesIsTheSameWhateverPieceItIs) {
 }
 
 TEST(Envelope, OfArcsIsTheSameThereAndBack) {
-    RoundWay way{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 10.0, 0.0, -0.5, std::numbers::pi, {0, 0, 1}};
+    HelixPath way{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 10.0, 0.0, -0.5, std::numbers::pi, {0, 0, 1}};
     const Fillet ball{0.0, 3.0, 3.0};
-    const auto of = [&](const RoundWay& round) {
+    const auto of = [&](const HelixPath& round) {
         return Surface{Envelope{std::make_shared<Sweep>(ball, round)}, true};
     };
     const Surface first = of(way);
-    RoundWay back = way;
+    HelixPath back = way;
     back.centre.z += way.lead * way.swept;
     back.ahead = -way.ahead;
     back.swept = -way.swept;

@@ -48,7 +48,7 @@ constexpr double kInside = 1.0, kAcrossTheEdge = 4.0;
 TEST(FlatPart, WhatIsSoundIsLeftAsItIs) {
     const FlatPart flat = flat_part([](double) { return pitted_block(kInside); });
     EXPECT_TRUE(flat.is_sound);
-    EXPECT_EQ(flat.coarser, 1.0);
+    EXPECT_EQ(flat.tolerance_factor, 1.0);
     EXPECT_EQ(flat.part.faces.size(), 10U);
 }
 
@@ -56,13 +56,13 @@ TEST(FlatPart, WhereLoopsCrossCoarserFacetsAreTaken) {
     const FlatPart flat = flat_part(
         [](double times) { return pitted_block(times < 16.0 ? kAcrossTheEdge : kInside); });
     EXPECT_TRUE(flat.is_sound);
-    EXPECT_EQ(flat.coarser, 16.0);
+    EXPECT_EQ(flat.tolerance_factor, 16.0);
 }
 
 TEST(FlatPart, WhatStaysCrossedIsNotSound) {
     const FlatPart flat = flat_part([](double) { return pitted_block(kAcrossTheEdge); });
     EXPECT_FALSE(flat.is_sound);
-    EXPECT_EQ(flat.coarser, 1.0);
+    EXPECT_EQ(flat.tolerance_factor, 1.0);
 }
 
 TEST(FlatPart, OpenOnesAndThoseOfAnotherVolumeAreNotSound) {

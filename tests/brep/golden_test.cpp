@@ -10,7 +10,7 @@
 #include "brep/cam_parts.h"
 #include "brep/made_part.h"
 #include "brep/random_parts.h"
-#include "query/check.h"
+#include "query/part_check.h"
 
 #include <gtest/gtest.h>
 
@@ -464,21 +464,21 @@ TEST(Recognise, SlitsMayBeLongerOnOneSide) {
         EXPECT_EQ(made.solid.facets_kept, 0U);
         EXPECT_NEAR(volume(made.solid.part), left, 1e-3);
         Part checked = made.solid.part;
-        EXPECT_TRUE(check(checked, 1e-6).empty());
+        EXPECT_TRUE(check_part(checked, 1e-6).empty());
     }
 }
 
 // True if a facet is adjacent to a face of type `Form`.
 template <typename Form>
 bool has_facet_beside(const Part& part) {
-    std::vector<std::vector<std::uint32_t>> beside(part.edges.size());
+    std::vector<std::vector<std::uint32_t>> adjacent_faces(part.edges.size());
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         for (const Loop& loop : part.faces[f].loops) {
             for (const EdgeUse& use : loop)
-                beside[use.edge].push_back(f);
+                adjacent_faces[use.edge].push_back(f);
         }
     }
-    return std::ranges::any_of(beside, [&](const auto& faces) {
+    return std::ranges::any_of(adjacent_faces, [&](const auto& faces) {
         bool has_facet = false, has_form = false;
         for (const std::uint32_t f : faces) {
             has_facet = has_facet || part.faces[f].is_facet;
@@ -526,7 +526,7 @@ TEST(Recognise, CornersThatAreApartByRoundingAreOne) {
         0.05, 0, true);
     EXPECT_EQ(made.solid.facets_kept, 0U);
     Part checked = made.solid.part;
-    EXPECT_TRUE(check(checked, 1e-3).empty());
+    EXPECT_TRUE(check_part(checked, 1e-3).empty());
 }
 
 // A failure must not spread. If thin faces demote their neighbours, and a plane that touches itself
@@ -591,7 +591,7 @@ TEST(Recognise, PlanesArePartedWhereAHoleTouchesTheirOutline) {
     Part part = made.solid.part;
     EXPECT_EQ(made.solid.facets_kept, 0U);
     EXPECT_EQ(part.faces.size(), 35U);
-    EXPECT_TRUE(check(part, 1e-3).empty());
+    EXPECT_TRUE(check_part(part, 1e-3).empty());
     for (const Face& face : part.faces) {
         for (std::size_t hole = 1; hole < face.loops.size(); ++hole) {
             std::vector<std::uint32_t> common;
@@ -609,7 +609,7 @@ TEST(Recognise, PlanesArePartedWhereRoundEdgesTouch) {
     Made made = test::make_part(
         "ring", "T1 M6\nG0 X30 Y30 Z5\nG1 Z-4\nG3 X30 Y30 I10 J0\nG1 Z-8\nG1 X38\nG0 Z5\n");
     EXPECT_EQ(made.solid.facets_kept, 0U);
-    EXPECT_TRUE(check(made.solid.part, 1e-6).empty());
+    EXPECT_TRUE(check_part(made.solid.part, 1e-6).empty());
     const auto is_floor = [](const Face& face) {
         const auto* plane = std::get_if<Plane>(&face.surface.form);
         return plane && plane->normal.z > 0.5 && std::abs(plane->origin.z + 4.0) < 1e-6;
@@ -630,7 +630,7 @@ TEST(Recognise, FacetsBesideThoseOfATurningToolAreNotGivenUp) {
     const test::Made turning = test::make_part(
         "turning", "T1 M6\nG0 X-10 Y30 Z20\nG1 Z-4\nG1 X20\nG1 X60.48 Y33 Z4.54 B10\nG0 Z60\n");
     EXPECT_GT(turning.solid.facets_kept, 20U);
-    EXPECT_EQ(turning.solid.facets_given_up, 0U);
+    EXPECT_EQ(turning.solid.facets_demoted, 0U);
 }
 
 // A slot along a cubic spline has walls of cylinders because arcs replace the spline within 2 µm.

@@ -6,7 +6,7 @@
 
 #include "brep/golden.h"
 #include "brep/made_part.h"
-#include "query/check.h"
+#include "query/part_check.h"
 
 #include <gtest/gtest.h>
 
@@ -143,7 +143,7 @@ TEST(Recognise, RampsHaveNoEdgesHalfAround) {
     }
     EXPECT_EQ(ellipses, 2);
     Part checked = part;
-    EXPECT_TRUE(check(checked, 1e-9).empty());
+    EXPECT_TRUE(check_part(checked, 1e-9).empty());
     const double left = kBlock - (1250.0 / 3.0 + 50.0 * kPi);
     EXPECT_NEAR(volume(part), left, 1e-9 * left);
 }
@@ -178,7 +178,7 @@ TEST(Recognise, ShallowRampsHaveShortSplines) {
     }
     EXPECT_GT(splines, 1);
     Part checked = part;
-    EXPECT_TRUE(check(checked, 1e-4).empty());
+    EXPECT_TRUE(check_part(checked, 1e-4).empty());
 }
 
 struct RationalCubic {

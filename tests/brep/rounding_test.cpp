@@ -139,9 +139,10 @@ TEST(Recognise, HasCornersInTipsNotBesideThem) {
         if (!cone) continue;
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
-                const double off = cda::norm(part.vertices[part.edges[use.edge].from] - cone->apex);
-                if (off == 0.0) ++in_tips;
-                EXPECT_TRUE(off == 0.0 || off > 3e-3) << off;
+                const double deviation =
+                    cda::norm(part.vertices[part.edges[use.edge].from] - cone->apex);
+                if (deviation == 0.0) ++in_tips;
+                EXPECT_TRUE(deviation == 0.0 || deviation > 3e-3) << deviation;
             }
         }
     }

@@ -2,9 +2,7 @@ find_package(fmt CONFIG REQUIRED)
 ncsim_add_test(brep
   LIBRARIES ncsim::simulation ncsim::trig fmt::fmt-header-only
   SOURCES
-    apart_test.cpp
     cam_parts.cpp
-    check_test.cpp
     envelope_parts_test.cpp
     envelope_test.cpp
     features_test.cpp
@@ -13,13 +11,15 @@ ncsim_add_test(brep
     made_part.cpp
     mass_test.cpp
     order_test.cpp
+    part_check_test.cpp
     ramps_test.cpp
     random_parts.cpp
     rounding_test.cpp
     section_test.cpp
     solids.cpp
-    surface_test.cpp
-    tilted_parts.cpp)
+    surface_forms_test.cpp
+    tilted_parts.cpp
+    vertex_distance_test.cpp)
 
 target_include_directories(ncsim_brep_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/brep/src)
 

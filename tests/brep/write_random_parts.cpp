@@ -56,7 +56,7 @@ simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) 
 Recognised facets_of(const simulation::Simulation& milled) {
     FlatPart flat = exporter::flat_solid(*milled.boundary, exporter::kStepTolerance);
     Recognised solid{std::move(flat.part)};
-    solid.coarser = flat.coarser;
+    solid.tolerance_factor = flat.tolerance_factor;
     solid.is_sound = flat.is_sound;
     return solid;
 }
@@ -65,14 +65,15 @@ Recognised facets_of(const simulation::Simulation& milled) {
 std::size_t write(const std::filesystem::path& stem, std::uint64_t seed, bool is_faceted) {
     simulation::Plan plan = plan_of(stem, seed);
     const simulation::Survey survey = simulation::survey(plan);
-    if (!survey.is_ready()) throw std::runtime_error(simulation::reason_against(survey));
+    if (!survey.is_ready()) throw std::runtime_error(simulation::reason_not_simulated(survey));
     simulation::Verification nothing;
     nothing.keep_cuts = true;
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
     const Recognised solid =
         is_faceted ? facets_of(milled)
                    : simulation::solid_of(plan, survey, milled, exporter::kStepTolerance);
-    if (solid.coarser > 1.0) std::cout << seed << ": coarser " << solid.coarser << " times\n";
+    if (solid.tolerance_factor > 1.0)
+        std::cout << seed << ": coarser " << solid.tolerance_factor << " times\n";
     if (!solid.is_sound) std::cout << seed << ": not sound\n";
     std::ofstream out(stem.string() + ".step", std::ios::binary);
     exporter::write_step_solid(out, solid.part, milled.provenance);

@@ -205,7 +205,7 @@ TEST(Holders, OfAFileAreVerified) {
 
 // --- Doubts from accuracy -----------------------------------------------------------------------
 
-TEST(SecondLook, DecidesWhatTheToolsLeaveOpen) {
+TEST(ContactRefiner, DecidesWhatTheToolsLeaveOpen) {
     // A rapid move downwards next to the corner of the block at 20, 15: on the diagonal, where the
     // polygon of the cutter extends beyond the circle.
     const auto program = [](double distance) {

@@ -67,11 +67,11 @@ TEST(ProgramFolder, NamesWhatItLeavesOut) {
     EXPECT_TRUE(contains(ran.err, "9 left out")) << ran.err;
     EXPECT_TRUE(contains(ran.err, "  binary file: 1: all/picture")) << ran.err;
     EXPECT_TRUE(contains(ran.err, "  text without G-code: 1: all/notes.txt")) << ran.err;
-    const Words left_out{"all/.git",     "all/README.md", "all/empty",
+    const Words excluded{"all/.git",     "all/README.md", "all/empty",
                          "all/list.csv", "all/notes.txt", "all/picture",
                          "all/pins.h",   "all/run.sh",    "all/tools.tbl"};
     const Json report = Json::parse(folder.read("all/report.json"));
-    EXPECT_EQ(values_of(report["left_out"], "file"), left_out);
+    EXPECT_EQ(values_of(report["left_out"], "file"), excluded);
     // The report of an earlier run is not an entry of the folder.
     ASSERT_EQ(folder.run({"check", "all", "--json", "all/report.json"}).exit_code, 0);
     EXPECT_EQ(Json::parse(folder.read("all/report.json")), report);

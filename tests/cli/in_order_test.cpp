@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parallel work with results in order.
-#include "system/in_order.h"
-
 #include "cli/run_program.h"
+#include "system/ordered_work.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +18,7 @@ TEST(InOrder, ResultsArriveInTheOrderOfTheWork) {
     for (const unsigned jobs : {1U, 3U, 200U}) {
         std::vector<int> made(100);
         std::vector<std::size_t> seen;
-        app::in_order(
+        app::run_in_order(
             made.size(), jobs, [&](std::size_t i, const std::stop_token&) { made[i] = 7; },
             [&](std::size_t i) {
                 EXPECT_EQ(made[i], 7);
@@ -30,7 +29,7 @@ TEST(InOrder, ResultsArriveInTheOrderOfTheWork) {
         for (std::size_t i = 0; i < seen.size(); ++i)
             EXPECT_EQ(seen[i], i);
     }
-    app::in_order(
+    app::run_in_order(
         0, 2, [](std::size_t, const std::stop_token&) { FAIL(); }, [](std::size_t) { FAIL(); },
         [](std::size_t) { FAIL(); });
 }
@@ -46,7 +45,7 @@ TEST(InOrder, WorkEndsWhenNobodyTakesItsResults) {
         // waits until a stop is requested
         EXPECT_FALSE(changed.wait(lock, stop, [] { return false; }));
     };
-    EXPECT_THROW(app::in_order(
+    EXPECT_THROW(app::run_in_order(
                      1000, 2, work, [](std::size_t) { throw std::runtime_error("closed"); },
                      [](std::size_t) {}),
                  std::runtime_error);

@@ -92,7 +92,7 @@ Comparison compare(const std::string& path, const Specified& files) {
     Comparison result;
     if (!survey.is_ready()) {
         result.verdict = Verdict::NotSimulated;
-        result.say(simulation::reason_against(survey));
+        result.say(simulation::reason_not_simulated(survey));
         return result;
     }
     // Chooses polygons that are too fine to hide the errors of rays.

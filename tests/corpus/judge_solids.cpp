@@ -126,7 +126,7 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
     Made made;
     made.outcome = Outcome::Nothing;
     if (!survey.is_ready() || survey.is_flat()) {
-        made.say(survey.is_flat() ? "Z is never set" : simulation::reason_against(survey));
+        made.say(survey.is_flat() ? "Z is never set" : simulation::reason_not_simulated(survey));
         return made;
     }
     if (is_draft) simulation::coarsen(plan, survey, false, false);

@@ -57,7 +57,8 @@ void cut_slowly(const Grid& grid, Rays& rays, const SweptTool& tool) {
     for (std::size_t v = 0; v < rays.rows(); ++v) {
         const std::vector<double>& u = grid.axes[rays.u_axis()].at;
         for (std::size_t i = 0; i < u.size(); ++i) {
-            tool.meet_row(rays.axis(), &u[i], 1, grid.axes[rays.v_axis()].at[v], Lanes::Two, met);
+            tool.intersect_row(rays.axis(), &u[i], 1, grid.axes[rays.v_axis()].at[v], Lanes::Two,
+                               met);
             const auto units = [](double x) {
                 return static_cast<std::int32_t>(std::lround(std::clamp(x, -1e9, 1e9)));
             };

@@ -80,14 +80,14 @@ Rays cut_slowly(const Grid& grid, const std::vector<SweptTool>& tools) {
             const SweptTool* lowest = nullptr;
             double at = 1e9, s = 0.0;
             for (const SweptTool& tool : tools) {
-                tool.meet_row(2, &x[i], 1, y[row], Lanes::Two, met);
+                tool.intersect_row(2, &x[i], 1, y[row], Lanes::Two, met);
                 const double low = std::nearbyint(met.low[0]);
                 if (met.low[0] >= met.high[0] || low >= at) continue;
                 lowest = &tool, at = low, s = met.s_low[0];
             }
             if (!lowest) continue;
             const auto low = static_cast<std::int32_t>(at);
-            rays.row(row)[i].cut(low, Gap::kEver, [&](bool) {
+            rays.row(row)[i].cut(low, Gap::kUnbounded, [&](bool) {
                 return End{low, lowest->origin,
                            PackedNormal::of(-1.0 * lowest->normal(2, x[i], y[row], false, at, s))};
             });

@@ -78,10 +78,10 @@ TEST(Ray, HasWhatIsLeftUnitByUnit) {
             EXPECT_GE(gap.high, high);
             for (std::int32_t i = std::max(gap.low, -1); i < std::min(gap.high, 61); ++i)
                 EXPECT_FALSE(slow.in(i));
-            if (gap.low > -Gap::kEver) {
+            if (gap.low > -Gap::kUnbounded) {
                 EXPECT_TRUE(slow.in(gap.low - 1));
             }
-            if (gap.high < Gap::kEver) {
+            if (gap.high < Gap::kUnbounded) {
                 EXPECT_TRUE(slow.in(gap.high));
             }
         }

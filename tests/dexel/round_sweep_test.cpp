@@ -108,7 +108,7 @@ struct Met {
 
 std::optional<Met> meet(const SweptTool& tool, std::size_t axis, double u, double v) {
     RowMeeting row;
-    tool.meet_row(axis, &u, 1, v, Lanes::Two, row);
+    tool.intersect_row(axis, &u, 1, v, Lanes::Two, row);
     if (row.low[0] > row.high[0]) return std::nullopt;
     return Met{row.low[0], row.high[0], row.s_low[0], row.s_high[0]};
 }
@@ -216,8 +216,8 @@ TEST(SweptTool, DoesNotDependOnHowManyRaysAreLookedAtTogether) {
         const SweptTool tool(random_sweep(random), kLattice, any_grid());
         const std::size_t axis = random.next() % 3;
         const double v = std::floor(random.within(-8e5, 8e5)) + 0.5;
-        tool.meet_row(axis, u.data(), u.size(), v, Lanes::Two, by_two);
-        tool.meet_row(axis, u.data(), u.size(), v, widest_lanes(), by_four);
+        tool.intersect_row(axis, u.data(), u.size(), v, Lanes::Two, by_two);
+        tool.intersect_row(axis, u.data(), u.size(), v, widest_lanes(), by_four);
         EXPECT_EQ(by_two.low, by_four.low) << trial;
         EXPECT_EQ(by_two.high, by_four.high) << trial;
         EXPECT_EQ(by_two.s_low, by_four.s_low) << trial;
@@ -243,7 +243,7 @@ TEST(SweptTool, GetsNoLowerInABlockThanItsBound) {
         LowestBlock lowest;
         lowest.slope_x = random.one_in(3) ? 0.0 : random.within(-1, 1);
         lowest.slope_y = random.one_in(3) ? 0.0 : random.within(-1, 1);
-        const double above = tool.least_above(bound, lowest, half, half);
+        const double above = tool.lowest_above(bound, lowest, half, half);
         double found = 1e30;
         std::array<double, kBlock> u{};
         for (std::size_t i = 0; i < kBlock; ++i)
@@ -251,7 +251,7 @@ TEST(SweptTool, GetsNoLowerInABlockThanItsBound) {
         RowMeeting row;
         for (std::size_t k = 0; k < kBlock; ++k) {
             const double v = y + static_cast<double>(k) * pitch;
-            tool.meet_row(2, u.data(), kBlock, v, Lanes::Two, row);
+            tool.intersect_row(2, u.data(), kBlock, v, Lanes::Two, row);
             for (std::size_t i = 0; i < kBlock; ++i) {
                 if (row.low[i] > 1e29) continue;
                 const double plane =
@@ -296,7 +296,7 @@ TEST(SweptTool, IsTheLowestOfSeveralWhereItIsLowest) {
                 tool.lower_block(x.data(), y.data(), kBlock, bounds[0], k, lanes, lowest);
                 RowMeeting row;
                 for (std::size_t j = 0; j < kBlock; ++j) {
-                    tool.meet_row(2, x.data(), kBlock, y[j], Lanes::Two, row);
+                    tool.intersect_row(2, x.data(), kBlock, y[j], Lanes::Two, row);
                     for (std::size_t i = 0; i < kBlock; ++i) {
                         const double low = std::nearbyint(row.low[i]);
                         if (low >= expected[j * kBlock + i]) continue;

@@ -3,8 +3,8 @@
 // Compares whole pictures with the pictures in golden/.
 #include "support/golden.h"
 
+#include "ncsim/export/contact_sheet.h"
 #include "ncsim/export/render.h"
-#include "ncsim/export/sheet.h"
 
 #include "box_part.h"
 #include "polytope_part.h"

@@ -24,7 +24,7 @@ Provenance cut_by(std::initializer_list<std::uint32_t> tools) {
 TEST(Palette, StockEightToolsAndATool0HaveColoursOfTheirOwn) {
     const Palette palette(cut_by({0, 1, 2, 3, 4, 5, 6, 7, 8}));
     std::set<std::tuple<int, int, int>> colours;
-    for (const Maker& maker : palette.makers()) {
+    for (const FaceSource& maker : palette.face_sources()) {
         const Rgba8 c = palette.colour(maker);
         colours.insert({c.r, c.g, c.b});
     }
@@ -51,10 +51,10 @@ TEST(Palette, LinearSharesAreThoseOfSrgb) {
 
 TEST(Palette, NamesStockAndTools) {
     const Palette palette(cut_by({7, 0}));
-    ASSERT_EQ(palette.makers().size(), 3U);
-    EXPECT_EQ(palette.makers()[0].name(), "stock");
-    EXPECT_EQ(palette.makers()[1].name(), "T0");
-    EXPECT_EQ(palette.makers()[2].name(), "T7");
+    ASSERT_EQ(palette.face_sources().size(), 3U);
+    EXPECT_EQ(palette.face_sources()[0].name(), "stock");
+    EXPECT_EQ(palette.face_sources()[1].name(), "T0");
+    EXPECT_EQ(palette.face_sources()[2].name(), "T7");
     EXPECT_EQ(palette.rank(Entry{}), 0U);
     EXPECT_EQ(palette.rank(Entry{5, 0}), 1U);
     EXPECT_EQ(palette.rank(Entry{5, 99}), 0U);

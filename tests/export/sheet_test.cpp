@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tests lettering, and sheets of labelled pictures.
-#include "ncsim/export/sheet.h"
+#include "ncsim/export/contact_sheet.h"
 
 #include "render/lettering.h"
 

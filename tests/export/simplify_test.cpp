@@ -242,15 +242,15 @@ TEST(Simplify, RecognisesAPlateWithHolesInWhichNothingIsToSimplify) {
     const cda::Boundary plate = drilled_plate(4);
     for (const double tolerance : {1e-6, 1e-4, 1e-3}) {
         SCOPED_TRACE(tolerance);
-        const auto plain = as_plain(plate, 0.25 * tolerance, nullptr);
+        const auto plain = plain_boundary(plate, 0.25 * tolerance, nullptr);
         ASSERT_TRUE(plain);
         EXPECT_EQ(plain->boundary.faces.size(), 6U + 16U * 9U);
         expect_same(*plain, simplify_any(plate, tolerance, nullptr));
         expect_same(*plain, simplify(plate, tolerance));
     }
     // A boundary with sides below the tolerance is not plain.
-    EXPECT_FALSE(as_plain(plate, 2.0, nullptr));
-    EXPECT_FALSE(as_plain(test::polytope_part().boundary(), 1e-3, nullptr));
+    EXPECT_FALSE(plain_boundary(plate, 2.0, nullptr));
+    EXPECT_FALSE(plain_boundary(test::polytope_part().boundary(), 1e-3, nullptr));
 }
 
 TEST(Simplify, OfAPlainBoundaryIsThatOfAnyBoundary) {
@@ -262,7 +262,7 @@ TEST(Simplify, OfAPlainBoundaryIsThatOfAnyBoundary) {
                                             : random_part(static_cast<std::uint64_t>(i));
         for (const double tolerance : {1e-6, 1e-4, 1e-2, 1.0}) {
             SCOPED_TRACE(std::to_string(i) + ", " + std::to_string(tolerance) + " mm");
-            const auto plain = as_plain(part, 0.25 * tolerance, nullptr);
+            const auto plain = plain_boundary(part, 0.25 * tolerance, nullptr);
             if (!plain) continue;
             ++plain_parts;
             expect_same(*plain, simplify_any(part, tolerance, nullptr));

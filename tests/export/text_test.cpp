@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tests the UTF-8 filter and the shortest text of numbers.
-#include "formats/text.h"
+#include "formats/file_text.h"
 
 #include <gtest/gtest.h>
 

@@ -38,8 +38,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         // A file that is read must be written with the same content.
         const report::TileFile again =
             report::tile_file_from(report::bytes_of(file, no_digest), "again", no_digest);
-        if (again.head != file.head || again.met != file.met || again.tile != file.tile ||
-            again.evidence != file.evidence)
+        if (again.head != file.head || again.stock_contacts != file.stock_contacts ||
+            again.tile != file.tile || again.evidence != file.evidence)
             std::abort();
         try {
             const verify::Evidence seen = verify::evidence_from(file.evidence);

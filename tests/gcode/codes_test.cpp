@@ -360,13 +360,13 @@ TEST(Codes, AreAllInTheTable) {
         std::string number = "G";
         print_number(number, tenths_of(code) / 10.0);
         EXPECT_EQ(name, number);
-        if (entry.known_to == KnownTo::Haas) return;  // below
+        if (entry.availability == Availability::Haas) return;  // below
         expect_like_its_group(name, entry.group);
         const bool alike = entry.group == Group::Ignored || entry.group == Group::NotSimulated ||
                            entry.group == Group::Unsupported;
         EXPECT_TRUE(alike || tested.contains(name)) << name << " is not";
     };
-#define NCSIM_G(name, group, takes_axes, letters, known_to) expect_tested(Code::name);
+#define NCSIM_G(name, group, takes_axes, letters, availability) expect_tested(Code::name);
 #include "control/codes.def"
 #undef NCSIM_G
 }
@@ -376,7 +376,7 @@ TEST(Codes, OfHaasAloneAreOffsets) {
     int count = 0;
     for (int number = 110; number < 130; ++number) {
         const Code code = find_g(number * 10);
-        if (entry_of(code).known_to != KnownTo::Haas) continue;
+        if (entry_of(code).availability != Availability::Haas) continue;
         ++count;
         SCOPED_TRACE(name_of(code));
         const std::string name(name_of(code));

@@ -15,7 +15,7 @@ namespace {
 // uses; '?' for options, '*' for unknown.
 std::string lacking(const std::string& control, const std::string& program) {
     std::string text;
-    for (const CodeUse& use : lacking_codes({"p.nc", program}, *find_control_codes(control))) {
+    for (const CodeUse& use : missing_codes({"p.nc", program}, *find_control_codes(control))) {
         text += (text.empty() ? "" : ", ") + use.what +
                 (use.support == CodeSupport::Option    ? "? "
                  : use.support == CodeSupport::Unknown ? "* "

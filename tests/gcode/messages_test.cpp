@@ -31,12 +31,12 @@ enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Mach3, Tip, Turnin
 class Stubborn : public JointSolver {
 public:
     bool turns() const override { return true; }
-    Stand stand_of(const Axes&, double) const override { return {}; }
+    TipPose tip_pose(const Axes&, double) const override { return {}; }
     std::optional<Axes> joints_for(const Triple& tip, const Axes& joints, double) const override {
         return tip[0] > 50.0 ? std::nullopt : std::optional(joints);
     }
-    Triple with_table(const Triple& v, const Axes&, const Axes&) const override { return v; }
-    Turned turned_to(const Triple&, const Axes&, Way) const override {
+    Triple rotate_with_table(const Triple& v, const Axes&, const Axes&) const override { return v; }
+    Solution joints_for_direction(const Triple&, const Axes&, Way) const override {
         return {std::nullopt, false, "it will not"};
     }
 };

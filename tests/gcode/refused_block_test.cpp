@@ -6,7 +6,7 @@
 
 #include "control/codes.h"
 #include "control/machine.h"
-#include "program/resolve.h"
+#include "program/block_resolver.h"
 
 #include <gtest/gtest.h>
 
@@ -127,7 +127,7 @@ bool is_refused_without_a_trace(const Rules& rules, const Situation& situation,
 
 TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItsCodes) {
     const std::vector<Code> codes = {
-#define NCSIM_G(name, group, takes_axes, letters, known_to) Code::name,
+#define NCSIM_G(name, group, takes_axes, letters, availability) Code::name,
 #include "control/codes.def"
 #undef NCSIM_G
     };
@@ -156,7 +156,7 @@ TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItIsComposedOf) {
         Group group;
     };
     const std::vector<Entry> codes = {
-#define NCSIM_G(name, group, takes_axes, letters, known_to) {Code::name, Group::group},
+#define NCSIM_G(name, group, takes_axes, letters, availability) {Code::name, Group::group},
 #include "control/codes.def"
 #undef NCSIM_G
     };

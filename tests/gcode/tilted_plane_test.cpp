@@ -21,23 +21,24 @@ namespace {
 class ATable : public JointSolver {
 public:
     bool turns() const override { return true; }
-    Stand stand_of(const Axes& joints, double /*length_mm*/) const override {
+    TipPose tip_pose(const Axes& joints, double /*length_mm*/) const override {
         const FeatureFrame turn = turn_about(0, joints[kA]);
-        Triple tip = turn.turned({joints[kX], joints[kY], joints[kZ] + 10.0});
+        Triple tip = turn.direction_to_parent({joints[kX], joints[kY], joints[kZ] + 10.0});
         tip[2] -= 10.0;
-        return {tip, turn.turned({0, 0, 1})};
+        return {tip, turn.direction_to_parent({0, 0, 1})};
     }
     std::optional<Axes> joints_for(const Triple& tip, const Axes& joints,
                                    double /*length_mm*/) const override {
-        const Triple at = turn_about(0, -joints[kA]).turned({tip[0], tip[1], tip[2] + 10.0});
+        const Triple at =
+            turn_about(0, -joints[kA]).direction_to_parent({tip[0], tip[1], tip[2] + 10.0});
         Axes out = joints;
         out[kX] = at[0], out[kY] = at[1], out[kZ] = at[2] - 10.0;
         return out;
     }
-    Triple with_table(const Triple& v, const Axes& from, const Axes& to) const override {
-        return turn_about(0, from[kA] - to[kA]).turned(v);
+    Triple rotate_with_table(const Triple& v, const Axes& from, const Axes& to) const override {
+        return turn_about(0, from[kA] - to[kA]).direction_to_parent(v);
     }
-    Turned turned_to(const Triple& axis, const Axes& joints, Way way) const override {
+    Solution joints_for_direction(const Triple& axis, const Axes& joints, Way way) const override {
         if (std::abs(axis[0]) > 1e-9) return {std::nullopt, false, "it turns about X alone"};
         Axes out = joints;
         out[kA] = trig::angle_of(axis[2], -axis[1]);
@@ -215,7 +216,7 @@ TEST(TiltedPlane, TurnsTheToolWithTheLinearAxesAtRest) {
     // Afterwards the numbers are axis positions again: 12 mm below the axis of A, Y0.
     EXPECT_EQ(made.moves[5].coordinates, Coordinates::Axes);
     expect_at(*start_of(made.moves[5]), 5, 0, -12);
-    EXPECT_TRUE(made.result.asked_for_places);
+    EXPECT_TRUE(made.result.requested_tip_positions);
 }
 
 TEST(TiltedPlane, KeepsWhatWorksInAPlane) {
@@ -470,7 +471,7 @@ TEST(TipControl, OfHaasIsFixedToTheTableAtZero) {
 
 // --- Polar and cylindrical interpolation ---
 
-TEST(Face, XAndCTellPlacesAcrossTheAxis) {
+TEST(PolarInterpolation, XAndCTellPlacesAcrossTheAxis) {
     for (const char* words : {"G12.1", "G112"}) {
         const std::string end = words[2] == '2' ? "G13.1" : "G113";
         const Made made =
@@ -491,7 +492,7 @@ TEST(Face, XAndCTellPlacesAcrossTheAxis) {
     }
 }
 
-TEST(Face, LiesWhereCStands) {
+TEST(PolarInterpolation, LiesWhereCStands) {
     const Made made = run("G0 X20 C90\nG12.1\nG1 X15 C5\nG13.1\n", Dialect::Fanuc, false);
     // With C at 90 the tool is at Y20 of the part, which is X of the face.
     expect_at(made.end(), -5, 15, 0);
@@ -499,7 +500,7 @@ TEST(Face, LiesWhereCStands) {
     EXPECT_TRUE(run("G12.1\nG1 X5 A5\n", Dialect::Fanuc, false).says("plane-form"));
 }
 
-TEST(Face, OfLinuxCncTheWordChoosesTheKinematics) {
+TEST(PolarInterpolation, OfLinuxCncTheWordChoosesTheKinematics) {
     InterpreterOptions options;
     options.dialect = Dialect::Rs274;
     options.tip_control.kinematics = {Coordinates::Tip, Coordinates::Axes};

@@ -73,11 +73,15 @@ TEST(Orient, StaysWithinTheTravels) {
 
 TEST(Orient, GoesTheWayThatIsAskedFor) {
     const Chain table = with_iso_signs(*preset("xyzac-trt"));
-    expect(orient(table, kNormal, at(50, 0, 0), {}, SolutionPreference::WayUp), kA, 320, kC, -150);
-    expect(orient(table, kNormal, at(50, 0, 0), {}, SolutionPreference::WayDown), kA, 40, kC, 30);
-    expect(orient(table, kNormal, at(0, 0, 0), {{'A', {-180, 180}}}, SolutionPreference::StandDown),
-           kA, -40, kC, -150);
-    expect(orient(table, kNormal, at(-40, 0, 0), {{'A', {-180, 180}}}, SolutionPreference::StandUp),
+    expect(orient(table, kNormal, at(50, 0, 0), {}, SolutionPreference::PositiveMotion), kA, 320,
+           kC, -150);
+    expect(orient(table, kNormal, at(50, 0, 0), {}, SolutionPreference::NegativeMotion), kA, 40, kC,
+           30);
+    expect(
+        orient(table, kNormal, at(0, 0, 0), {{'A', {-180, 180}}}, SolutionPreference::EndNegative),
+        kA, -40, kC, -150);
+    expect(orient(table, kNormal, at(-40, 0, 0), {{'A', {-180, 180}}},
+                  SolutionPreference::EndPositive),
            kA, 40, kC, 30);
 }
 

@@ -41,7 +41,7 @@ void expect_same(Vec3 a, Vec3 b) {
 
 Vec3 carried(const Chain& chain, const Values& values, Vec3 p) {
     for (const Joint& joint : std::views::reverse(chain.joints))
-        p = moved(joint, values[*index_of(joint.letter)], p);
+        p = move_by_joint(joint, values[*index_of(joint.letter)], p);
     return p;
 }
 
@@ -73,23 +73,23 @@ TEST(Relative, NoPointGoesFartherThanItsBounds) {
         for (const char letter : std::string_view("CAXYZB")) {
             if (!random.one_in(3)) chain.joints.push_back(random_joint(random, letter));
         }
-        JointMotion going;
-        going.from = random_values(random, 100.0, 180.0);
+        JointMotion joint_motion;
+        joint_motion.from = random_values(random, 100.0, 180.0);
         const Values by = random_values(random, 20.0, random.one_in(2) ? 5.0 : 90.0);
         for (std::size_t k = 0; k < 6; ++k)
-            going.to[k] = going.from[k] + by[k];
+            joint_motion.to[k] = joint_motion.from[k] + by[k];
         for (std::size_t k = 0; k < 3; ++k)
-            going.speed[k] = std::abs(by[k]);
-        going.all_speed = 3.0 * 20.0;
+            joint_motion.speed[k] = std::abs(by[k]);
+        joint_motion.all_speed = 3.0 * 20.0;
         const Vec3 centre = random_vector(random, 100.0);
         const double radius = random.within(0.0, 50.0);
-        const Ball ball = moved(chain, going, {centre, radius, 0.0, 0.0});
+        const Ball ball = move_ball(chain, joint_motion, {centre, radius, 0.0, 0.0});
         for (int k = 0; k < 4; ++k) {
             const Vec3 p = centre + radius * normalized(random_vector(random, 1.0));
             const auto at = [&](double t) {
                 Values values{};
                 for (std::size_t j = 0; j < 6; ++j)
-                    values[j] = going.from[j] + t * by[j];
+                    values[j] = joint_motion.from[j] + t * by[j];
                 return carried(chain, values, p);
             };
             const Vec3 from = at(0.0), to = at(1.0);

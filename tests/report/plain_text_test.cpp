@@ -33,15 +33,15 @@ TEST(PlainText, HasNothingThatACiServiceObeys) {
 }
 
 TEST(PlainText, LeavesPathsThatLeadToTheSameFile) {
-    EXPECT_EQ(shown_path("a/b.nc"), "a/b.nc");
+    EXPECT_EQ(printable_path("a/b.nc"), "a/b.nc");
     for (const char* path : {"::error::x", "##[error]", " ::x", "=cmd.nc", "+1", "-1", "@a"})
-        EXPECT_EQ(shown_path(path).substr(0, 2), "./") << path;
-    EXPECT_EQ(shown_path("a\n::error::.nc"), "a??:error::.nc");
+        EXPECT_EQ(printable_path(path).substr(0, 2), "./") << path;
+    EXPECT_EQ(printable_path("a\n::error::.nc"), "a??:error::.nc");
 }
 
 TEST(PlainText, LeavesJsonThatSaysTheSame) {
     const nlohmann::json json{"###vso[a]", "##[1]", "\\##[error]"};
-    const std::string shown = shown_json(json.dump());
+    const std::string shown = printable_json(json.dump());
     EXPECT_EQ(shown.find("##v"), std::string::npos);
     EXPECT_EQ(shown.find("##[e"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(shown), json);

@@ -21,7 +21,7 @@ TEST(Shards, DealEachProgramOnceAndEvenly) {
         std::vector<int> taken(sizes.size(), 0);
         std::vector<std::uint64_t> loads;
         for (std::uint32_t shard = 0; shard < of; ++shard) {
-            const std::vector<std::size_t> mine = dealt(sizes, shard, of);
+            const std::vector<std::size_t> mine = programs_of_shard(sizes, shard, of);
             EXPECT_TRUE(std::ranges::is_sorted(mine));
             std::uint64_t& load = loads.emplace_back(0);
             for (const std::size_t i : mine) {

@@ -18,12 +18,12 @@ TEST(TileFile, ComesBack) {
     TileFile file;
     file.head = {{"run", "--", "a\xff.nc"}, {{"a\xff.nc", "x"}, {"b", std::nullopt}}, 3, 64};
     file.head.knows_all_files = false;
-    file.met = {{1, 2}, {77, 1}};
+    file.stock_contacts = {{1, 2}, {77, 1}};
     file.evidence = "1 2\n3\n";
     file.tile = std::string("\n\0 tile", 7);
     const TileFile again = tile_file_from(bytes_of(file, any_digest), "a", any_digest);
     EXPECT_EQ(again.head, file.head);
-    EXPECT_EQ(again.met, file.met);
+    EXPECT_EQ(again.stock_contacts, file.stock_contacts);
     EXPECT_EQ(again.evidence, file.evidence);
     EXPECT_EQ(again.tile, file.tile);
     EXPECT_EQ(again.digest, any_digest({}));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Messages about a job that can be run, word for word: each row of messages.def.
-#include "job/messages.h"
+// Messages about a job that can be run, word for word: each row of setup_messages.def.
+#include "support/messages.h"
 
 #include "ncsim/setup/job.h"
 
-#include "support/messages.h"
+#include "job/setup_messages.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -65,7 +65,7 @@ TEST(Messages, AreSaidInTheseWords) {
 TEST(Messages, AreAllSaidHere) {
     constexpr gcode::MessageText kRows[] = {
 #define NCSIM_DIAGNOSTIC(name, severity, code, text) Message::name,
-#include "job/messages.def"
+#include "job/setup_messages.def"
 #undef NCSIM_DIAGNOSTIC
     };
     for (const gcode::MessageText& row : kRows) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Messages about a program before and during the simulation, word for word: each row of
-// messages.def.
-#include "messages.h"
+// simulation_messages.def.
+#include "support/messages.h"
 
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 
-#include "support/messages.h"
+#include "simulation_messages.h"
 
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ TEST(Messages, AreSaidInTheseWords) {
 TEST(Messages, AreAllSaidHere) {
     constexpr gcode::MessageText kRows[] = {
 #define NCSIM_DIAGNOSTIC(name, severity, code, text) Message::name,
-#include "messages.def"
+#include "simulation_messages.def"
 #undef NCSIM_DIAGNOSTIC
     };
     for (const gcode::MessageText& row : kRows) {

@@ -84,7 +84,7 @@ TEST(Orientation, IsTheSameOnThePartOnEveryMachine) {
             gcode::turn_about(2, 30) * gcode::turn_about(0, 40) * gcode::turn_about(2, -20);
         const toolpath::Kinematics placed{chain, {}};
         const Pose X_WT = toolpath::Poses(&placed, moves[4]).at(*end_of(moves[4]));
-        const gcode::Triple tip = frame.turned({1, 2, 2}), axis = frame.normal();
+        const gcode::Triple tip = frame.direction_to_parent({1, 2, 2}), axis = frame.normal();
         EXPECT_LT(norm(X_WT.translation - cda::Vec3{tip[0] + 10, tip[1] + 20, tip[2] - 5}), 1e-9);
         EXPECT_LT(norm(axis_of(X_WT) - cda::Vec3{axis[0], axis[1], axis[2]}), 1e-9) << name;
         // Each move starts at the end of the previous move, in either mode of coordinates.
@@ -128,7 +128,7 @@ TEST(Orientation, AnArcInAPlaneIsRoundOnThePart) {
     const cda::Box box = toolpath::extent_of_path(moves.back(), {nullptr, moves.back()});
     for (const Pose& pose : samples.poses) {
         const gcode::Triple p =
-            frame.inward({pose.translation.x, pose.translation.y, pose.translation.z});
+            frame.from_parent({pose.translation.x, pose.translation.y, pose.translation.z});
         EXPECT_NEAR(p[0] * p[0] + p[1] * p[1], 100, 1e-9);
         EXPECT_NEAR(p[2], 0, 1e-9);
         EXPECT_GE(p[0], -1e-9);

@@ -50,7 +50,7 @@ struct Milled {
     void for_each_round(
         const std::function<void(std::uint32_t v, Vec3 p, Vec3 n, Vec3 own)>& visit) const {
         for (std::uint32_t f = 0; f < boundary().faces.size(); ++f) {
-            if (shading.known(f) != Shading::Known::Round) continue;
+            if (shading.recognition(f) != Shading::Recognition::Curved) continue;
             const cda::BoundaryFace& face = boundary().faces[f];
             for (const auto& loop : face.loops) {
                 for (const std::uint32_t v : loop) {
@@ -60,11 +60,11 @@ struct Milled {
             }
         }
     }
-    std::size_t round_faces() const { return count(Shading::Known::Round); }
-    std::size_t count(Shading::Known known) const {
+    std::size_t round_faces() const { return count(Shading::Recognition::Curved); }
+    std::size_t count(Shading::Recognition recognition) const {
         std::size_t sum = 0;
         for (std::uint32_t f = 0; f < boundary().faces.size(); ++f)
-            sum += shading.known(f) == known ? 1U : 0U;
+            sum += shading.recognition(f) == recognition ? 1U : 0U;
         return sum;
     }
 };
@@ -113,8 +113,8 @@ TEST(Shading, WallsOfBoresLookAtTheAxis) {
             expect_near(n, normalized({40 - p.x, 30 - p.y, 0.0}), 1e-6);
         });
         // The floor and the sides of the block.
-        EXPECT_GE(milled.count(Shading::Known::Flat), 7U);
-        EXPECT_EQ(milled.count(Shading::Known::Nothing), 0U);
+        EXPECT_GE(milled.count(Shading::Recognition::Planar), 7U);
+        EXPECT_EQ(milled.count(Shading::Recognition::Unknown), 0U);
     }
 }
 
@@ -178,7 +178,7 @@ TEST(Shading, EndsOfSlotsBeginAsTheirWallsEnd) {
                                  [&](std::uint32_t v) { return of_walls.contains(v); }))
             continue;
         ++walls;
-        EXPECT_EQ(milled.shading.known(f), Shading::Known::Flat);
+        EXPECT_EQ(milled.shading.recognition(f), Shading::Recognition::Planar);
         for (const std::uint32_t v : face.loops[0]) {
             const Vec3 p = milled.boundary().vertices[v];
             EXPECT_EQ(milled.shading.normal(f, face.normal, v, p), face.normal);

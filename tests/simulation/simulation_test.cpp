@@ -2,9 +2,9 @@
 //
 // The functions behind ncsim run, check and diff, called without a command line.
 #include "ncsim/cda/mesh.h"
-#include "ncsim/simulation/check.h"
 #include "ncsim/simulation/compare_parts.h"
-#include "ncsim/simulation/design.h"
+#include "ncsim/simulation/design_check.h"
+#include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/rule.h"
@@ -82,7 +82,7 @@ TEST(GuessedBlock, KeepsPockets) {
 
 TEST(Simulation, KeepsWhatItIsAskedFor) {
     Plan plan = plan_of(kTool + kStock + kSlot);
-    plan.keep_boundary = plan.keep_paths = plan.keep_carved = plan.block_volumes = true;
+    plan.keep_boundary = plan.keep_paths = plan.keep_removed_cells = plan.block_volumes = true;
     const Simulation part = simulate(plan);
     ASSERT_TRUE(part.boundary);
     EXPECT_FALSE(part.boundary->faces.empty());
@@ -274,14 +274,14 @@ TEST(Check, OfAStringIsAVerdict) {
 }
 
 TEST(Check, OfALoopWithoutEndJudgesItsBeginning) {
-    Questions questions;
-    questions.machine.machine.travel[1] = verify::AxisRange{-100.0, 100.0};
+    VerificationOptions verification_options;
+    verification_options.machine.machine.travel[1] = verify::AxisRange{-100.0, 100.0};
     Plan plan = plan_of(kTool + kStock +
                         "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y120. Z5.\nWHILE [1 EQ 1] DO1\n"
                         "G0 X-6.\nX-5.\nEND1\nM30\n");
     plan.job.interpreter.work_offsets_specified[0] = true;
     plan.job.interpreter.limits.repeated_blocks = 4000;
-    const report::Checked checked = check(std::move(plan), questions);
+    const report::Checked checked = check(std::move(plan), verification_options);
     EXPECT_EQ(checked.outcome, verify::Outcome::Failed);
     EXPECT_FALSE(checked.simulated);
     const auto has = [&](std::string_view rule) {
@@ -293,10 +293,10 @@ TEST(Check, OfALoopWithoutEndJudgesItsBeginning) {
 }
 
 TEST(Check, AsksOnlyWhatIsSelected) {
-    Questions questions;
+    VerificationOptions verification_options;
     for (const verify::RuleInfo& rule : verify::rules())
-        questions.selection.ignored.emplace(rule.id, "");
-    const report::Checked checked = check(plan_of(kTool + kStock + kSlot), questions);
+        verification_options.selection.ignored.emplace(rule.id, "");
+    const report::Checked checked = check(plan_of(kTool + kStock + kSlot), verification_options);
     EXPECT_FALSE(checked.simulated);
     EXPECT_TRUE(checked.verdict.findings.empty());
 }
@@ -308,26 +308,26 @@ TEST(Check, FindsWhatTheTrianglesOfADesignMayHide) {
     Design design{"part.step", cda::triangulate(*simulate(made).boundary), 0.1};
     std::string deeper = kTool + kStock + kSlot;
     deeper.replace(deeper.find("Z-5."), 4, "Z-5.08");
-    Questions questions;
-    questions.design = &design;
+    VerificationOptions verification_options;
+    verification_options.design = &design;
     const auto gouges = [&] {
-        return std::ranges::count(check(plan_of(deeper), questions).verdict.findings, "gouge",
-                                  &verify::Finding::rule);
+        return std::ranges::count(check(plan_of(deeper), verification_options).verdict.findings,
+                                  "gouge", &verify::Finding::rule);
     };
     EXPECT_EQ(gouges(), 0);
     design.deflection_mm = 0.03;
     EXPECT_EQ(gouges(), 1);
-    const report::Checked checked = check(plan_of(deeper), questions);
+    const report::Checked checked = check(plan_of(deeper), verification_options);
     EXPECT_NE(checked.verdict.outcome(), verify::Outcome::Clean);
 }
 
 TEST(CompareParts, TellsWhatOnlyOneOfThemHas) {
     const auto surveyed = [](const std::string& text) {
-        Surveyed side{plan_of(text), {}};
+        SurveyedPlan side{plan_of(text), {}};
         side.survey = survey(side.plan);
         return side;
     };
-    const Surveyed a = surveyed(kTool + kStock + kSlot);
+    const SurveyedPlan a = surveyed(kTool + kStock + kSlot);
     std::string deeper = kSlot;
     deeper.replace(deeper.find("Z-5."), 4, "Z-6.");
     const report::Difference d = compare_parts(a, surveyed(kTool + kStock + deeper));

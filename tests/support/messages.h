@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Matches message texts against the rows of message tables (messages.def).
+// Matches message texts against the rows of message tables (*_messages.def).
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"

@@ -91,7 +91,7 @@ TEST(JointPath, NoJointMovesAlongTheTool) {
             for (int i = 0; i < 3; ++i)
                 (*values)[static_cast<std::size_t>(i)] -= machine.zero[i];
             (*values)[2] -= 80.0;
-            const Vec3 tip = Poses(&machine, motion).at(between(from, to, t)).translation;
+            const Vec3 tip = Poses(&machine, motion).at(interpolate(from, to, t)).translation;
             EXPECT_LT(norm(placed.pose(*values).translation - tip), 1e-8);
         }
     }
@@ -145,8 +145,8 @@ TEST(JointPath, TheAxesKeepTheirBounds) {
         const double low = random.within(0.0, 0.5), high = random.within(0.5, 1.0);
         const auto from = path.at(low), to = path.at(high);
         ASSERT_TRUE(from && to);
-        const auto going = path.going(low, *from, high, *to);
-        ASSERT_TRUE(going);
+        const auto joint_motion = path.joint_motion(low, *from, high, *to);
+        ASSERT_TRUE(joint_motion);
         const auto xyz = [](const machine::Values& v) { return Vec3{v[0], v[1], v[2]}; };
         for (int k = 1; k < 16; ++k) {
             const double t = k / 16.0;
@@ -155,11 +155,12 @@ TEST(JointPath, TheAxesKeepTheirBounds) {
             const Vec3 gone = xyz(*now) - xyz(*from);
             for (int axis = 0; axis < 3; ++axis)
                 ASSERT_LE(std::abs(gone[axis]),
-                          going->speed[static_cast<std::size_t>(axis)] + 1e-8);
-            ASSERT_LE(norm(gone), going->all_speed + 1e-8);
+                          joint_motion->speed[static_cast<std::size_t>(axis)] + 1e-8);
+            ASSERT_LE(norm(gone), joint_motion->all_speed + 1e-8);
             const double bent = norm(gone - t * (xyz(*to) - xyz(*from)));
-            ASSERT_LE(bent, going->bend / 8.0 + 1e-8);
-            if (going->bend > 0.0) closest = std::max(closest, 8.0 * bent / going->bend);
+            ASSERT_LE(bent, joint_motion->bend / 8.0 + 1e-8);
+            if (joint_motion->bend > 0.0)
+                closest = std::max(closest, 8.0 * bent / joint_motion->bend);
             const Vec3 straight_turn{(*now)[3], (*now)[4], (*now)[5]};
             const Vec3 wanted =
                 Vec3{(*from)[3], (*from)[4], (*from)[5]} +

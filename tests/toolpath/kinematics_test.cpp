@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Machines from kinematic chains: bounds of the volume that hulls of poses miss and gain.
+#include "ncsim/toolpath/kinematics.h"
+
 #include "ncsim/machine/presets.h"
 #include "ncsim/toolpath/extent.h"
-#include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool.h"
 
@@ -84,7 +85,7 @@ double distance_to(const Pose& X_WT, const Cylinder& tool, Vec3 p) {
     return std::sqrt(aside * aside + above * above);
 }
 
-Position between(const Position& a, const Position& b, double t) {
+Position interpolate(const Position& a, const Position& b, double t) {
     const auto of = [t](double p, double q) { return p + t * (q - p); };
     Position p = at(of(a.x.mm(), b.x.mm()), of(a.y.mm(), b.y.mm()), of(a.z.mm(), b.z.mm()),
                     of(a.a.degrees(), b.a.degrees()), of(a.b.degrees(), b.b.degrees()),
@@ -139,7 +140,7 @@ struct Case {
     std::optional<cda::Box> where;
     Pose pose(double t) const {
         const auto& m = std::get<gcode::Linear>(motion.what);
-        return Poses(&specified, motion).at(between(m.from, m.to, t));
+        return Poses(&specified, motion).at(interpolate(m.from, m.to, t));
     }
 };
 
@@ -229,7 +230,7 @@ TEST(SpecifiedMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
         Case c(random);
         if (!c.where) continue;
         auto& line = std::get<gcode::Linear>(c.motion.what);
-        if (random.one_in(2)) line.to = between(line.from, line.to, 0.001);
+        if (random.one_in(2)) line.to = interpolate(line.from, line.to, 0.001);
         if (random.one_in(3)) {
             gcode::Arc arc{line.from, line.to, gcode::Plane::XY, {}, {}, 1, {}};
             arc.centre_1 = Length::from_mm(random.within(-20, 20));
@@ -242,7 +243,7 @@ TEST(SpecifiedMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
         const Samples samples = sample(c.motion, tool, {.max_steps = 50}, c.where, specified);
         for (const Pose& X_WT : samples.poses) {
             const double angle = random.within(0, 6.2831853);
-            const double r = c.tool.radius + random.within(0, Turning::kBeside);
+            const double r = c.tool.radius + random.within(0, RotationBounds::kSideMargin);
             const double z = random.within(0, 100);
             if (!c.where->contains(X_WT * Vec3{r * std::cos(angle), r * std::sin(angle), z}))
                 continue;
@@ -270,7 +271,7 @@ TEST(SpecifiedMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
         const Poses poses(specified, c.motion);
         const double reach =
             std::sqrt(c.tool.radius * c.tool.radius + c.tool.height * c.tool.height);
-        const double strays = strays_mm(c.motion, poses, reach).value();
+        const double strays = max_deviation_mm(c.motion, poses, reach).value();
         const ToolExtent tool = extent_of(flat_end_mill(2 * c.tool.radius, c.tool.height));
         const Pose A = poses.at(line.from), B = poses.at(line.to);
         for (const Pose& now : sample(c.motion, tool, {.max_steps = 30}, {}, specified).poses) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 
 #include "positions.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Messages about comments and tool files, word for word: each row of messages.def.
-#include "tools/messages.h"
+// Messages about comments and tool files, word for word: each row of tool_messages.def.
+#include "support/messages.h"
 
 #include "ncsim/toolpath/tool_file.h"
 #include "ncsim/toolpath/tool_table.h"
 
-#include "support/messages.h"
+#include "tools/tool_messages.h"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ TEST(Messages, AreSaidInTheseWords) {
 TEST(Messages, AreAllSaidHere) {
     constexpr gcode::MessageText kRows[] = {
 #define NCSIM_DIAGNOSTIC(name, severity, code, text) Message::name,
-#include "tools/messages.def"
+#include "tools/tool_messages.def"
 #undef NCSIM_DIAGNOSTIC
     };
     for (const gcode::MessageText& row : kRows) {

@@ -2,7 +2,7 @@
 #include "ncsim/toolpath/sampler.h"
 
 #include "ncsim/toolpath/extent.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 
 #include "positions.h"
 

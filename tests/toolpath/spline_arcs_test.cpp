@@ -3,7 +3,7 @@
 
 #include "ncsim/trig/angles.h"
 
-#include "motion/path.h"
+#include "motion/axis_path.h"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@ ncsim_add_test(toolpath
     tool_table_test.cpp
     tool_test.cpp
     trace_test.cpp
-    turning_test.cpp
+    rotation_bounds_test.cpp
     walk_test.cpp)
 # The table of messages is private to the library.
 target_include_directories(ncsim_toolpath_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/toolpath/src)

@@ -210,7 +210,7 @@ TEST(ToolComments, OfEngraversTellAngleAndTip) {
     EXPECT_FALSE(spec.diameter);
     EXPECT_EQ(spec.tip_diameter, 0.2);
     EXPECT_EQ(filled(spec, 30).diameter, 3.175);
-    EXPECT_EQ(filled_in(spec, 30), "diameter 3.175 mm, length 30 mm");
+    EXPECT_EQ(assumed_values_text(spec, 30), "diameter 3.175 mm, length 30 mm");
     EXPECT_TRUE(guesses_shape(spec));
 }
 
@@ -471,10 +471,10 @@ TEST(ToolOption, SaysWhatIsWrong) {
 TEST(ToolSpec, SaysWhatWasFilledIn) {
     ToolSpec spec;
     spec.diameter = 5;
-    EXPECT_EQ(filled_in(spec, 40), "kind flat end mill, length 40 mm");
+    EXPECT_EQ(assumed_values_text(spec, 40), "kind flat end mill, length 40 mm");
     spec.kind = ToolKind::Drill;
     spec.length = 30;
-    EXPECT_EQ(filled_in(spec, 40), "angle 118 deg");
+    EXPECT_EQ(assumed_values_text(spec, 40), "angle 118 deg");
 }
 
 }  // namespace

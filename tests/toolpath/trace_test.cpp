@@ -4,7 +4,7 @@
 #include "ncsim/toolpath/trace.h"
 
 #include "ncsim/cda/polytope.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>

@@ -71,14 +71,14 @@ Walked walked(const std::vector<gcode::Motion>& motions, const Tool& tool) {
                 for (const cda::Cell& cell : cells) {
                     EXPECT_EQ(part.subtract(cell), 0.0);
                     EXPECT_LE(cell.origin, cda::Origin{static_cast<std::uint32_t>(i + 1)});
-                    result.covering.push_back(cell);
+                    result.merged_cells.push_back(cell);
                     result.steps.push_back(result.cells.size());
                 }
             };
-            cover(s.straight);
+            cover(s.preceding_cells);
             result.cells.insert(result.cells.end(), s.cells.begin(), s.cells.end());
             part.subtract_unmeasured(s.cells);
-            cover(s.covering);
+            cover(s.merged_cells);
         });
     }
     return result;
@@ -90,16 +90,16 @@ TEST(Walk, CoversAFullCircle) {
     for (const int turns : {1, -1}) {
         const Walked w = walked(
             {line(at(0, 0, -5), at(4, 0, -5)), arc(at(4, 0, -5), at(4, 0, -5), turns)}, kFlat);
-        ASSERT_EQ(w.covering.size(), 1U);
+        ASSERT_EQ(w.merged_cells.size(), 1U);
         EXPECT_EQ(w.steps[0], w.cells.size());
         for (const cda::Cell& cell : w.cells)
-            EXPECT_LT(w.covering[0].rank, cell.rank);
+            EXPECT_LT(w.merged_cells[0].rank, cell.rank);
     }
 }
 
 TEST(Walk, CoversACircleInHalvesAndQuarters) {
     EXPECT_EQ(walked({arc(at(4, 0, -5), at(-4, 0, -5)), arc(at(-4, 0, -5), at(4, 0, -5))}, kFlat)
-                  .covering.size(),
+                  .merged_cells.size(),
               1U);
     // Centres have an error of some micrometres; an arc leads in and a second arc leads out.
     const Walked w =
@@ -108,8 +108,8 @@ TEST(Walk, CoversACircleInHalvesAndQuarters) {
                 arc(at(-4, 0, -5), at(0, -4, -5), 1, 0.001, 0), arc(at(0, -4, -5), at(4, 0, -5)),
                 arc(at(4, 0, -5), at(2, 2, -5), 1, 2, 0)},
                kFlat);
-    ASSERT_EQ(w.covering.size(), 1U);
-    EXPECT_EQ(w.covering[0].origin, cda::Origin{5});
+    ASSERT_EQ(w.merged_cells.size(), 1U);
+    EXPECT_EQ(w.merged_cells[0].origin, cda::Origin{5});
 }
 
 TEST(Walk, CoversEachTurnOfAHelix) {
@@ -118,26 +118,26 @@ TEST(Walk, CoversEachTurnOfAHelix) {
         motions.push_back(arc(at(4, 0, -2 * i), at(4, 0, -2 * i - 2)));
     motions.push_back(arc(at(4, 0, -6), at(4, 0, -6)));
     const Walked lines = walked(motions, kFlat);
-    ASSERT_EQ(lines.covering.size(), 4U);
-    EXPECT_DOUBLE_EQ(lines.covering[2].bounds.min.z, -4.0);
-    EXPECT_DOUBLE_EQ(lines.covering[3].bounds.min.z, -6.0);
+    ASSERT_EQ(lines.merged_cells.size(), 4U);
+    EXPECT_DOUBLE_EQ(lines.merged_cells[2].bounds.min.z, -4.0);
+    EXPECT_DOUBLE_EQ(lines.merged_cells[3].bounds.min.z, -6.0);
     const Walked once =
         walked({arc(at(4, 0, 0), at(4, 0, -6), 3), arc(at(4, 0, -6), at(4, 0, -6))}, kFlat);
-    EXPECT_EQ(once.covering.size(), 4U);
+    EXPECT_EQ(once.merged_cells.size(), 4U);
     // The same helix upwards adds no further covering cell.
-    EXPECT_EQ(walked({arc(at(4, 0, -6), at(4, 0, -2))}, kFlat).covering.size(), 1U);
+    EXPECT_EQ(walked({arc(at(4, 0, -6), at(4, 0, -2))}, kFlat).merged_cells.size(), 1U);
 }
 
 // For a tool with a round nose, the part above the nose.
 TEST(Walk, CoversWhatTheCylinderOfAToolTakes) {
     const Walked w = walked({arc(at(3, 0, -9), at(3, 0, -9))}, ball_end_mill(10, 40));
-    ASSERT_EQ(w.covering.size(), 1U);
-    EXPECT_NEAR(w.covering[0].bounds.min.z, -4.0, 0.01);
+    ASSERT_EQ(w.merged_cells.size(), 1U);
+    EXPECT_NEAR(w.merged_cells[0].bounds.min.z, -4.0, 0.01);
 }
 
 TEST(Walk, CoversNothingElse) {
     const auto covers = [](const std::vector<gcode::Motion>& motions, const Tool& tool = kFlat) {
-        return !walked(motions, tool).covering.empty();
+        return !walked(motions, tool).merged_cells.empty();
     };
     EXPECT_TRUE(covers({arc(at(4.8, 0, -5), at(4.8, 0, -5))}));
     EXPECT_FALSE(covers({arc(at(5.1, 0, -5), at(5.1, 0, -5))}));  // a core
@@ -178,13 +178,13 @@ TEST(Walk, CoversAStraightWayInPieces) {
         for (const double slope : {0.0, 0.25}) {
             // Seven pieces are at most 9.3 mm long, eight at least 10.4 mm.
             const Walked w = walked(and_away(straight(8, 1.2, 0.5, slope)), tool);
-            ASSERT_EQ(w.covering.size(), 1U);
-            EXPECT_EQ(w.covering[0].origin, cda::Origin{7});
+            ASSERT_EQ(w.merged_cells.size(), 1U);
+            EXPECT_EQ(w.merged_cells[0].origin, cda::Origin{7});
             EXPECT_EQ(w.steps[0], 7U);
             for (const cda::Cell& cell : w.cells)
-                EXPECT_LT(w.covering[0].rank, cell.rank);
-            EXPECT_EQ(walked(and_away(straight(17, 1.2, 0.5, 0)), tool).covering.size(), 3U);
-            EXPECT_TRUE(walked(straight(7, 1.2, 0.5, slope), tool).covering.empty());
+                EXPECT_LT(w.merged_cells[0].rank, cell.rank);
+            EXPECT_EQ(walked(and_away(straight(17, 1.2, 0.5, 0)), tool).merged_cells.size(), 3U);
+            EXPECT_TRUE(walked(straight(7, 1.2, 0.5, slope), tool).merged_cells.empty());
         }
     }
 }
@@ -194,16 +194,16 @@ TEST(Walk, TellsAStraightWayWithWhateverComesNext) {
     std::vector<gcode::Motion> motions = straight(4, 1, 0, 0);
     motions.push_back(arc(at(-5, 0, -5), at(-5, 0, -5), 1, -5, 2));
     const Walked w = walked(motions, kFlat);
-    ASSERT_EQ(w.covering.size(), 2U);  // the straight path and the circle
+    ASSERT_EQ(w.merged_cells.size(), 2U);  // the straight path and the circle
     EXPECT_EQ(w.steps[0], 4U);
-    EXPECT_EQ(w.covering[0].origin, cda::Origin{4});
-    EXPECT_EQ(w.covering[1].origin, cda::Origin{5});
+    EXPECT_EQ(w.merged_cells[0].origin, cda::Origin{4});
+    EXPECT_EQ(w.merged_cells[1].origin, cda::Origin{5});
     EXPECT_LT(w.steps[0], w.steps[1]);
     motions = straight(4, 1, 0, 0);
     gcode::Position turned = at(-5, 1, -5);
     turned.a = gcode::Angle::from_degrees(1);
     motions.push_back(line(at(-5, 0, -5), turned));
-    EXPECT_EQ(walked(motions, kFlat).covering.size(), 1U);
+    EXPECT_EQ(walked(motions, kFlat).merged_cells.size(), 1U);
 }
 
 // Moves that do not meet the stock may have the number of a different motion. The line of a
@@ -217,12 +217,13 @@ TEST(Walk, NamesAStraightWayByTheLastMoveThatMeetsTheStock) {
     for (const bool is_tile : {false, true}) {
         Walk walk(lattice, kStock, {}, {});
         walk.add_tool(1, kFlat);
-        if (is_tile) walk.want_cells(cda::Box{{19, -20, -20}, {20, 20, 0}});
+        if (is_tile) walk.restrict_cells(cda::Box{{19, -20, -20}, {20, 20, 0}});
         std::vector<cda::Cell> covering;
         for (std::size_t i = 0; i < motions.size(); ++i) {
             walk.take(motions[i], cda::Origin{static_cast<std::uint32_t>(i + 1)},
                       [&](const Step& s) {
-                          covering.insert(covering.end(), s.straight.begin(), s.straight.end());
+                          covering.insert(covering.end(), s.preceding_cells.begin(),
+                                          s.preceding_cells.end());
                       });
         }
         // The tool extends 5 mm to the left: to 19.5 with the third, to 20.5 with the fifth.
@@ -238,7 +239,7 @@ TEST(Walk, TellsNoStraightWayThatDidNotMeetTheStock) {
                                       line(at(25.2, 25.2, -5), at(28.2, 22.2, -5))}),
                             kFlat);
     EXPECT_TRUE(w.cells.empty());
-    EXPECT_TRUE(w.covering.empty());
+    EXPECT_TRUE(w.merged_cells.empty());
 }
 
 // For any slope: a covering cell is contained in the steps exactly, and is omitted if rounding of
@@ -259,7 +260,7 @@ TEST(Walk, CoversStraightWaysExactlyOrNot) {
         if (x == 0.0 && y == 0.0) continue;
         const std::size_t count =
             walked(and_away(straight(4, x, y, z)), i % 3 == 0 ? ball_end_mill(8, 40) : kFlat)
-                .covering.size();
+                .merged_cells.size();
         EXPECT_TRUE(i % 2 != 0 || i % 3 == 0 || count == 1U)
             << count;  // horizontal, vertical walls
         (count > 0 ? specified : kept_back) += 1;
@@ -270,7 +271,7 @@ TEST(Walk, CoversStraightWaysExactlyOrNot) {
 
 TEST(Walk, CoversNoWayThatIsNotStraight) {
     const auto covers = [](const std::vector<gcode::Motion>& motions) {
-        return !walked(and_away(motions), kFlat).covering.empty();
+        return !walked(and_away(motions), kFlat).merged_cells.empty();
     };
     EXPECT_TRUE(covers({line(at(0, 0, -5), at(1, 0, -5)), line(at(1, 0, -5), at(3, 0, -5))}));
     EXPECT_FALSE(covers({line(at(0, 0, -5), at(1, 0, -5)), line(at(1, 0, -5), at(2, 1e-5, -5))}));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parts of few boxes against designs of few boxes, with results that are known by hand calculation.
-#include "ncsim/verify/design.h"
-
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/triangle_tree.h"
+#include "ncsim/verify/design_comparison.h"
 
 #include "common_volume.h"
 

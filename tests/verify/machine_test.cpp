@@ -160,9 +160,9 @@ TEST(MachineCollision, NeighboursAreAskedWhereThatIsTold) {
     specified.links[2].mesh = box({-200, 45, -500}, {200, 240, -330});
     const std::string program = "G0 X0 Y-100 Z200\nG0 A5\n";
     EXPECT_TRUE(collisions(program, setup_of(specified)).empty());
-    specified.asked = {{"column", "cradle"}};
+    specified.checked_neighbours = {{"column", "cradle"}};
     EXPECT_EQ(collisions(program, setup_of(specified)).size(), 1U);
-    specified.ignored = specified.asked;
+    specified.ignored = specified.checked_neighbours;
     EXPECT_TRUE(collisions(program, setup_of(specified)).empty());
 }
 
@@ -434,7 +434,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
         // Half of the motions are as short as moves in programs, some of them high above.
         if (i % 2 == 0) {
             begin.z = begin.z + gcode::Length::from_mm(i % 4 == 0 ? 60.0 : 0.0);
-            end = toolpath::between(begin, end, 0.05);
+            end = toolpath::interpolate(begin, end, 0.05);
         }
         motion.what = gcode::Linear{begin, end};
         if (random.one_in(2)) motion.coordinates = gcode::Coordinates::Tip;
@@ -443,7 +443,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
         const Chain way = machine::seen_from({{turns}}, {{kX, kY, kZ}});
         const bool of_both = random.one_in(2);
         const verify::PairOnLeg pair{path, from, to, 0.0, way, of_both, {}};
-        const verify::Encounter found = verify::meet(pair, table, head, kLattice, true);
+        const verify::Encounter found = verify::find_contact(pair, table, head, kLattice, true);
         bool meets = false;
         double deepest = 0.0;
         // Distance of the bodies at a different position, and the motion from there.
@@ -453,7 +453,8 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
         constexpr double kMost = 150.0;
         const verify::FreeSpace space =
             verify::free_space(way, before, table, head, kLattice, kMost);
-        const auto ways = verify::ways_of(before, from, path.going(0.0, *from, 1.0, *to));
+        const auto ways =
+            verify::joint_motion_bounds(before, from, path.joint_motion(0.0, *from, 1.0, *to));
         const double apart = space.apart_mm;
         const machine::Pose X_before = pose_of(way, before);
         const double truly_apart = distance(table, head, X_before, kLattice);
@@ -489,7 +490,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
                                                    {turned(other.directions.normals),
                                                     turned(other.directions.edges)}));
         }
-        if (keeps_apart(space, ways.value(), 0.0)) {
+        if (stays_separated(space, ways.value(), 0.0)) {
             EXPECT_LT(std::min(head_strays, table_strays), apart);
             EXPECT_FALSE(meets);
             ++kept_apart;

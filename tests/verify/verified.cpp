@@ -30,7 +30,7 @@ void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& ver
     verifier.begin(motion, part);
     if (part) {
         walk.take(motion, origin, [&](const toolpath::Step& step) {
-            verifier.look(step, *part);
+            verifier.before_cut(step, *part);
             double removed = 0.0;
             for (const cda::Cell& cell : step.cells) {
                 if (verifier.measures_all()) {
@@ -41,8 +41,9 @@ void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& ver
             }
             verifier.after_cut(step, *part, removed);
         });
-        walk.arrive(motion, origin,
-                    [&](const toolpath::Step& step) { verifier.arrive(step, *part); });
+        walk.at_end_position(motion, origin, [&](const toolpath::Step& step) {
+            verifier.at_end_position(step, *part);
+        });
     }
     verifier.end(part);
 }
@@ -54,8 +55,8 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     setup.suppressions = verify::Suppressions(source);
     cda::TreeCda part(cda::box_cell(lattice.round(kBlock.min), lattice.round(kBlock.max), lattice),
                       lattice);
-    toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid, verify::watch_of(setup),
-                        setup.kinematics);
+    toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid,
+                        verify::watched_parts(setup), setup.kinematics);
     for (const auto& [number, facts] : setup.tools)
         walk.add_tool(number, facts.tool);
     const double stock_mm3 = part.volume();

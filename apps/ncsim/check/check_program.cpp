@@ -30,9 +30,9 @@ int exit_code_of(verify::Outcome outcome) {
 
 }  // namespace
 
-void add_fixtures(simulation::Questions& questions, const setup::Job& job) {
-    if (!add_fixtures(questions.machine, job)) return;
-    questions.bodies = simulation::bodies_of(questions.machine);
+void add_fixtures(simulation::VerificationOptions& verification_options, const setup::Job& job) {
+    if (!add_fixtures(verification_options.machine, job)) return;
+    verification_options.bodies = simulation::bodies_of(verification_options.machine);
 }
 
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
@@ -48,20 +48,21 @@ simulation::Plan plan_to_check(const std::string& path, const CheckOptions& opti
 }
 
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
-                  const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
-                  std::stop_token stop, std::size_t number, std::size_t& programs) {
+                  const simulation::VerificationOptions& verification_options, unsigned threads,
+                  setup::InputSet& inputs, std::stop_token stop, std::size_t number,
+                  std::size_t& programs) {
     checked.path = setup::name_of_input(path);
     int code = kEnvironment;
     try {
         simulation::Plan plan = plan_to_check(path, options, threads, inputs, number, stop);
         programs = plan.job.programs_in_file;
         checked.program = plan.job.label;
-        if (programs > 1 && questions.tiles) {
+        if (programs > 1 && verification_options.tiles) {
             throw std::runtime_error(
                 fmt::format("{} programs in one file: tiles are of a single one", programs));
         }
         plan.budget.stop_with(std::move(stop));
-        simulation::Questions with_fixtures = questions;
+        simulation::VerificationOptions with_fixtures = verification_options;
         add_fixtures(with_fixtures, plan.job);
         simulation::check(std::move(plan), with_fixtures, checked);
         return exit_code_of(checked.outcome);
@@ -69,7 +70,7 @@ int check_program(report::Checked& checked, const std::string& path, const Check
         checked.failure = "out of memory";
     } catch (const std::logic_error& e) {
         checked.failure = fmt::format("a bug of ours, please report it: {}", e.what());
-        code = kBug;
+        code = kInternalError;
     } catch (const std::exception& e) {
         checked.failure = e.what();
     }

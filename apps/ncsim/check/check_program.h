@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
-#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/program_check.h"
 
 #include "options/check_options.h"
 
@@ -20,15 +20,16 @@ simulation::Plan plan_to_check(const std::string& path, const CheckOptions& opti
                                unsigned threads, setup::InputSet& inputs, std::size_t number = 0,
                                const std::stop_token& stop = {});
 
-/// Adds the fixtures of `job` to the machine of `questions`.
-void add_fixtures(simulation::Questions& questions, const setup::Job& job);
+/// Adds the fixtures of `job` to the machine of `verification_options`.
+void add_fixtures(simulation::VerificationOptions& verification_options, const setup::Job& job);
 
 /// Reads and verifies the program at `path` with `threads` threads; returns its exit code. Faults
 /// are recorded in the result. Stops early at a request of `stop`. `number`: index of the program
 /// in the file; `programs` becomes the number of programs in the file, if known.
 /// Guarantees: never throws. The result depends on the file and the options only.
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
-                  const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
-                  std::stop_token stop, std::size_t number, std::size_t& programs);
+                  const simulation::VerificationOptions& verification_options, unsigned threads,
+                  setup::InputSet& inputs, std::stop_token stop, std::size_t number,
+                  std::size_t& programs);
 
 }  // namespace ncsim::app

@@ -44,7 +44,7 @@ std::string key_of(const CheckOptions& options, const setup::RecordedInput& read
     std::string key = fmt::format("ncsim {}\n{}", report::kVersion, options.specified);
     if (!options.csv.empty()) key += "csv\n";
     for (const auto& [file, digest] : read.files())
-        key += named_anywhere(file) + '\n' + digest.value_or("") + '\n';
+        key += absolute_name(file) + '\n' + digest.value_or("") + '\n';
     return key;
 }
 
@@ -122,7 +122,7 @@ std::string SettingsOfPrograms::key() const {
         key += settings.key;
     for (const auto& [file, baseline] : baselines_) {
         for (const auto& [program, findings] : baseline->programs())
-            key += baseline->about(program) + '\n';
+            key += baseline->key_of_program(program) + '\n';
     }
     for (const std::size_t number : number_of_)
         key += fmt::format("{},", number);
@@ -136,7 +136,7 @@ std::string SettingsOfPrograms::lost_programs() const {
             std::error_code ignored;
             if (std::filesystem::exists(program, ignored)) continue;
             text += fmt::format("ncsim: {}: {} known finding{} of '{}', which is not there\n",
-                                report::shown_path(file), findings, findings == 1 ? "" : "s",
+                                report::printable_path(file), findings, findings == 1 ? "" : "s",
                                 report::one_line(program));
         }
     }
@@ -216,10 +216,10 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         if (path != "-") inputs_.expect(path);
     }
     setup::RecordedInput read(inputs_);
-    simulation::Questions& questions = made.questions;
+    simulation::VerificationOptions& verification_options = made.verification_options;
     if (!options.machine.empty()) {
-        questions.machine = setup::read_machine(options.machine, read);
-        questions.bodies = simulation::bodies_of(questions.machine);
+        verification_options.machine = setup::read_machine(options.machine, read);
+        verification_options.bodies = simulation::bodies_of(verification_options.machine);
     }
     if (!options.design.empty()) {
         setup::SurfaceFile file = setup::read_surface_file(options.design, read);
@@ -233,27 +233,27 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         made.design = simulation::Design{
             setup::name_of_input(options.design), std::move(file.mesh), options.design_tolerance,
             std::move(file.face_names),           file.deflection_mm,   std::move(file.assumed)};
-        questions.design = &*made.design;
+        verification_options.design = &*made.design;
     }
     made.baseline = baseline_of(options);
-    questions.baseline = made.baseline.get();
-    questions.selection = options.selection;
-    questions.dog_leg = options.dog_leg;
-    questions.is_rapid_specified = options.given.contains("rapid");
-    questions.detached_pieces = options.detached_pieces;
-    questions.air_cuts = options.air_cuts;
-    questions.ledger = !options.csv.empty();
-    questions.look = !options.html.empty();
-    questions.warnings_as_errors = options.warnings_as_errors;
+    verification_options.baseline = made.baseline.get();
+    verification_options.selection = options.selection;
+    verification_options.dog_leg = options.dog_leg;
+    verification_options.is_rapid_specified = options.given.contains("rapid");
+    verification_options.detached_pieces = options.detached_pieces;
+    verification_options.air_cuts = options.air_cuts;
+    verification_options.ledger = !options.csv.empty();
+    verification_options.wants_page = !options.html.empty();
+    verification_options.warnings_as_errors = options.warnings_as_errors;
     // With a single program, all specified tools are intended for this program.
-    questions.tools_are_meant = !many_;
+    verification_options.tools_are_meant = !many_;
     made.entries = entries_for(options, many_);
     made.key = key_of(options, read);
     if (!many_) made.key += "one\n";
     if (step) made.key += fmt::format("step {}\n", *step);
     if (!options.cache.empty()) {
         made.cache.emplace(options.cache, made.key,
-                           [](const std::string& what) { say("ncsim: " + what + '\n'); });
+                           [](const std::string& what) { print_error("ncsim: " + what + '\n'); });
     }
 }
 

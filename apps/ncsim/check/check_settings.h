@@ -8,7 +8,7 @@
 #include "ncsim/report/make_entry.h"
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/project_file.h"
-#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/program_check.h"
 
 #include "check/result_cache.h"
 #include "options/check_options.h"
@@ -28,7 +28,7 @@ struct CheckSettings {
     CheckOptions options;
     std::string project;  ///< The ncsim.toml with some of the settings; empty: none.
     std::string label;    ///< "set-up 2, back" for a job with several set-ups; otherwise empty.
-    simulation::Questions questions;
+    simulation::VerificationOptions verification_options;
     std::optional<simulation::Design> design;
     std::shared_ptr<const report::Baseline> baseline;
     report::EntryOptions entries;
@@ -36,8 +36,8 @@ struct CheckSettings {
     std::optional<ResultCache> cache;  ///< Present with --cache.
 
     /// Returns further values that determine the verdict of this program only.
-    std::string about(const std::string& program) const {
-        return baseline ? baseline->about(program) : "";
+    std::string key_of_program(const std::string& program) const {
+        return baseline ? baseline->key_of_program(program) : "";
     }
 };
 

@@ -24,7 +24,7 @@ int check_tile(CheckOptions options) {
         inputs.expect(path);
     const ShardNumber& number = options.number;
     const TilePlace place({options.tile_words, {}, number.shard, number.of}, options.tile_out);
-    if (!options.redo && place.is_done(inputs)) return place.say("was verified before");
+    if (!options.redo && place.is_done(inputs)) return place.report_done("was verified before");
     place.reserve(outputs);
 
     setup::RecordedInput read(inputs);
@@ -36,17 +36,17 @@ int check_tile(CheckOptions options) {
         throw std::runtime_error(
             "--tile: the file has several programs; tiles are of a single one");
     plan.tile = cda::TileNumber{number.shard, number.of};
-    simulation::Questions questions = asked.questions;
-    add_fixtures(questions, plan.job);
-    simulation::SeenTile seen = simulation::check_tile(std::move(plan), questions);
+    simulation::VerificationOptions verification_options = asked.verification_options;
+    add_fixtures(verification_options, plan.job);
+    simulation::TileResult seen = simulation::check_tile(std::move(plan), verification_options);
     report::TileFile file;
     file.head = {options.tile_words, read.files(), number.shard, number.of, read.knows_all()};
-    for (const simulation::MetStock& met : seen.met)
-        file.met.emplace_back(met.motion, met.hulls);
+    for (const simulation::StockContact& met : seen.stock_contacts)
+        file.stock_contacts.emplace_back(met.motion, met.hulls);
     file.evidence = verify::bytes_of(seen.evidence);
     file.tile = std::move(seen.tile);
     place.write(file, outputs);
-    return place.say("was verified");
+    return place.report_done("was verified");
 }
 
 }  // namespace ncsim::app

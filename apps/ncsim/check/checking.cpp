@@ -6,8 +6,8 @@
 #include "ncsim/report/file_digests.h"
 
 #include "check/check_program.h"
-#include "system/in_order.h"
 #include "system/interruption.h"
+#include "system/ordered_work.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -28,7 +28,7 @@ namespace {
 
 // Returns the time limit (s) of a process: longer than the program's own limit, so the program can
 // report that its time ran out.
-double last_moment(double max_seconds) {
+double process_deadline(double max_seconds) {
     return max_seconds > 0.0 ? 2.0 * max_seconds + 1.0 : 0.0;
 }
 
@@ -53,10 +53,10 @@ std::size_t Checking::run(const std::vector<std::size_t>& which, const Done& don
     if (options_.isolate) return run_isolated(which, jobs, threads, done, noted);
 
     std::stop_source stop;
-    std::optional<OnInterruption> watch;
+    std::optional<InterruptionScope> watch;
     if (Interruption::descriptor() >= 0) watch.emplace([stop]() mutable { stop.request_stop(); });
     std::vector<report::Entry> entries(which.size());
-    return in_order(
+    return run_in_order(
         which.size(), jobs,
         [&](std::size_t i, const std::stop_token& asked) {
             entries[i] = verified(which[i], threads, asked);
@@ -74,7 +74,7 @@ std::size_t Checking::run_isolated(const std::vector<std::size_t>& which, unsign
         return !entries[i];
     };
     pieces.work = [&](std::size_t i) {
-        const Found result = found(which[i], threads, {});
+        const CheckResult result = checked_result(which[i], threads, {});
         std::string conflict;
         try {
             inputs_.check();
@@ -85,18 +85,18 @@ std::size_t Checking::run_isolated(const std::vector<std::size_t>& which, unsign
                            report::line_of(result.files), result.knows_all ? 1 : 0, conflict);
     };
     pieces.seconds = [&](std::size_t i) {
-        return last_moment(settings_.of(which[i]).options.max_seconds);
+        return process_deadline(settings_.of(which[i]).options.max_seconds);
     };
     pieces.done = [&](std::size_t i, const ProcessEnd& end) {
-        if (!entries[i]) entries[i] = from(which[i], end);
+        if (!entries[i]) entries[i] = entry_of_end(which[i], end);
         done(which[i], *std::exchange(entries[i], std::nullopt));
     };
     pieces.noted = noted;
     pieces.stop_descriptor = Interruption::descriptor();
-    return in_processes(which.size(), jobs, pieces);
+    return run_in_processes(which.size(), jobs, pieces);
 }
 
-report::Entry Checking::from(std::size_t program, const ProcessEnd& end) {
+report::Entry Checking::entry_of_end(std::size_t program, const ProcessEnd& end) {
     if (end.is_stopped) return failed(program, stopped_by_signal(), kEnvironment);
     if (end.is_late) {
         const double most = settings_.of(program).options.max_seconds;
@@ -108,7 +108,7 @@ report::Entry Checking::from(std::size_t program, const ProcessEnd& end) {
                       fmt::format("a bug of ours, please report it: its process was ended by "
                                   "signal {} ({})",
                                   end.signal, ::strsignal(end.signal)),
-                      kBug);
+                      kInternalError);
     }
     if (end.signal != 0) {
         return failed(program,
@@ -120,20 +120,20 @@ report::Entry Checking::from(std::size_t program, const ProcessEnd& end) {
     if (end.exit_code != 0) return failed(program, "out of memory", kEnvironment);
 
     // Lines: the entry, the files, whether the files are complete, an input that is also an output.
-    std::istringstream said(end.said);
+    std::istringstream output(end.output);
     std::string line, names, are_all, conflict;
-    std::getline(said, line);
-    std::getline(said, names);
-    std::getline(said, are_all);
-    std::getline(said, conflict, '\0');
+    std::getline(output, line);
+    std::getline(output, names);
+    std::getline(output, are_all);
+    std::getline(output, conflict, '\0');
     std::optional<report::Entry> entry = report::entry_from(line);
     std::optional<report::FileDigests> files = report::file_digests_from(names);
-    if (!entry || !files) return failed(program, "its process said nothing", kBug);
+    if (!entry || !files) return failed(program, "its process said nothing", kInternalError);
     if (!conflict.empty()) throw std::runtime_error(conflict);
     for (const auto& [file, digest] : *files) {
         if (digest && file != "-") inputs_.expect(file);
     }
-    Found result{std::move(*entry), std::move(*files), are_all == "1"};
+    CheckResult result{std::move(*entry), std::move(*files), are_all == "1"};
     keep(program, result);
     return std::move(result.entry);
 }
@@ -154,22 +154,25 @@ std::optional<report::Entry> Checking::known(std::size_t program) const {
     const std::string& path = programs_[program];
     const CheckSettings& settings = settings_.of(program);
     // A program without a path may differ in the next run.
-    if (!settings.cache || path == "-" || settings.questions.look) return std::nullopt;
-    return settings.cache->find(path, settings.about(path), inputs_);
+    if (!settings.cache || path == "-" || settings.verification_options.wants_page)
+        return std::nullopt;
+    return settings.cache->find(path, settings.key_of_program(path), inputs_);
 }
 
-void Checking::keep(std::size_t program, const Found& found) const {
+void Checking::keep(std::size_t program, const CheckResult& found) const {
     const std::string& path = programs_[program];
     CheckSettings& settings = settings_.of(program);
-    if (!settings.cache || path == "-" || settings.questions.look || !found.knows_all) return;
-    settings.cache->keep(path, settings.about(path), found.entry, found.files);
+    if (!settings.cache || path == "-" || settings.verification_options.wants_page ||
+        !found.knows_all)
+        return;
+    settings.cache->keep(path, settings.key_of_program(path), found.entry, found.files);
 }
 
 report::Entry Checking::verified(std::size_t program, unsigned threads,
                                  const std::stop_token& stop) {
     try {
         if (std::optional<report::Entry> before = known(program)) return *std::move(before);
-        Found result = found(program, threads, stop);
+        CheckResult result = checked_result(program, threads, stop);
         keep(program, result);
         return std::move(result.entry);
     } catch (const std::bad_alloc&) {
@@ -180,20 +183,20 @@ report::Entry Checking::verified(std::size_t program, unsigned threads,
 }
 
 // Never throws, except if there is no memory for a message.
-Checking::Found Checking::found(std::size_t program, unsigned threads,
-                                const std::stop_token& stop) {
+Checking::CheckResult Checking::checked_result(std::size_t program, unsigned threads,
+                                               const std::stop_token& stop) {
     try {
         CheckSettings& settings = settings_.of(program);
         setup::RecordedInput read(inputs_);
-        Found result;
+        CheckResult result;
         std::size_t programs = 1;
         for (std::size_t number = 0; number < programs; ++number) {
             report::Checked checked;
             checked.settings = settings.project;
             checked.program = settings.label;
             const int code =
-                check_program(checked, programs_[program], settings.options, settings.questions,
-                              threads, read, stop, number, programs);
+                check_program(checked, programs_[program], settings.options,
+                              settings.verification_options, threads, read, stop, number, programs);
             if (!checked.failure.empty() && stop.stop_requested() && Interruption::signal() != 0)
                 checked.failure = stopped_by_signal();
             report::Entry entry = report::entry_of(checked, code, settings.entries);
@@ -202,7 +205,8 @@ Checking::Found Checking::found(std::size_t program, unsigned threads,
             } else {
                 result.entry.more.push_back(std::move(entry));
             }
-            if (settings.questions.look && shows_) shows_(program, std::move(checked));
+            if (settings.verification_options.wants_page && shows_)
+                shows_(program, std::move(checked));
         }
         result.files = read.files();
         result.knows_all = read.knows_all();

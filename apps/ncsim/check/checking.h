@@ -10,7 +10,7 @@
 
 #include "check/check_settings.h"
 #include "options/check_options.h"
-#include "system/in_processes.h"
+#include "system/child_processes.h"
 
 #include <cstddef>
 #include <functional>
@@ -49,7 +49,7 @@ public:
 
 private:
     /// Result of a program, with the files on which it depends.
-    struct Found {
+    struct CheckResult {
         report::Entry entry;
         setup::ReadFiles files;
         bool knows_all = true;  ///< `files` is complete.
@@ -58,11 +58,11 @@ private:
     std::size_t run_isolated(const std::vector<std::size_t>& which, unsigned jobs, unsigned threads,
                              const Done& done, const Noted& noted);
     report::Entry verified(std::size_t program, unsigned threads, const std::stop_token& stop);
-    Found found(std::size_t program, unsigned threads, const std::stop_token& stop);
-    report::Entry from(std::size_t program, const ProcessEnd& end);
+    CheckResult checked_result(std::size_t program, unsigned threads, const std::stop_token& stop);
+    report::Entry entry_of_end(std::size_t program, const ProcessEnd& end);
     report::Entry failed(std::size_t program, const std::string& why, int code) const;
     std::optional<report::Entry> known(std::size_t program) const;
-    void keep(std::size_t program, const Found& found) const;
+    void keep(std::size_t program, const CheckResult& found) const;
 
     const CheckOptions& options_;
     const std::vector<std::string>& programs_;

@@ -31,9 +31,9 @@ bool is_digest(const std::string& name) {
 }
 
 /// Files that this run writes, and further runs with the same output folders.
-class Written {
+class OutputFiles {
 public:
-    explicit Written(const CheckOptions& options)
+    explicit OutputFiles(const CheckOptions& options)
         : files_(outputs_of(options)),
           shards_(whole(options.out)),
           verdicts_(whole(options.cache)),
@@ -78,7 +78,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 class Collector {
 public:
-    explicit Collector(const CheckOptions& options) : written_(options) {}
+    explicit Collector(const CheckOptions& options) : output_files_(options) {}
 
     void add_named(const std::string& name) {
         const std::size_t before = list_.programs.size();
@@ -90,11 +90,11 @@ public:
         const std::size_t before = list_.programs.size();
         if (add_folder(name)) {
             if (list_.programs.size() == before)
-                list_.left_out.push_back({name, "folder without programs"});
+                list_.excluded.push_back({name, "folder without programs"});
             return;
         }
         if (auto why = name == "-" ? std::nullopt : setup::why_no_program(name)) {
-            list_.left_out.push_back({name, std::move(*why)});
+            list_.excluded.push_back({name, std::move(*why)});
         } else {
             add(name, name != "-" && setup::is_subprogram_file(name));
         }
@@ -108,8 +108,8 @@ private:
         setup::ProgramFolder folder = setup::programs_in_folder(name);
         for (const std::string& program : folder.programs)
             add(program, setup::is_subprogram_file(program));
-        for (report::LeftOut& file : folder.left_out) {
-            if (!written_.contains(file.path)) list_.left_out.push_back(std::move(file));
+        for (report::ExcludedEntry& file : folder.excluded) {
+            if (!output_files_.contains(file.path)) list_.excluded.push_back(std::move(file));
         }
         return true;
     }
@@ -118,7 +118,7 @@ private:
         list_.is_subprogram.push_back(is_subprogram);
     }
 
-    Written written_;
+    OutputFiles output_files_;
     ProgramList list_;
 };
 
@@ -154,7 +154,7 @@ ProgramList programs_of(CheckOptions& options, setup::InputSet& inputs) {
             collector.add_listed(name);
     }
     ProgramList list = std::move(collector).take();
-    say(report::text_of(list.left_out));
+    print_error(report::text_of(list.excluded));
     if (list.programs.empty()) throw std::runtime_error("the list names no programs");
     return list;
 }
@@ -167,7 +167,7 @@ std::vector<std::size_t> share_of(const std::vector<std::string>& programs,
         const std::uintmax_t size = fs::file_size(program, error);
         sizes.push_back(error ? 0 : size);
     }
-    return report::dealt(sizes, number.shard, number.of);
+    return report::programs_of_shard(sizes, number.shard, number.of);
 }
 
 }  // namespace ncsim::app

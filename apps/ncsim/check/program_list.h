@@ -23,7 +23,7 @@ struct ProgramList {
     /// For each program: found in a folder or a list, and acts only if a different program calls
     /// it.
     std::vector<bool> is_subprogram;
-    std::vector<report::LeftOut> left_out;  ///< Entries of folders and of `--list`.
+    std::vector<report::ExcludedEntry> excluded;  ///< Entries of folders and of `--list`.
 };
 
 /// Returns the programs of `options`. A folder stands for the programs in it and below. Outputs of

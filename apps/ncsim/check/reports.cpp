@@ -41,7 +41,7 @@ Reports::Reports(const ReportOptions& options, OutputSet& outputs, bool many)
       many_(many),
       before_(overwritten_baseline(options.write_baseline)) {}
 
-void Reports::tell(const report::Entry& entry) const {
+void Reports::add(const report::Entry& entry) const {
     if (options_.github) {
         write_stdout(entry.github);
     } else {

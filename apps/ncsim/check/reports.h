@@ -24,7 +24,7 @@ public:
     /// Throws: std::runtime_error if the file is no baseline.
     Reports(const ReportOptions& options, OutputSet& outputs, bool many);
 
-    void tell(const report::Entry& entry) const;
+    void add(const report::Entry& entry) const;
     /// Writes the summary and the output files.
     void write(const report::Entries& all, const report::Scope& scope) const;
 

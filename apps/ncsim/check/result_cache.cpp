@@ -28,15 +28,15 @@ ResultCache::ResultCache(std::string folder, std::string common,
                          std::function<void(const std::string&)> complain)
     : folder_(std::move(folder)), common_(std::move(common)), complain_(std::move(complain)) {}
 
-std::string named_anywhere(const std::string& path) {
+std::string absolute_name(const std::string& path) {
     std::error_code ignored;
     const bool is_absolute = fs::path(path).is_absolute();
     return is_absolute ? fs::current_path(ignored).string() + '\n' + path : path;
 }
 
-std::string ResultCache::key_of(const std::string& program, const std::string& about) const {
-    return setup::digest_of(fmt::format("{} {}{} {}{}", common_.size(), common_, about.size(),
-                                        about, named_anywhere(program)));
+std::string ResultCache::key_of(const std::string& program, const std::string& program_key) const {
+    return setup::digest_of(fmt::format("{} {}{} {}{}", common_.size(), common_, program_key.size(),
+                                        program_key, absolute_name(program)));
 }
 
 std::string ResultCache::path_of(const std::string& key) const {
@@ -45,9 +45,10 @@ std::string ResultCache::path_of(const std::string& key) const {
 
 // An entry has four lines: the key, the files that were read, the entry, the digest of the
 // preceding lines. The key detects a file that was copied to the name of a different entry.
-std::optional<report::Entry> ResultCache::find(const std::string& program, const std::string& about,
+std::optional<report::Entry> ResultCache::find(const std::string& program,
+                                               const std::string& program_key,
                                                setup::InputSet& inputs) const {
-    const std::string key = key_of(program, about);
+    const std::string key = key_of(program, program_key);
     std::ifstream in(path_of(key), std::ios::binary);
     std::string owner, files, entry, digest;
     if (!std::getline(in, owner) || !std::getline(in, files) || !std::getline(in, entry) ||
@@ -63,7 +64,7 @@ std::optional<report::Entry> ResultCache::find(const std::string& program, const
     return is_same ? report::entry_from(entry) : std::nullopt;
 }
 
-void ResultCache::keep(const std::string& program, const std::string& about,
+void ResultCache::keep(const std::string& program, const std::string& program_key,
                        const report::Entry& entry, const setup::ReadFiles& read) {
     bool is_verdict = true;
     report::for_each_program(entry, [&](const report::Entry& one) {
@@ -72,7 +73,7 @@ void ResultCache::keep(const std::string& program, const std::string& about,
     if (!is_verdict) return;
     const std::string files = report::line_of(read);
     const std::string line = report::line_of(entry);
-    const std::string key = key_of(program, about);
+    const std::string key = key_of(program, program_key);
     const std::string text = key + '\n' + files + '\n' + line;
     const std::string bytes = text + '\n' + setup::digest_of(text) + '\n';
     const fs::path path = path_of(key);

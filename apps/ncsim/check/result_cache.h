@@ -17,7 +17,7 @@ namespace ncsim::app {
 
 /// Returns a name of a file that is valid as a cache key from every folder. Reports show paths
 /// relative to the current folder, so an absolute path includes the current folder.
-std::string named_anywhere(const std::string& path);
+std::string absolute_name(const std::string& path);
 
 class ResultCache {
 public:
@@ -29,14 +29,14 @@ public:
 
     /// Returns the known entry of a program; empty if the program or a file read with it has
     /// changed. `about`: text of baselines about the program. Files are read through `inputs`.
-    std::optional<report::Entry> find(const std::string& program, const std::string& about,
+    std::optional<report::Entry> find(const std::string& program, const std::string& program_key,
                                       setup::InputSet& inputs) const;
     /// Stores `entry` if it is a verdict; `read`: all files on which the verdict depends.
-    void keep(const std::string& program, const std::string& about, const report::Entry& entry,
-              const setup::ReadFiles& read);
+    void keep(const std::string& program, const std::string& program_key,
+              const report::Entry& entry, const setup::ReadFiles& read);
 
 private:
-    std::string key_of(const std::string& program, const std::string& about) const;
+    std::string key_of(const std::string& program, const std::string& program_key) const;
     std::string path_of(const std::string& key) const;
 
     std::string folder_, common_;

@@ -25,7 +25,7 @@ namespace ncsim::app {
 
 namespace {
 
-using Side = simulation::Surveyed;
+using Side = simulation::SurveyedPlan;
 
 Side read_side(const DiffOptions& diff, const std::string& path,
                const std::optional<toolpath::Stock>& stock, setup::InputSet& inputs) {

@@ -133,12 +133,12 @@ std::string first_job(const InitOptions& options) {
         } else {
             for (const int number : merge_tools(all, std::move(described)))
                 notes += fmt::format("note: T{} has another shape in {}; the first counts\n",
-                                     number, report::shown_path(options.programs[i]));
+                                     number, report::printable_path(options.programs[i]));
         }
         if (all.file.stock) set_up.height = all.file.stock->box.size().z;
         set_ups.push_back(std::move(set_up));
     }
-    say(notes);
+    print_error(notes);
     std::ostringstream out;
     setup::write_first_job(out, all.file, all.remarks, set_ups);
     return out.str();
@@ -203,7 +203,7 @@ int run(const InitOptions& options) {
         options.repo ? first_project(options.programs.empty() ? "." : options.programs[0])
                      : first_job(options);
     write_new(options.output, text);
-    const std::string name = report::shown_path(options.output);
+    const std::string name = report::printable_path(options.output);
     if (options.repo) {
         put_text(fmt::format("{} written: remove the # before what applies\n", name));
     } else {

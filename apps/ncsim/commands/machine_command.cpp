@@ -6,7 +6,7 @@
 #include "ncsim/export/png.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/machine_text.h"
-#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/program_check.h"
 
 #include "options/program_options.h"
 #include "run/machine_picture.h"

@@ -82,7 +82,7 @@ int measure_job(const MeasureOptions& options, const std::vector<ChosenStep>& st
         one.job_step = step.number;
         if (&step != &steps.back()) one.json.clear();
         if (steps.size() > 1 && !options.quiet)
-            put_text(fmt::format("{}: {}\n", step.label, report::shown_path(step.program)),
+            put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)),
                      options.json == "-");
         worst = worse_code(worst, run(one));
     }
@@ -133,7 +133,7 @@ int run(const MeasureOptions& options) {
     simulation::Survey survey = simulation::survey(plan);
     print_findings(plan.job.program, survey.diagnostics);
     if (!survey.is_ready()) {
-        say("ncsim: the program was not simulated\n");
+        print_error("ncsim: the program was not simulated\n");
         return kFindings;
     }
     simulation::Verification nothing;
@@ -150,7 +150,8 @@ int run(const MeasureOptions& options) {
     outputs.commit();
     const bool faulty =
         gcode::has_errors(survey.diagnostics) || gcode::has_errors(milled.diagnostics);
-    if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
+    if (faulty)
+        print_error("ncsim: the part is not what the blocks with errors would make of it\n");
     return faulty ? kFindings : kClean;
 }
 

@@ -173,7 +173,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
         if (chosen == check) {
             complete(check_options);
             check_options.words = words;
-            check_options.given = given_to(*check);
+            check_options.given = specified_options(*check);
             check_options.specified = settings_of(*check);
             check_options.tile_words = words_of_check(*check);
             return check_options;

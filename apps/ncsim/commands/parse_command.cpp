@@ -52,8 +52,8 @@ int run(const ParseOptions& options) {
         inputs.expect(path);
     const setup::Job job = setup::read_job(static_cast<const setup::JobOptions&>(options), inputs);
     if (options.control) {
-        const report::Lacking found =
-            report::list_lacking(job.program, *options.control, options.json, write_stdout);
+        const report::MissingCodes found =
+            report::list_missing_codes(job.program, *options.control, options.json, write_stdout);
         return found.lacking > 0 ? kFindings : found.unknown > 0 ? kNotProven : kClean;
     }
     gcode::ParserOptions parser;

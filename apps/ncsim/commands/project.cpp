@@ -31,8 +31,8 @@ std::runtime_error error_at(const setup::ProjectSetting& setting, const std::str
 
 // Returns a setting as words of a command line; file names are relative to the folder of the
 // project.
-std::vector<std::string> untried_words_of(const setup::ProjectSetting& setting,
-                                          const std::string& folder) {
+std::vector<std::string> setting_words(const setup::ProjectSetting& setting,
+                                       const std::string& folder) {
     const std::optional<OptionKind> kind = kind_of_check_option(setting.option);
     if (!kind) {
         throw error_at(setting, fmt::format("'{}': no option of ncsim check that decides verdicts",
@@ -144,7 +144,7 @@ void print_sources(const std::vector<std::string>& arguments, const JobValues& j
         text += fmt::format("setting  {}\n", line);
     for (const setup::ProjectSetting& setting : settings)
         if (!given(setting.option)) text += fmt::format("setting  {}\n", line_of(setting));
-    say(text);
+    print_error(text);
 }
 
 // True if the command line has the option `name`.
@@ -160,7 +160,7 @@ bool is_given(const std::vector<std::string>& words, const std::string& name) {
 
 std::vector<std::string> words_of_setting(const setup::ProjectSetting& setting,
                                           const std::string& folder) {
-    std::vector<std::string> words = untried_words_of(setting, folder);
+    std::vector<std::string> words = setting_words(setting, folder);
     // Each setting is tried separately, so a message can name the place of a fault.
     std::vector<std::string> all{"check", "-"};
     all.insert(all.end(), words.begin(), words.end());
@@ -305,7 +305,7 @@ Command options_with_project(const std::vector<std::string>& arguments) {
                 if (project) options.project = project->name;
                 if (!is_quiet(arguments)) {
                     for (const std::string& line : overridden)
-                        say("note: " + line + '\n');
+                        print_error("note: " + line + '\n');
                 }
                 if (options.verbose) print_sources(arguments, job, settings, given);
             }

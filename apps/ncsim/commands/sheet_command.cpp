@@ -7,7 +7,7 @@
 #include "ncsim/report/set_up_sheet.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/simulation/apply_machine.h"
-#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/survey.h"
 
 #include "options/job_steps.h"

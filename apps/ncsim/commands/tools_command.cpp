@@ -89,7 +89,7 @@ int run(const ToolsOptions& options) {
         ToolsOptions one = options;
         one.job_step = step.number;
         if (!options.json)
-            put_text(fmt::format("{}: {}\n", step.label, report::shown_path(step.program)));
+            put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)));
         worst = worse_code(worst, print_sheet(one, inputs, outputs, &sheets));
     }
     if (options.json) write_stdout("{\"programs\": [\n" + sheets + "\n]}\n");

@@ -69,10 +69,10 @@ int run(MergeOptions options) {
         outputs.reserve(path);
     const report::Shards shards(files);
     const report::Entries listed = shards.entries();
-    const report::Scope scope{shards.left_out(), report::called_files(listed)};
-    const report::Entries all = report::without_called(listed, scope.called);
+    const report::Scope scope{shards.excluded(), report::called_files(listed)};
+    const report::Entries all = report::remove_called(listed, scope.called);
     const Reports reports(options, outputs, shards.programs() > 1);
-    all([&](const report::Entry& entry) { reports.tell(entry); });
+    all([&](const report::Entry& entry) { reports.add(entry); });
     reports.write(all, scope);
     outputs.commit();
     return exit_code_of(all, options.exit_zero);

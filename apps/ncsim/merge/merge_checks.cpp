@@ -5,7 +5,7 @@
 
 #include "ncsim/verify/evidence.h"
 
-#include "check/check.h"
+#include "check/check_command.h"
 #include "commands/options.h"
 #include "run/tile.h"
 
@@ -22,9 +22,9 @@ namespace {
 
 CheckOptions check_options_from(const std::vector<std::string>& words) {
     Command command = parse_options(words);
-    if (const auto* farewell = std::get_if<EarlyExit>(&command)) {
+    if (const auto* early_exit = std::get_if<EarlyExit>(&command)) {
         throw std::runtime_error("the tiles: " +
-                                 farewell->text.substr(0, farewell->text.find('\n')));
+                                 early_exit->text.substr(0, early_exit->text.find('\n')));
     }
     return std::get<CheckOptions>(std::move(command));
 }
@@ -64,7 +64,7 @@ int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>&
     }
     CheckOptions options = check_options_from(words);
     options.tile_files = files[order[0]].head.files;
-    auto seen = std::make_shared<simulation::SeenTiles>();
+    auto seen = std::make_shared<simulation::TileResults>();
     try {
         std::vector<verify::Evidence> evidence;
         for (const std::size_t file : order)

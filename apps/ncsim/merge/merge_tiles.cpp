@@ -26,9 +26,9 @@ namespace {
 
 Options options_from(const std::vector<std::string>& words) {
     Command command = parse_options(words);
-    if (const auto* farewell = std::get_if<EarlyExit>(&command)) {
+    if (const auto* early_exit = std::get_if<EarlyExit>(&command)) {
         throw std::runtime_error("the tiles: " +
-                                 farewell->text.substr(0, farewell->text.find('\n')));
+                                 early_exit->text.substr(0, early_exit->text.find('\n')));
     }
     auto* options = std::get_if<Options>(&command);
     if (!options) throw std::runtime_error("the tiles are of no ncsim run");
@@ -47,7 +47,7 @@ int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
         has_part |= !read.back().tile.empty();
         std::string().swap(read.back().tile);  // an assignment would keep the memory
     }
-    const std::vector<std::size_t> order = report::in_order(read, files);
+    const std::vector<std::size_t> order = report::order_tiles(read, files);
 
     const auto read_again = [&](std::size_t tile) {
         const std::size_t file = order[tile];

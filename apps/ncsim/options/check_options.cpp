@@ -47,7 +47,7 @@ void ignore(verify::Selection& selection, const std::vector<std::string>& names)
     }
 }
 
-void weigh(verify::Selection& selection, const std::vector<std::string>& texts) {
+void select_rules(verify::Selection& selection, const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
         const std::size_t equals = text.find('=');
         const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
@@ -88,7 +88,7 @@ cli::Option* add_list(cli::App& command, const char* name, const char* type, con
     return command.add_option_function<std::vector<std::string>>(name, take, what)
         ->type_name(type)
         ->delimiter(',')
-        ->one_value_at_a_time();
+        ->accept_one_value();
 }
 
 // Returns the long name without dashes.
@@ -119,7 +119,7 @@ void add_rule_options(cli::App& check, CheckOptions& o) {
     add_list(check, "--ignore", "RULES", "All rules except these",
              [&o](const auto& names) { ignore(o.selection, names); });
     add_list(check, "--severity", "RULE=S", "Severity of a rule: note, warning, error",
-             [&o](const auto& texts) { weigh(o.selection, texts); });
+             [&o](const auto& texts) { select_rules(o.selection, texts); });
     add_list(check, "--accept", "REASONS", "Doubts that do not count: stock-guess,…; all",
              [&o](const auto& names) {
                  for (const std::string& name : names)
@@ -310,7 +310,7 @@ std::vector<std::string> words_of_check(const cli::App& command) {
     });
 }
 
-std::set<std::string> given_to(const cli::App& command) {
+std::set<std::string> specified_options(const cli::App& command) {
     std::set<std::string> given;
     for (const cli::Option* option : command.options()) {
         if (option->count() > 0) given.insert(long_name(*option));

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/report/file_digests.h"
-#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/program_check.h"
 #include "ncsim/verify/selection.h"
 
 #include "options/program_options.h"
@@ -41,7 +41,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> tile_words;
     /// Observations of all tiles, and the files from which the tiles were made; null: the part is
     /// cut in this run.
-    std::shared_ptr<const simulation::SeenTiles> tiles;
+    std::shared_ptr<const simulation::TileResults> tiles;
     report::FileDigests tile_files;
     std::string cache;               ///< Folder of cached verdicts; empty: none.
     std::vector<std::string> words;  ///< Words of the command line; the command is first.
@@ -91,7 +91,7 @@ std::optional<OptionKind> kind_of_check_option(const std::string& name);
 std::string settings_of(const cli::App& command);
 /// Returns a command line with the same verdicts for every division of work.
 std::vector<std::string> words_of_check(const cli::App& command);
-std::set<std::string> given_to(const cli::App& command);
+std::set<std::string> specified_options(const cli::App& command);
 
 /// Checks and completes `options` after all options were read.
 /// Throws: Refusal.

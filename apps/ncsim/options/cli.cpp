@@ -25,7 +25,7 @@ Option* Option::delimiter(char delimiter) {
     return this;
 }
 
-Option* Option::one_value_at_a_time() {
+Option* Option::accept_one_value() {
     option_->expected(1)->take_all();
     return this;
 }

@@ -29,7 +29,7 @@ public:
     /// Also accepts values separated by `delimiter`.
     Option* delimiter(char delimiter);
     /// Accepts one value for each name; the name may be repeated.
-    Option* one_value_at_a_time();
+    Option* accept_one_value();
     /// Rejects further values after the first.
     Option* no_extra_values();
     Option* needs(const Option* other);

@@ -7,8 +7,8 @@
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/apply_machine.h"
-#include "ncsim/simulation/check.h"
 #include "ncsim/simulation/models.h"
+#include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/doubt.h"
@@ -54,14 +54,14 @@ toolpath::Stock left_stock(const ProgramOptions& options, const SimulationOption
     simulation::Plan plan = plan_for(earlier, simulation, machine, inputs, stop);
     plan.budget.stop_with(stop);
     plan.model = simulation::models().front().name;
-    plan.keep_carved = true;
+    plan.keep_removed_cells = true;
     const auto described = machine_for(machine, plan.job, inputs);
     if (described) (void)simulation::apply_machine(plan, *described);
     const simulation::Survey survey = simulation::survey(plan);
     if (!survey.is_ready()) {
         throw std::runtime_error(fmt::format("{} ({}) leaves no part: {}", before.label,
                                              setup::name_of_input(before.program),
-                                             simulation::reason_against(survey)));
+                                             simulation::reason_not_simulated(survey)));
     }
     const simulation::Simulation cut = simulation::simulate(plan, survey, {}, {});
     const std::vector<std::string> assumed = open_assumptions(
@@ -131,7 +131,7 @@ simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
     plan.at_line = options.at_line;
     plan.keep_boundary = needs_surface(options);
     plan.keep_paths = options.shows_path;
-    plan.keep_carved = !options.save_stock.empty();
+    plan.keep_removed_cells = !options.save_stock.empty();
     plan.tool_volumes = !options.quiet || !options.report.empty();
     plan.block_volumes = options.block_volumes;
     plan.hull_times = !options.stats.empty();

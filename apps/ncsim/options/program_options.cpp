@@ -238,19 +238,19 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
             "--variable", [&o](const auto& texts) { o.variables = read_variables(texts); },
             "Value of a variable at the start, as #500=1")
         ->type_name("NAME=VALUE")
-        ->one_value_at_a_time();
+        ->accept_one_value();
     command
         .add_option_function<std::vector<std::string>>(
             "--compensation",
             [&o](const auto& texts) { o.compensation = read_compensation(texts); },
             "Radius of G41, G42 in register D1, mm; 0: wear only")
         ->type_name("D1=R")
-        ->one_value_at_a_time();
+        ->accept_one_value();
     command
         .add_option("--subprograms", o.subprograms,
                     "Folder with subprograms, after the program's own")
         ->type_name("DIR")
-        ->one_value_at_a_time();
+        ->accept_one_value();
     command.add_switch("--block-delete", o.block_delete,
                        "Skip blocks that start with '/': on, off");
     command.add_switch("--increments", o.increments,
@@ -264,12 +264,12 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
             "--tool", [&o](const auto& texts) { o.tools = read_tools(texts); },
             "Tool, as T1=flat:D10:L22 (below); repeatable")
         ->type_name("TOOL")
-        ->one_value_at_a_time();
+        ->accept_one_value();
     command
         .add_option("--tool-table", o.tool_tables,
                     "Tools: tool.tbl, .camotics, Fusion or Kiri:Moto JSON")
         ->type_name("FILE")
-        ->one_value_at_a_time();
+        ->accept_one_value();
     command.add_option("--holders", o.holders, "Tool holders (TOML)")->type_name("FILE");
 }
 

@@ -19,7 +19,7 @@ enum ExitCode : int {
     kClean = 0,
     kFindings = 1,     ///< The NC program has faults.
     kEnvironment = 2,  ///< Wrong usage, unreadable input, or an environment failure.
-    kBug = 3,
+    kInternalError = 3,
     kNotProven = 4,  ///< No fault was found, but an unspecified value prevents "clean".
 };
 

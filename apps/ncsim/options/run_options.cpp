@@ -80,9 +80,9 @@ exporter::Colouring read_colouring(const std::string& name) {
     throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
 }
 
-StandsStill read_frame(const std::string& name) {
-    if (name == "machine") return StandsStill::Machine;
-    if (name == "part") return StandsStill::Part;
+FixedBody read_frame(const std::string& name) {
+    if (name == "machine") return FixedBody::Machine;
+    if (name == "part") return FixedBody::Part;
     throw Refusal{fmt::format("--frame '{}': expected machine or part", name)};
 }
 
@@ -262,7 +262,7 @@ void add_picture_options(cli::App& run, Options& o) {
     run.add_flag("--show-machine", o.shows_machine,
                  "Draw the machine; in --gltf and --vrml it moves");
     run.add_option_function<std::string>(
-           "--frame", [&o](Text name) { o.stands_still = read_frame(name); },
+           "--frame", [&o](Text name) { o.fixed_body = read_frame(name); },
            "Fixed frame of --show-machine: machine, part [machine]")
         ->type_name("WHAT")
         ->needs("--show-machine");

@@ -26,14 +26,14 @@ namespace ncsim::app {
 enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
 
 /// Fixed body in pictures of a machine: the bed of the machine, or the part.
-enum class StandsStill : std::uint8_t { Machine, Part };
+enum class FixedBody : std::uint8_t { Machine, Part };
 
 /// Options of `ncsim run`. Empty paths: no output.
 struct Options : ProgramOptions, SimulationOptions {
     bool shows_machine = false;  ///< Show links of the machine in pictures and animated files.
     std::vector<std::string> transparent;  ///< Transparent links.
     /// Fixed body in pictures of machine and part.
-    StandsStill stands_still = StandsStill::Machine;
+    FixedBody fixed_body = FixedBody::Machine;
     std::string machine;  ///< A machine.toml: offsets and kinematics.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
 

@@ -18,7 +18,7 @@ report::SolidFacts solid_facts(const Outcome& outcome) {
         of.arc_tolerance_mm != outcome.plan.tolerance)
         facts.own_cut = {of.tool_tolerance_mm, of.arc_tolerance_mm};
     facts.mitred_mm = solid.mitred_mm;
-    facts.coarser = solid.coarser;
+    facts.tolerance_factor = solid.tolerance_factor;
     for (const auto& form : brep::kForms)
         facts.kinds.emplace_back(form, 0);
     for (const brep::Face& face : solid.part.faces)

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "ncsim/brep/measure.h"
+#include "ncsim/brep/part_shading.h"
 #include "ncsim/brep/recognise.h"
-#include "ncsim/brep/shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/drawing.h"
 #include "ncsim/export/simplify.h"

@@ -4,8 +4,8 @@
 #include "run/picture.h"
 
 #include "ncsim/export/camera.h"
+#include "ncsim/export/contact_sheet.h"
 #include "ncsim/export/render.h"
-#include "ncsim/export/sheet.h"
 #include "ncsim/machine/relative.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
@@ -30,7 +30,7 @@ namespace {
 
 // Margin around the block in which paths and tools are shown, in diagonals of the block. A larger
 // margin would make the part small.
-constexpr double kSurroundings = 0.3;
+constexpr double kBlockMargin = 0.3;
 
 // Returns the box of the links with all joints at 0, so successive pictures have the same camera;
 // machine coordinates.
@@ -43,8 +43,8 @@ cda::Box machine_box(const Outcome& outcome) {
     return box;
 }
 
-bool stands_on_machine(const Outcome& outcome) {
-    return outcome.options.shows_machine && outcome.options.stands_still == StandsStill::Machine;
+bool is_machine_fixed(const Outcome& outcome) {
+    return outcome.options.shows_machine && outcome.options.fixed_body == FixedBody::Machine;
 }
 
 // Returns the positions of the joints after the last move, machine coordinates.
@@ -84,9 +84,9 @@ exporter::Camera seen_from_part(exporter::Camera camera, const machine::Pose& X_
 }
 
 // Returns the box to be shown: in machine coordinates if the machine is fixed, otherwise in W.
-cda::Box seen_box(const Outcome& outcome) {
+cda::Box visible_box(const Outcome& outcome) {
     const Options& o = outcome.options;
-    if (stands_on_machine(outcome)) return machine_box(outcome);
+    if (is_machine_fixed(outcome)) return machine_box(outcome);
     cda::Box seen = outcome.survey.stock->box;
     if (o.shows_machine) {
         const cda::Box machine = machine_box(outcome);
@@ -94,7 +94,7 @@ cda::Box seen_box(const Outcome& outcome) {
         seen.add(machine.max - outcome.plan.placed->zero);
     }
     if (!o.shows_path && !o.shows_tool) return seen;
-    const double reach = kSurroundings * norm(seen.size());
+    const double reach = kBlockMargin * norm(seen.size());
     const cda::Vec3 margin{reach, reach, reach};
     const cda::Box around{seen.min - margin, seen.max + margin};
     const auto show = [&](cda::Vec3 p) {
@@ -125,7 +125,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.depth_top = stock.max.z;
     options.depth_bottom = std::max(stock.min.z, tips.min.z);
     options.camera =
-        exporter::fit_camera(seen_box(outcome), view, static_cast<double>(o.width) / o.height);
+        exporter::fit_camera(visible_box(outcome), view, static_cast<double>(o.width) / o.height);
     if (o.shows_machine) options.camera.depth += norm(machine_box(outcome).size());
     // Paths and tools beyond the picture may also be far in front of it.
     if (o.shows_path || o.shows_tool) {
@@ -138,7 +138,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
         for (const auto& [number, used] : outcome.survey.tools)
             options.camera.depth += toolpath::height_of(used.tool);
     }
-    if (stands_on_machine(outcome))
+    if (is_machine_fixed(outcome))
         options.camera = seen_from_part(options.camera, pose_of_part(outcome));
     return options;
 }
@@ -150,10 +150,10 @@ exporter::Overlay overlay(const Outcome& outcome) {
     if (stock.specified_by == toolpath::ValueSource::Assumption && !stock.shape && !stock.is_round)
         result.ghosts.push_back({stock.box});
     if (outcome.options.shows_machine) add_machine(outcome, result);
-    if (!outcome.options.shows_tool || !s.standing) return result;
-    const auto used = outcome.survey.tools.find(s.standing->tool);
+    if (!outcome.options.shows_tool || !s.tool_position) return result;
+    const auto used = outcome.survey.tools.find(s.tool_position->tool);
     if (used != outcome.survey.tools.end())
-        std::ranges::move(tool_bodies(used->second.tool, s.standing->X_WT),
+        std::ranges::move(tool_bodies(used->second.tool, s.tool_position->X_WT),
                           std::back_inserter(result.bodies));
     return result;
 }

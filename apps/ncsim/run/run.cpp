@@ -15,16 +15,16 @@
 #include "ncsim/export/stl.h"
 #include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
+#include "ncsim/report/assumption_sheet.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/run_report.h"
-#include "ncsim/report/sheet.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/apply_machine.h"
-#include "ncsim/simulation/check.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/machine_time.h"
+#include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
@@ -188,7 +188,7 @@ double step_tolerance(const Options& o) {
 simulation::Solid facets_of(const Outcome& outcome) {
     brep::FlatPart flat = exporter::flat_solid(*outcome.boundary, step_tolerance(outcome.options));
     brep::Recognised solid{std::move(flat.part)};
-    solid.coarser = flat.coarser;
+    solid.tolerance_factor = flat.tolerance_factor;
     solid.is_sound = flat.is_sound;
     return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
 }
@@ -241,18 +241,18 @@ int run(Options options) {
     simulation::choose_resolution(plan, survey);
     // For a program that was not read, there are no assumptions.
     if (!o.quiet && !survey.interpretation.refused)
-        say(report::assumption_sheet(plan.job.program.name, survey,
-                                     simulation::cutting_facts(plan)));
+        print_error(report::assumption_sheet(plan.job.program.name, survey,
+                                             simulation::cutting_facts(plan)));
     if (!o.quiet && survey.is_ready() && !o.draft && !o.model_specified && is_long(survey, o)) {
-        say(
+        print_error(
             fmt::format("hint      {} moves: --model dexel shows them in a fraction of the time, "
                         "not exactly\n",
                         survey.moves));
     }
     if (!o.quiet && !o.project.empty())
-        say(fmt::format("settings  {}\n", report::shown_path(o.project)));
+        print_error(fmt::format("settings  {}\n", report::printable_path(o.project)));
     for (const std::string& what : not_used)
-        say("not used: " + what + "\n");
+        print_error("not used: " + what + "\n");
     print_findings(plan.job.program, survey.diagnostics);
 
     if (o.at_line && *o.at_line > survey.interpretation.lines) {
@@ -263,7 +263,7 @@ int run(Options options) {
     Outcome outcome{options, plan, survey};
     outcome.machine = machine ? &*machine : nullptr;
     if (machine && !o.at_line && survey.is_ready())
-        outcome.on_machine = simulation::times_on(plan, survey, machine->machine);
+        outcome.on_machine = simulation::machining_times(plan, survey, machine->machine);
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     std::optional<simulation::Solid> true_surfaces, facets;
@@ -328,7 +328,7 @@ int run(Options options) {
         }
         for (const brep::SectionPlane& plane : o.sections) {
             outcome.sections.push_back(
-                simulation::cut_open(plan, *simulation, *true_surfaces, plane));
+                simulation::make_section_view(plan, *simulation, *true_surfaces, plane));
         }
         write_outputs(outcome, outputs);
     }
@@ -340,14 +340,15 @@ int run(Options options) {
 
     const bool faulty = gcode::has_errors(survey.diagnostics);
     if (!survey.is_ready()) {
-        say("ncsim: the program was not simulated\n");
+        print_error("ncsim: the program was not simulated\n");
     } else {
         if (!o.quiet)
             put_text(report::summary(run_facts(outcome)), outputs.takes_standard_output());
-        if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
+        if (faulty)
+            print_error("ncsim: the part is not what the blocks with errors would make of it\n");
     }
     if (o.step_strict && outcome.solid && outcome.solid->recognised.facets_kept > 0) {
-        say("ncsim: --step-strict: facets were kept, see above\n");
+        print_error("ncsim: --step-strict: facets were kept, see above\n");
         return faulty ? kFindings : kEnvironment;
     }
     return faulty ? kFindings : kClean;

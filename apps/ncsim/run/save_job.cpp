@@ -30,7 +30,8 @@ void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Jo
     for (const auto& [number, used] : survey.tools) {
         std::vector<std::string> lines{
             report::specified(used.specified_by, used.span, used.text, used.file, "--tool")};
-        if (!used.filled_in.empty()) lines.push_back("assumed: " + used.filled_in);
+        if (!used.assumed_values_text.empty())
+            lines.push_back("assumed: " + used.assumed_values_text);
         toolpath::ToolEntry entry;
         entry.spec = used.spec;
         entry.offset = offset_of(job, number);

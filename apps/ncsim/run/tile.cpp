@@ -78,9 +78,9 @@ void TilePlace::write(const report::TileFile& file, OutputSet& outputs) const {
     outputs.commit();
 }
 
-int TilePlace::say(const char* what) const {
+int TilePlace::report_done(const char* what) const {
     put_text(fmt::format("tile {} of {} {}: {}\n", head_.tile, head_.of, what,
-                         report::shown_path(path_)));
+                         report::printable_path(path_)));
     return kClean;
 }
 
@@ -89,10 +89,10 @@ std::shared_ptr<const simulation::CutTiles> tiles_in_order(
     const cda::Tiles::Read& read, unsigned threads) {
     auto cut = std::make_shared<simulation::CutTiles>();
     for (const std::size_t file : order) {
-        for (const auto& [motion, hulls] : files[file].met)
-            cut->met.push_back({motion, hulls});
+        for (const auto& [motion, hulls] : files[file].stock_contacts)
+            cut->stock_contacts.push_back({motion, hulls});
     }
-    std::ranges::sort(cut->met, {}, &simulation::MetStock::motion);
+    std::ranges::sort(cut->stock_contacts, {}, &simulation::StockContact::motion);
     try {
         cut->tiles = std::make_shared<const cda::Tiles>(order.size(), read, threads);
     } catch (const std::invalid_argument& e) {
@@ -114,7 +114,7 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
     if (!survey.is_ready()) {
         if (!may_say) return std::nullopt;
         print_findings(plan.job.program, survey.diagnostics);
-        say("ncsim: the program was not simulated\n");
+        print_error("ncsim: the program was not simulated\n");
         return std::nullopt;
     }
     plan.tile = cda::TileNumber{number.shard, number.of};
@@ -124,8 +124,8 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
         simulation::simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); });
     report::TileFile file;
     file.head = {options.words, read.files(), number.shard, number.of, read.knows_all()};
-    for (const simulation::MetStock& met : simulation.met)
-        file.met.emplace_back(met.motion, met.hulls);
+    for (const simulation::StockContact& met : simulation.stock_contacts)
+        file.stock_contacts.emplace_back(met.motion, met.hulls);
     std::ostringstream bytes;
     simulation.part->write_tile(bytes);
     file.tile = std::move(bytes).str();
@@ -141,12 +141,12 @@ int run_tile(Options options) {
     if (!options.machine.empty()) inputs.expect(options.machine);
     const ShardNumber& number = options.number;
     const TilePlace place({options.words, {}, number.shard, number.of}, options.tile_out);
-    if (!options.redo && place.is_done(inputs)) return place.say("was cut before");
+    if (!options.redo && place.is_done(inputs)) return place.report_done("was cut before");
     place.reserve(outputs);
     const std::optional<report::TileFile> file = cut_tile(options, inputs, true);
     if (!file) return kFindings;
     place.write(*file, outputs);
-    return place.say("was cut");
+    return place.report_done("was cut");
 }
 
 void expect_same_files(const report::FileDigests& then, const report::FileDigests& now) {

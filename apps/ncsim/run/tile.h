@@ -40,7 +40,7 @@ public:
     void reserve(OutputSet& outputs) const;
     void write(const report::TileFile& file, OutputSet& outputs) const;
     /// Reports "tile 1 of 4 `what`: tiles/…". Returns kClean.
-    int say(const char* what) const;
+    int report_done(const char* what) const;
 
 private:
     report::TileHead head_;

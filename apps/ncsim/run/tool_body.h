@@ -4,8 +4,8 @@
 #pragma once
 
 #include "ncsim/export/overlay.h"
-#include "ncsim/toolpath/pose.h"
 #include "ncsim/toolpath/tool.h"
+#include "ncsim/toolpath/tool_pose.h"
 
 #include <vector>
 

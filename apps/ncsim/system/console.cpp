@@ -14,7 +14,7 @@
 
 namespace ncsim::app {
 
-void say(std::string_view text) {
+void print_error(std::string_view text) {
     const std::string shown = report::printable(text);
     std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
@@ -29,7 +29,7 @@ void write_stdout(std::string_view text) {
 
 void put_text(std::string_view text, bool aside) {
     if (aside) {
-        say(text);
+        print_error(text);
     } else {
         write_stdout(report::printable(text));
     }
@@ -37,7 +37,7 @@ void put_text(std::string_view text, bool aside) {
 
 void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics) {
     for (const gcode::Diagnostic& d : diagnostics) {
-        say(gcode::render(d, program));
+        print_error(gcode::render(d, program));
     }
 }
 

@@ -11,7 +11,7 @@
 namespace ncsim::app {
 
 /// Writes text for people to stderr, with unprintable characters replaced.
-void say(std::string_view text);
+void print_error(std::string_view text);
 /// Writes results unchanged to stdout: JSON, commands for a CI service.
 /// Throws: std::runtime_error if stdout cannot be written.
 void write_stdout(std::string_view text);

@@ -23,7 +23,7 @@ namespace {
 constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
 
 // The handler may neither allocate nor lock.
-volatile sig_atomic_t came = 0;
+volatile sig_atomic_t received_signal = 0;
 int ends[2] = {-1, -1};
 struct sigaction before[kSignals.size()];
 
@@ -39,15 +39,15 @@ void close_pipe(int (&pipe)[2]) {
         ::close(std::exchange(end, -1));
 }
 
-void put_back() {
+void restore_handlers() {
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         ::sigaction(kSignals[i], &before[i], nullptr);
 }
 
 extern "C" void note_signal(int number) {
     const int error = errno;
-    came = number;
-    put_back();
+    received_signal = number;
+    restore_handlers();
     const char byte = 0;
     (void)!::write(ends[1], &byte, 1);
     errno = error;
@@ -57,31 +57,31 @@ extern "C" void note_signal(int number) {
 
 Interruption::Interruption() {
     open_pipe(ends);
-    came = 0;
+    received_signal = 0;
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         ::sigaction(kSignals[i], nullptr, &before[i]);
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         if (before[i].sa_handler == SIG_IGN) continue;
-        struct sigaction noting {};
-        noting.sa_handler = note_signal;
-        ::sigemptyset(&noting.sa_mask);
+        struct sigaction handler {};
+        handler.sa_handler = note_signal;
+        ::sigemptyset(&handler.sa_mask);
         for (const int other : kSignals)
-            ::sigaddset(&noting.sa_mask, other);
-        ::sigaction(kSignals[i], &noting, nullptr);
+            ::sigaddset(&handler.sa_mask, other);
+        ::sigaction(kSignals[i], &handler, nullptr);
     }
 }
 
 Interruption::~Interruption() {
-    put_back();
+    restore_handlers();
     close_pipe(ends);
 }
 
 int Interruption::signal() {
-    return came;
+    return received_signal;
 }
 
 std::string Interruption::name() {
-    const int number = came;
+    const int number = received_signal;
     return number == SIGINT ? "SIGINT" : number == SIGTERM ? "SIGTERM" : "SIGHUP";
 }
 
@@ -89,14 +89,14 @@ int Interruption::descriptor() {
     return ends[0];
 }
 
-void Interruption::pass_on() {
-    const int number = came;
+void Interruption::raise_again() {
+    const int number = received_signal;
     if (number == 0) return;
     ::signal(number, SIG_DFL);
     ::raise(number);
 }
 
-OnInterruption::OnInterruption(std::function<void()> act) {
+InterruptionScope::InterruptionScope(std::function<void()> act) {
     open_pipe(stop_);
     thread_ = std::thread([this, act = std::move(act)] {
         pollfd waiting[2] = {{Interruption::descriptor(), POLLIN, 0}, {stop_[0], POLLIN, 0}};
@@ -106,7 +106,7 @@ OnInterruption::OnInterruption(std::function<void()> act) {
     });
 }
 
-OnInterruption::~OnInterruption() {
+InterruptionScope::~InterruptionScope() {
     const char byte = 0;
     (void)!::write(stop_[1], &byte, 1);
     thread_.join();

@@ -26,16 +26,16 @@ public:
     static int descriptor();
 
     /// Ends the process by the noted signal with the default effect; does nothing without a signal.
-    static void pass_on();
+    static void raise_again();
 };
 
 /// Scope in which a signal calls `act` on a separate thread.
-class OnInterruption {
+class InterruptionScope {
 public:
-    explicit OnInterruption(std::function<void()> act);
-    ~OnInterruption();
-    OnInterruption(const OnInterruption&) = delete;
-    OnInterruption& operator=(const OnInterruption&) = delete;
+    explicit InterruptionScope(std::function<void()> act);
+    ~InterruptionScope();
+    InterruptionScope(const InterruptionScope&) = delete;
+    InterruptionScope& operator=(const InterruptionScope&) = delete;
 
 private:
     int stop_[2];

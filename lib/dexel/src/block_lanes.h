@@ -111,13 +111,13 @@ void bound_blocks_of(const BoundTask& t) {
         if constexpr (course == Course::Plunge) {
             s = all(wz < 0.0 ? 1.0 : 0.0);
         } else {
-            const V nearest = (dx * wx + dy * wy) * k.by_across;
+            const V nearest = (dx * wx + dy * wy) * k.inverse_across;
             s = between(nearest, V{}, all(1.0));
             ex = dx - s * wx;
             ey = dy - s * wy;
             if constexpr (course == Course::Slope && tip == Tip::Ball) {
                 const V cross = dx * wy - dy * wx;
-                const V room = k.radius * k.radius - cross * cross * k.by_across;
+                const V room = k.radius * k.radius - cross * cross * k.inverse_across;
                 s = between(nearest - k.lead * root(room), V{}, all(1.0));
             }
         }
@@ -125,7 +125,7 @@ void bound_blocks_of(const BoundTask& t) {
         const auto meets = ex * ex + ey * ey <= reach * reach;
         if constexpr (tip == Tip::Flat) {
             const V level = rounded(all(lowest));
-            store(&bounds.least[i], meets ? level : all(BlockBound::kNoReach));
+            store(&bounds.least[i], meets ? level : all(BlockBound::kNoLimit));
             store(&bounds.middle[i], level);
             for (std::vector<double>* each : {&bounds.slope_x, &bounds.slope_y, &bounds.opening,
                                               &bounds.ahead, &bounds.behind, &bounds.aside})
@@ -161,7 +161,7 @@ void bound_blocks_of(const BoundTask& t) {
         const V middle = k.from[2] + s * wz + rise + slope * (aside - touched) + of_way - kRounding;
         const V plane = middle - size_of(gx) * half_x - size_of(gy) * half_y;
         store(&bounds.least[i],
-              meets ? most(plane, all(lowest - kRounding)) : all(BlockBound::kNoReach));
+              meets ? most(plane, all(lowest - kRounding)) : all(BlockBound::kNoLimit));
         store(&bounds.middle[i], middle);
         store(&bounds.slope_x[i], gx);
         store(&bounds.slope_y[i], gy);

@@ -51,7 +51,7 @@ CuttingCell::CuttingCell(const cda::Cell& cell, const cda::Lattice& lattice, con
     }
 }
 
-Cutter::Range Cutter::meet(const CuttingCell& cell, std::size_t row) {
+Cutter::Range Cutter::intersect(const CuttingCell& cell, std::size_t row) {
     Range range{cell.box.begin[rays_.u_axis()], cell.box.end[rays_.u_axis()]};
     const std::size_t d = rays_.axis();
     const std::vector<double>& u = grid_.axes[rays_.u_axis()].at;
@@ -68,11 +68,11 @@ Cutter::Range Cutter::meet(const CuttingCell& cell, std::size_t row) {
     }
     if (range.begin >= range.end) return range;
     const std::size_t count = range.end - range.begin;
-    met_.resize(count);
-    std::fill_n(met_.low.begin(), count, -kFar);
-    std::fill_n(met_.high.begin(), count, kFar);
-    std::fill_n(met_.s_low.begin(), count, 0.0);
-    std::fill_n(met_.s_high.begin(), count, 0.0);
+    meeting_.resize(count);
+    std::fill_n(meeting_.low.begin(), count, -kFar);
+    std::fill_n(meeting_.high.begin(), count, kFar);
+    std::fill_n(meeting_.s_low.begin(), count, 0.0);
+    std::fill_n(meeting_.s_high.begin(), count, 0.0);
     for (std::size_t i = 0; i < cell.facets.size(); ++i) {
         const CuttingCell::Facet& facet = cell.facets[i];
         const double n = facet.normal[d];
@@ -80,18 +80,18 @@ Cutter::Range Cutter::meet(const CuttingCell& cell, std::size_t row) {
         const double first = (facet.offset - facet.normal[rays_.v_axis()] * v) / n;
         const double slope = -facet.normal[rays_.u_axis()] / n;
         if (n > 0.0) {
-            lower(met_.high.data(), met_.s_high.data(), &u[range.begin], count, first, slope,
-                  static_cast<double>(i));
+            lower(meeting_.high.data(), meeting_.s_high.data(), &u[range.begin], count, first,
+                  slope, static_cast<double>(i));
         } else {
-            raise(met_.low.data(), met_.s_low.data(), &u[range.begin], count, first, slope,
+            raise(meeting_.low.data(), meeting_.s_low.data(), &u[range.begin], count, first, slope,
                   static_cast<double>(i));
         }
     }
     return range;
 }
 
-Cutter::Range Cutter::meet(const SweptTool& tool, std::size_t row, const PendingCuts& pending,
-                           std::size_t pending_row) {
+Cutter::Range Cutter::intersect(const SweptTool& tool, std::size_t row, const PendingCuts& pending,
+                                std::size_t pending_row) {
     const std::size_t d = rays_.axis();
     const double v = grid_.axes[rays_.v_axis()].at[row];
     const GridBox& box = tool.box;
@@ -115,13 +115,13 @@ Cutter::Range Cutter::meet(const SweptTool& tool, std::size_t row, const Pending
     while (range.begin < range.end && has_none(range.end - 1))
         --range.end;
     if (range.begin >= range.end) return range;
-    tool.meet_row(d, &grid_.axes[rays_.u_axis()].at[range.begin], range.end - range.begin, v,
-                  lanes_, met_);
+    tool.intersect_row(d, &grid_.axes[rays_.u_axis()].at[range.begin], range.end - range.begin, v,
+                       lanes_, meeting_);
     return range;
 }
 
-void Cutter::take_away(std::size_t row, std::size_t ray, const PendingCuts::Cut& cut,
-                       std::span<const Body* const> bodies) {
+void Cutter::subtract(std::size_t row, std::size_t ray, const PendingCuts::Cut& cut,
+                      std::span<const Body* const> bodies) {
     Gap& gap = rays_.gaps(row)[ray];
     if (cut.low >= gap.low && cut.high <= gap.high) return;
     gap = rays_.row(row)[ray].cut(cut.low, cut.high, [&](bool below) {
@@ -146,14 +146,14 @@ void Cutter::cut(std::span<const Body* const> bodies, std::size_t begin, std::si
         const std::size_t last = std::min(first + kRowsTogether, end);
         const auto cut_in = [&](std::size_t row) {
             return [&, row](std::size_t ray, const PendingCuts::Cut& cut) {
-                take_away(row, ray, cut, bodies);
+                subtract(row, ray, cut, bodies);
             };
         };
         const auto meet_of = [&](const auto& body, std::size_t row) {
             if constexpr (std::is_same_v<std::remove_cvref_t<decltype(body)>, SweptTool>) {
-                return meet(body, row, pending, row - first);
+                return intersect(body, row, pending, row - first);
             } else {
-                return meet(body, row);
+                return intersect(body, row);
             }
         };
         for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -163,7 +163,7 @@ void Cutter::cut(std::span<const Body* const> bodies, std::size_t begin, std::si
                     for (std::size_t row = std::max(first, body.box.begin[v]); row < to; ++row) {
                         const Range range = meet_of(body, row);
                         if (range.begin >= range.end) continue;
-                        pending.add(row - first, range.begin, range.end - range.begin, met_,
+                        pending.add(row - first, range.begin, range.end - range.begin, meeting_,
                                     static_cast<std::uint32_t>(k), cut_in(row));
                     }
                 },
@@ -179,16 +179,17 @@ void Cutter::fill(const CuttingCell& cell) {
     for (const CuttingCell::Facet& facet : cell.facets)
         outward.push_back(PackedNormal::of(-1.0 * facet.left.unpacked()));
     for (std::size_t row = 0; row < rays_.rows(); ++row) {
-        const Range range = meet(cell, row);
+        const Range range = intersect(cell, row);
         const std::span<Ray> rays = rays_.row(row);
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const std::size_t k = i - range.begin;
-            const std::int32_t low = whole_units(met_.low[k]), high = whole_units(met_.high[k]);
+            const std::int32_t low = whole_units(meeting_.low[k]),
+                               high = whole_units(meeting_.high[k]);
             if (low >= high) continue;
             const auto end = [&](std::int32_t at, double facet) {
                 return End{at, cell.origin, outward[static_cast<std::size_t>(facet)]};
             };
-            rays[i].set({end(low, met_.s_low[k]), end(high, met_.s_high[k])});
+            rays[i].set({end(low, meeting_.s_low[k]), end(high, meeting_.s_high[k])});
         }
     }
 }

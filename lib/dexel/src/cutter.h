@@ -53,19 +53,19 @@ private:
     struct Range {
         std::size_t begin, end;
     };
-    // Computes met_ from the first ray that the body may meet; returns the range of these rays.
-    Range meet(const CuttingCell& cell, std::size_t row);
-    Range meet(const SweptTool& tool, std::size_t row, const PendingCuts& pending,
-               std::size_t pending_row);
-    void take_away(std::size_t row, std::size_t ray, const PendingCuts::Cut& cut,
-                   std::span<const Body* const> bodies);
+    // Computes meeting_ from the first ray that the body may meet; returns the range of these rays.
+    Range intersect(const CuttingCell& cell, std::size_t row);
+    Range intersect(const SweptTool& tool, std::size_t row, const PendingCuts& pending,
+                    std::size_t pending_row);
+    void subtract(std::size_t row, std::size_t ray, const PendingCuts::Cut& cut,
+                  std::span<const Body* const> bodies);
 
     const Grid& grid_;
     Rays& rays_;
     Lanes lanes_;
     // Results for the rays of a row, a member to keep the memory. For a cell, s is the facet
     // number.
-    RowMeeting met_;
+    RowMeeting meeting_;
 };
 
 }  // namespace ncsim::dexel

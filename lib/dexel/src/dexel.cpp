@@ -152,21 +152,21 @@ private:
         if constexpr (std::is_same_v<std::remove_cvref_t<OneBody>, SweptTool>) {
             span.is_open = body.is_open_above(grid_->axes[2].at.back());
         } else {
-            ++waiting_cells_;
+            ++pending_cells_;
         }
-        if (waiting_.empty()) {
-            waiting_.reserve(kBatch);
+        if (pending_.empty()) {
+            pending_.reserve(kBatch);
             spans_.reserve(kBatch);
         }
-        waiting_.emplace_back(std::forward<OneBody>(body));
+        pending_.emplace_back(std::forward<OneBody>(body));
         spans_.push_back(span);
-        if (waiting_.size() >= kBatch || waiting_cells_ >= kMostCells) settle();
+        if (pending_.size() >= kBatch || pending_cells_ >= kMostCells) settle();
     }
 
     // Cuts all waiting bodies. One thread cuts each row, by all bodies in order.
     void settle() const {
         const std::scoped_lock lock(mutex_);
-        if (waiting_.empty()) return;
+        if (pending_.empty()) return;
         struct Task {
             std::size_t axis, begin, end;
         };
@@ -180,7 +180,7 @@ private:
             for (std::size_t i = 0; i < runs.tasks(); ++i)
                 tasks.push_back({axis, runs.begin(i), runs.end(i)});
         }
-        const std::vector<Stretch> all{{0, waiting_.size(), false}};
+        const std::vector<Stretch> all{{0, pending_.size(), false}};
         const std::vector<Stretch> along_z =
             stretches_of(spans_.size(), [&](std::size_t k) { return spans_[k].is_open; });
         cda::in_parallel(parameters_.threads, tasks.size(), [&](std::size_t i) {
@@ -188,9 +188,9 @@ private:
             for (const Stretch& stretch : axis == 2 ? along_z : all)
                 cut(axis, begin, end, stretch);
         });
-        waiting_.clear();
+        pending_.clear();
         spans_.clear();
-        waiting_cells_ = 0;
+        pending_cells_ = 0;
     }
 
     // Cuts rows [begin, end) by the bodies of a stretch.
@@ -200,7 +200,7 @@ private:
         const auto for_each = [&](const auto& take) {
             for (std::size_t k = stretch.begin; k < stretch.end; ++k) {
                 if (spans_[k].end[across] > begin && spans_[k].begin[across] < end)
-                    take(waiting_[k]);
+                    take(pending_[k]);
             }
         };
         if (stretch.is_open) {
@@ -220,9 +220,9 @@ private:
     std::optional<CuttingCell> stock_;
     mutable std::mutex mutex_;
     mutable std::optional<std::array<Rays, 3>> rays_;
-    mutable std::vector<Body> waiting_;
-    mutable std::vector<Span> spans_;  // ranges of waiting_
-    mutable std::size_t waiting_cells_ = 0;
+    mutable std::vector<Body> pending_;
+    mutable std::vector<Span> spans_;  // ranges of pending_
+    mutable std::size_t pending_cells_ = 0;
 };
 
 Dexel::Dexel(const DexelParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
@@ -320,7 +320,7 @@ std::optional<cda::Aliasing> Dexel::aliasing() const {
     cda::Aliasing found;
     found.is_seen_along_z_alone = impl_->has_only_z();
     for (const Rays& along : impl_->rays())
-        look_for_thin(along, impl_->grid(), impl_->lattice(), found);
+        find_thin_places(along, impl_->grid(), impl_->lattice(), found);
     return found;
 }
 

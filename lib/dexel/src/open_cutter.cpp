@@ -115,7 +115,7 @@ void OpenCutter::cut_block(std::span<const SweptTool* const> tools, std::size_t 
     visits.pop_back();
     for (Visit& visit : visits) {
         visit.bound.middle -= rounding;
-        visit.bound.least = tools[visit.tool]->least_above(visit.bound, lowest_, x.half, y.half);
+        visit.bound.least = tools[visit.tool]->lowest_above(visit.bound, lowest_, x.half, y.half);
     }
     std::erase_if(visits, [&](const Visit& v) { return v.bound.least > lowest_.highest; });
     std::ranges::sort(visits, is_before);
@@ -160,7 +160,7 @@ void OpenCutter::store(std::span<const SweptTool* const> tools, std::size_t colu
     const std::size_t rows = std::min(kBlock, grid_.axes[1].at.size() - band * kBlock);
     const std::size_t begin = column * kBlock;
     const std::size_t count = std::min(kBlock, grid_.axes[0].at.size() - begin);
-    std::int32_t ceiling = -Gap::kEver;
+    std::int32_t ceiling = -Gap::kUnbounded;
     for (std::size_t row = 0; row < rows; ++row) {
         const std::size_t v = band * kBlock + row;
         const std::span<Ray> rays = rays_.row(v).subspan(begin, count);

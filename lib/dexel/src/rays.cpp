@@ -28,9 +28,8 @@ cda::Vec3 PackedNormal::unpacked() const {
 }
 
 Ray::Ray(const Ray& other)
-    : only_(other.only_),
-      several_(other.several_ ? std::make_unique<std::vector<Interval>>(*other.several_)
-                              : nullptr) {}
+    : single_(other.single_),
+      list_(other.list_ ? std::make_unique<std::vector<Interval>>(*other.list_) : nullptr) {}
 
 Ray& Ray::operator=(const Ray& other) {
     *this = Ray(other);
@@ -38,27 +37,27 @@ Ray& Ray::operator=(const Ray& other) {
 }
 
 void Ray::set(const Interval& interval) {
-    only_ = interval;
-    several_ = nullptr;
+    single_ = interval;
+    list_ = nullptr;
 }
 
 void Ray::split(std::size_t at, const Interval& below, const Interval& above) {
-    if (!several_) {
-        several_ = std::make_unique<std::vector<Interval>>();
-        several_->push_back(only_);
+    if (!list_) {
+        list_ = std::make_unique<std::vector<Interval>>();
+        list_->push_back(single_);
     }
-    (*several_)[at] = below;
-    several_->insert(several_->begin() + static_cast<std::ptrdiff_t>(at) + 1, above);
+    (*list_)[at] = below;
+    list_->insert(list_->begin() + static_cast<std::ptrdiff_t>(at) + 1, above);
 }
 
 void Ray::erase(std::size_t begin, std::size_t end) {
-    if (!several_) {
-        only_ = {};
+    if (!list_) {
+        single_ = {};
         return;
     }
-    const auto from = several_->begin();
-    several_->erase(from + static_cast<std::ptrdiff_t>(begin),
-                    from + static_cast<std::ptrdiff_t>(end));
+    const auto from = list_->begin();
+    list_->erase(from + static_cast<std::ptrdiff_t>(begin),
+                 from + static_cast<std::ptrdiff_t>(end));
 }
 
 bool Ray::contains(double place) const {
@@ -75,7 +74,7 @@ std::int64_t Ray::length() const {
 }
 
 std::size_t Ray::bytes() const {
-    return several_ ? sizeof(*several_) + several_->capacity() * sizeof(Interval) : 0;
+    return list_ ? sizeof(*list_) + list_->capacity() * sizeof(Interval) : 0;
 }
 
 Rays::Rays(const Grid& grid, std::size_t axis)
@@ -85,7 +84,7 @@ Rays::Rays(const Grid& grid, std::size_t axis)
       gaps_(rays_.size()) {
     const auto blocks = [](std::size_t count) { return (count + kBlock - 1) / kBlock; };
     blocks_ = blocks(row_);
-    ceilings_.assign(blocks_ * blocks(rows()), Gap::kEver);
+    ceilings_.assign(blocks_ * blocks(rows()), Gap::kUnbounded);
 }
 
 double Rays::length() const {

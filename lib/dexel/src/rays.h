@@ -57,7 +57,7 @@ struct Interval {
 
 /// An interval without material: between two ends, or beyond all.
 struct Gap {
-    static constexpr std::int32_t kEver = 1 << 30;
+    static constexpr std::int32_t kUnbounded = 1 << 30;
 
     std::int32_t low = 0, high = 0;
 };
@@ -87,8 +87,8 @@ public:
 
     /// Returns the intervals, ascending.
     std::span<const Interval> intervals() const {
-        return several_ ? std::span<const Interval>(*several_)
-                        : std::span(&only_, is_empty() ? 0U : 1U);
+        return list_ ? std::span<const Interval>(*list_)
+                     : std::span(&single_, is_empty() ? 0U : 1U);
     }
     bool contains(double place) const;
     std::int64_t length() const;
@@ -96,15 +96,15 @@ public:
     std::size_t bytes() const;
 
 private:
-    bool is_empty() const { return only_.low.at >= only_.high.at; }
+    bool is_empty() const { return single_.low.at >= single_.high.at; }
     std::span<Interval> all() {
-        return several_ ? std::span<Interval>(*several_) : std::span(&only_, is_empty() ? 0U : 1U);
+        return list_ ? std::span<Interval>(*list_) : std::span(&single_, is_empty() ? 0U : 1U);
     }
     void split(std::size_t at, const Interval& below, const Interval& above);
     void erase(std::size_t begin, std::size_t end);
 
-    Interval only_;                                   // valid unless several_
-    std::unique_ptr<std::vector<Interval>> several_;  // for rays that have ever had two intervals
+    Interval single_;                              // valid unless list_
+    std::unique_ptr<std::vector<Interval>> list_;  // for rays that have ever had two intervals
 };
 
 template <class MakeEnd>
@@ -117,8 +117,8 @@ Gap Ray::cut(std::int32_t low, std::int32_t high, const MakeEnd& end) {
     while (last < known.size() && known[last].low.at < high)
         ++last;
     Gap gap;
-    gap.low = first > 0 ? known[first - 1].high.at : -Gap::kEver;
-    gap.high = last < known.size() ? known[last].low.at : Gap::kEver;
+    gap.low = first > 0 ? known[first - 1].high.at : -Gap::kUnbounded;
+    gap.high = last < known.size() ? known[last].low.at : Gap::kUnbounded;
     if (first == last) return gap;
     const bool is_left_below = low > known[first].low.at;
     const bool is_left_above = high < known[last - 1].high.at;
@@ -142,10 +142,10 @@ Gap Ray::cut_above(std::int32_t low, const MakeEnd& end) {
     while (left > 0 && known[left - 1].low.at >= low)
         --left;
     if (left < known.size()) erase(left, known.size());
-    if (left == 0) return {-Gap::kEver, Gap::kEver};
+    if (left == 0) return {-Gap::kUnbounded, Gap::kUnbounded};
     End& top = known[left - 1].high;
     if (low < top.at) top = end();
-    return {top.at, Gap::kEver};
+    return {top.at, Gap::kUnbounded};
 }
 
 /// Rays along each side of a block.

@@ -21,9 +21,9 @@ namespace {
 struct Side {
     double from, way;  // along the rays
     double other_from, other_way;
-    double by_other_way;  // 1 / other_way
-    double best;    // Ratio of the axis's distance from the ray to the radius at the upper end.
-    double toward;  // s of the upper end, if the tool does not move across the rays.
+    double inverse_other_way;  // 1 / other_way
+    double best;  // Ratio of the axis's distance from the ray to the radius at the upper end.
+    double upper_end_s;  // s of the upper end, if the tool does not move across the rays.
 };
 
 struct RowTask {
@@ -113,9 +113,9 @@ Side side_of(const SweptTool::Numbers& n, std::size_t axis) {
     Side side{};
     side.from = n.from[axis], side.way = n.way[axis];
     side.other_from = n.from[other], side.other_way = n.way[other];
-    side.toward = side.way > 0.0 ? 1.0 : 0.0;
+    side.upper_end_s = side.way > 0.0 ? 1.0 : 0.0;
     if (side.other_way == 0.0) return side;
-    side.by_other_way = 1.0 / side.other_way;
+    side.inverse_other_way = 1.0 / side.other_way;
     side.best = (side.other_way < 0.0 ? -side.way : side.way) / n.way_across;
     return side;
 }
@@ -178,8 +178,8 @@ SweptTool::SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, 
     n.way_across = std::sqrt(n.across);
     n.along_x = 1.0;
     if (n.across > 0.0) {
-        n.by_across = 1.0 / n.across;
-        n.by_way_across = 1.0 / n.way_across;
+        n.inverse_across = 1.0 / n.across;
+        n.inverse_way_across = 1.0 / n.way_across;
         n.along_x = n.way[0] / n.way_across;
         n.along_y = n.way[1] / n.way_across;
         n.lead = n.way[2] / (n.way_across * std::sqrt(n.across + n.way[2] * n.way[2]));
@@ -190,8 +190,8 @@ SweptTool::SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, 
                                                 : Course::Plunge;
 }
 
-void SweptTool::meet_row(std::size_t axis, const double* u, std::size_t count, double v, Lanes wide,
-                         RowMeeting& row) const {
+void SweptTool::intersect_row(std::size_t axis, const double* u, std::size_t count, double v,
+                              Lanes wide, RowMeeting& row) const {
     row.resize(count);
     const RowTask task{numbers_, axis == 2 ? Side{} : side_of(numbers_, axis), axis, u, count, v,
                        row};

@@ -61,9 +61,9 @@ struct BlockExtent {
 /// Lower bound of a tool's height on the rays of a block: at least `least`, and at least a plane
 /// plus a parabola, which opens across the way and, beyond the ends of the way, along the way.
 struct BlockBound {
-    static constexpr double kNoReach = 1e30;
+    static constexpr double kNoLimit = 1e30;
 
-    double least;             ///< Units; kNoReach if the tool does not reach the block.
+    double least;             ///< Units; kNoLimit if the tool does not reach the block.
     double middle;            ///< Height of the plane at the middle of the block, units.
     double slope_x, slope_y;  ///< Slopes of the plane.
     double opening;           ///< Coefficient of the parabola, 1 / units.
@@ -97,15 +97,15 @@ public:
 
     /// Computes the intervals of the rays along `axis` through u[0] … u[count - 1] and `v`, the
     /// coordinates along the next two axes.
-    void meet_row(std::size_t axis, const double* u, std::size_t count, double v, Lanes lanes,
-                  RowMeeting& row) const;
+    void intersect_row(std::size_t axis, const double* u, std::size_t count, double v, Lanes lanes,
+                       RowMeeting& row) const;
     /// Lowers `lowest` along z where the tool is lower, or equally low with a lower number, and
     /// stores `number`. Groups that the bound excludes are skipped. Requires: is_open_above().
     void lower_block(const double* x, const double* y, std::size_t rows, const BlockBound& bound,
                      double number, Lanes lanes, LowestBlock& lowest) const;
     /// Returns a lower bound of the tool's height above the plane of `lowest` in the block, units.
-    double least_above(const BlockBound& bound, const LowestBlock& lowest, double half_x,
-                       double half_y) const;
+    double lowest_above(const BlockBound& bound, const LowestBlock& lowest, double half_x,
+                        double half_y) const;
     /// Computes bounds for the blocks columns[0] … columns[count - 1] of a band. The vectors of
     /// `bounds` have space for kWidest more entries.
     void bound_blocks(const BlockExtent* columns, std::size_t count, const BlockExtent& band,
@@ -118,7 +118,7 @@ public:
     /// Returns a lower bound of the sweep on rays along z at this y, units.
     double lowest_at(double y) const;
     /// Returns the normal of the sweep at the end where the ray leaves (`is_high`) or enters, with
-    /// `at` and `s` from meet_row(); points outwards, not of unit length.
+    /// `at` and `s` from intersect_row(); points outwards, not of unit length.
     cda::Vec3 normal(std::size_t axis, double u, double v, bool is_high, double at, double s) const;
 
     GridBox box;
@@ -133,8 +133,8 @@ public:
         double steepness;                  ///< Rise of a cone per unit outwards.
         std::array<double, 3> from, way;   ///< Tip, and motion of the tip.
         double across, way_across;  ///< Horizontal length of the way: squared, and not squared.
-        double by_across;           ///< 1 / across.
-        double by_way_across;       ///< 1 / way_across.
+        double inverse_across;      ///< 1 / across.
+        double inverse_way_across;  ///< 1 / way_across.
         double along_x, along_y;  ///< Horizontal unit direction of the way; arbitrary if vertical.
         double opening;           ///< Coefficient of a parabola below a ball, 1 / units.
         double lead;              ///< Shift of a ball's best s per root of `room` (along_z).
@@ -146,8 +146,8 @@ private:
     Course course_;
 };
 
-inline double SweptTool::least_above(const BlockBound& bound, const LowestBlock& lowest,
-                                     double half_x, double half_y) const {
+inline double SweptTool::lowest_above(const BlockBound& bound, const LowestBlock& lowest,
+                                      double half_x, double half_y) const {
     const double slope_x = bound.slope_x - lowest.slope_x;
     const double slope_y = bound.slope_y - lowest.slope_y;
     const double c = bound.opening;

@@ -132,9 +132,9 @@ NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
         room = square - (dx * dx + dy * dy);
     } else {
         const V cross = dx * wy - dy * wx;
-        nearest = -(dx * wx + dy * wy) * k.by_across;
-        room = square - cross * cross * k.by_across;
-        const V half = root(room) * k.by_way_across;
+        nearest = -(dx * wx + dy * wy) * k.inverse_across;
+        room = square - cross * cross * k.inverse_across;
+        const V half = root(room) * k.inverse_way_across;
         first = most(V{}, nearest - half);
         last = least(all(1.0), nearest + half);
     }
@@ -188,8 +188,8 @@ NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
 NCSIM_DEXEL_INLINE Ray circle(const Side& k, V w, V radius, V first, V last, V margin) {
     Ray ray;
     const V aim = radius * k.best;
-    const V up = k.other_way != 0.0 ? (aim - w) * k.by_other_way : all(k.toward);
-    const V down = k.other_way != 0.0 ? (-aim - w) * k.by_other_way : all(1.0 - k.toward);
+    const V up = k.other_way != 0.0 ? (aim - w) * k.inverse_other_way : all(k.upper_end_s);
+    const V down = k.other_way != 0.0 ? (-aim - w) * k.inverse_other_way : all(1.0 - k.upper_end_s);
     ray.s_high = between(up, first, last);
     ray.s_low = between(down, first, last);
     const V at_high = w + ray.s_high * k.other_way, at_low = w + ray.s_low * k.other_way;
@@ -217,12 +217,12 @@ NCSIM_DEXEL_INLINE Ray ball(const Numbers& n, const Side& k, V w, V below) {
     // (w, below): vector from the ray to the centre. (other_way, wz): the way across the ray.
     const double wz = n.way[2];
     const double across = k.other_way * k.other_way + wz * wz;
-    const double by_across = 1.0 / across;
+    const double inverse_across = 1.0 / across;
     const double square = n.radius * n.radius;
     const V cross = w * wz - below * k.other_way;
-    const V nearest = -(w * k.other_way + below * wz) * by_across;
-    const V room = square - cross * cross * by_across;
-    const V offset = k.way * root(room * (by_across / (across + k.way * k.way)));
+    const V nearest = -(w * k.other_way + below * wz) * inverse_across;
+    const V room = square - cross * cross * inverse_across;
+    const V offset = k.way * root(room * (inverse_across / (across + k.way * k.way)));
     Ray ray;
     ray.s_low = between(nearest - offset, V{}, all(1.0));
     ray.s_high = between(nearest + offset, V{}, all(1.0));

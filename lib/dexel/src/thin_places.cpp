@@ -12,7 +12,7 @@ namespace ncsim::dexel {
 namespace {
 
 // Two ends of a ray with material or a gap between.
-struct Between {
+struct EndPair {
     const End& low;
     const End& high;
 };
@@ -22,7 +22,7 @@ public:
     Finder(const Rays& rays, const Grid& grid, const cda::Lattice& lattice)
         : rays_(rays), grid_(grid), lattice_(lattice) {}
 
-    void look(const Between& place, std::size_t u, std::size_t v, cda::ThinPlaces& found) {
+    void examine(const EndPair& place, std::size_t u, std::size_t v, cda::ThinPlaces& found) {
         const GridAxis& along = grid_.axes[rays_.axis()];
         const double thickness = place.high.at - place.low.at;
         if (thickness >= along.pitch) return;
@@ -56,8 +56,8 @@ double area_of_ray(const Rays& rays, const Grid& grid) {
 
 }  // namespace
 
-void look_for_thin(const Rays& rays, const Grid& grid, const cda::Lattice& lattice,
-                   cda::Aliasing& found) {
+void find_thin_places(const Rays& rays, const Grid& grid, const cda::Lattice& lattice,
+                      cda::Aliasing& found) {
     if (rays.rows() == 0) return;
     Finder material(rays, grid, lattice), gaps(rays, grid, lattice);
     const std::size_t row = grid.axes[rays.u_axis()].corners();
@@ -65,8 +65,9 @@ void look_for_thin(const Rays& rays, const Grid& grid, const cda::Lattice& latti
         for (std::size_t u = 0; u < row; ++u) {
             const auto intervals = rays(u, v).intervals();
             for (std::size_t i = 0; i < intervals.size(); ++i) {
-                material.look({intervals[i].low, intervals[i].high}, u, v, found.material);
-                if (i > 0) gaps.look({intervals[i - 1].high, intervals[i].low}, u, v, found.gaps);
+                material.examine({intervals[i].low, intervals[i].high}, u, v, found.material);
+                if (i > 0)
+                    gaps.examine({intervals[i - 1].high, intervals[i].low}, u, v, found.gaps);
             }
         }
     }

@@ -13,8 +13,8 @@ namespace ncsim::dexel {
 
 /// Adds the places that are thinner along these rays than the grid. A place that contains no corner
 /// of the grid is missing in the surface.
-void look_for_thin(const Rays& rays, const Grid& grid, const cda::Lattice& lattice,
-                   cda::Aliasing& found);
+void find_thin_places(const Rays& rays, const Grid& grid, const cda::Lattice& lattice,
+                      cda::Aliasing& found);
 
 /// Returns the largest error of the volume in cubic units, as far as the rays can bound the error.
 /// Between adjacent rays, a difference in length that the planes at the ends do not explain is a

@@ -72,7 +72,7 @@ Joint joint_of(char letter, bool turns, Vec3 direction, Vec3 through, Positive p
     return {letter, turns, positive == Positive::Part ? -u : u, through};
 }
 
-Vec3 moved(const Joint& joint, double value, Vec3 p) {
+Vec3 move_by_joint(const Joint& joint, double value, Vec3 p) {
     if (!joint.turns) return shifted(p, joint.direction, value);
     if (value == 0.0) return p;
     return times(rotation(joint.direction, value), p - joint.through) + joint.through;
@@ -81,11 +81,11 @@ Vec3 moved(const Joint& joint, double value, Vec3 p) {
 Pose pose_of(const Joint& joint, double value) {
     Pose X;
     if (joint.turns && value != 0.0) X.rows = rotation(joint.direction, value);
-    X.translation = moved(joint, value, {});
+    X.translation = move_by_joint(joint, value, {});
     return X;
 }
 
-Vec3 turned(const Joint& joint, double value, Vec3 direction) {
+Vec3 rotate_by_joint(const Joint& joint, double value, Vec3 direction) {
     if (!joint.turns || value == 0.0) return direction;
     return times(rotation(joint.direction, value), direction);
 }
@@ -158,7 +158,7 @@ Vec3 Chain::shift_of_second_axes(const Values& values) const {
     for (auto next = joints.rbegin(); next != joints.rend(); ++next) {
         const std::size_t i = *index_of(next->letter);
         if (next->turns) {
-            shift = turned(*next, values[i], shift);
+            shift = rotate_by_joint(*next, values[i], shift);
         } else if (i >= kFirstSecond) {
             shift = shifted(shift, next->direction, values[i]);
         } else if (!find(kLetters[i + kFirstSecond])) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kNothing = 1e-12;  // Rounding error of unit vectors.
 constexpr Vec3 kTool{0, 0, 1};
 
-double wrapped(double degrees) {
+double wrap_degrees(double degrees) {
     if (degrees > 180.0) return degrees - 360.0;
     return degrees <= -180.0 ? degrees + 360.0 : degrees;
 }
@@ -75,7 +75,7 @@ std::vector<Turns> orientation_solutions(const Chain& placed, Vec3 axis, const V
     const double size = trig::length_of(a, b);
     const double rest = dot(n1, axis) - c;
     if (size <= kNothing) {  // The second joint does not change the angle to n1.
-        add(turned(second, of(now, second), kTool), {now, true});
+        add(rotate_by_joint(second, of(now, second), kTool), {now, true});
         return found;
     }
     double cosine = rest / size;
@@ -85,10 +85,10 @@ std::vector<Turns> orientation_solutions(const Chain& placed, Vec3 axis, const V
     const double aside = trig::angle_of(cosine, std::sqrt((1.0 - cosine) * (1.0 + cosine)));
     for (const double side : {1.0, -1.0}) {
         if (side < 0.0 && (aside == 0.0 || aside == 180.0)) break;
-        const double q2 = wrapped(middle + side * aside);
+        const double q2 = wrap_degrees(middle + side * aside);
         Turns turns{now, false};
         set(turns.values, second, q2);
-        add(turned(second, q2, kTool), turns);
+        add(rotate_by_joint(second, q2, kTool), turns);
     }
     return found;
 }

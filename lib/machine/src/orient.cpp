@@ -34,13 +34,13 @@ std::vector<double> places_of(char letter, double angle, double now, const Trave
     return places;
 }
 
-bool is_wanted(SolutionPreference prefer, double way, double place) {
+bool is_preferred(SolutionPreference prefer, double way, double place) {
     switch (prefer) {
         case SolutionPreference::Shortest: return true;
-        case SolutionPreference::WayUp: return way >= -kEqual;
-        case SolutionPreference::WayDown: return way <= kEqual;
-        case SolutionPreference::StandUp: return place >= -kEqual;
-        case SolutionPreference::StandDown: return place <= kEqual;
+        case SolutionPreference::PositiveMotion: return way >= -kEqual;
+        case SolutionPreference::NegativeMotion: return way <= kEqual;
+        case SolutionPreference::EndPositive: return place >= -kEqual;
+        case SolutionPreference::EndNegative: return place <= kEqual;
     }
     return true;
 }
@@ -85,7 +85,7 @@ std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& n
     const auto weigh = [&](const Turns& turns, double q1, double q2) {
         const double way1 = first ? q1 - now[*index_of(first->letter)] : 0.0;
         const double way2 = second ? q2 - now[*index_of(second->letter)] : 0.0;
-        if (!is_wanted(prefer, way1, q1)) return;
+        if (!is_preferred(prefer, way1, q1)) return;
         const Cost cost{std::abs(way1), std::abs(way2), std::abs(q1), std::abs(q2)};
         if (best && !is_less(cost, least)) return;
         best = turns;

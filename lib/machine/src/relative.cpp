@@ -57,19 +57,19 @@ Pose inverse(const Pose& X_AB) {
     return X_BA;
 }
 
-Ball moved(const Chain& chain, const JointMotion& going, Ball body) {
+Ball move_ball(const Chain& chain, const JointMotion& joint_motion, Ball body) {
     const auto& joints = chain.joints;
     for (std::size_t i = joints.size(); i-- > 0;) {
         const Joint& joint = joints[i];
         const std::size_t letter = *index_of(joint.letter);
-        const double from = going.from[letter], to = going.to[letter];
+        const double from = joint_motion.from[letter], to = joint_motion.to[letter];
         if (joint.turns) {
             const double turn = trig::kRadiansPerDegree * std::abs(to - from);
             const double aside = distance_from_axis(body.centre, joint);
             const double distance = aside + body.radius;
             body.bend += turn * turn * distance + 2.0 * turn * body.speed;
             body.speed += turn * distance;
-            body.centre = moved(joint, 0.5 * (from + to), body.centre);
+            body.centre = move_by_joint(joint, 0.5 * (from + to), body.centre);
             // The centre's distance from its middle position is at most the arc, and at most the
             // diameter.
             body.radius += std::min(0.5 * turn, 2.0) * aside;
@@ -81,18 +81,19 @@ Ball moved(const Chain& chain, const JointMotion& going, Ball body) {
         std::size_t first = i + 1;
         for (; first > 0 && !joints[first - 1].turns; --first) {
             const std::size_t axis = *index_of(joints[first - 1].letter);
-            const double way = std::abs(going.to[axis] - going.from[axis]);
-            const double speed = axis < going.speed.size() ? going.speed[axis] : way;
-            is_of_three &= axis < going.speed.size();
+            const double way = std::abs(joint_motion.to[axis] - joint_motion.from[axis]);
+            const double speed = axis < joint_motion.speed.size() ? joint_motion.speed[axis] : way;
+            is_of_three &= axis < joint_motion.speed.size();
             square += speed * speed;
             body.centre =
-                moved(joints[first - 1], 0.5 * (going.from[axis] + going.to[axis]), body.centre);
+                move_by_joint(joints[first - 1],
+                              0.5 * (joint_motion.from[axis] + joint_motion.to[axis]), body.centre);
         }
         double speed = std::sqrt(square);
-        if (is_of_three) speed = std::min(speed, going.all_speed);
+        if (is_of_three) speed = std::min(speed, joint_motion.all_speed);
         body.speed += speed;
-        body.bend += going.bend;
-        body.radius += 0.5 * speed + going.bend / 8.0;
+        body.bend += joint_motion.bend;
+        body.radius += 0.5 * speed + joint_motion.bend / 8.0;
         i = first;
     }
     return body;

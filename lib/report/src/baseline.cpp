@@ -56,7 +56,7 @@ std::string block_of(std::string_view line) {
 }
 
 // Returns `text` as a file would return it: bytes that are not UTF-8 change.
-std::string as_kept(const std::string& text) {
+std::string round_trip_utf8(const std::string& text) {
     return Json::parse(to_line(Json(text))).get<std::string>();
 }
 
@@ -65,11 +65,12 @@ KnownFinding known_of(const Checked& checked, const Finding& f, const std::strin
     known.rule = f.rule;
     known.code = f.code;
     known.severity = verify::name_of(f.severity);
-    known.message = as_kept(f.message);
+    known.message = round_trip_utf8(f.message);
     const auto& files = checked.verdict.files;
-    if (f.place.file > 0 && f.place.file < files.size()) known.file = as_kept(files[f.place.file]);
+    if (f.place.file > 0 && f.place.file < files.size())
+        known.file = round_trip_utf8(files[f.place.file]);
     known.line = f.place.span.line;
-    known.block = as_kept(block_of(line));
+    known.block = round_trip_utf8(block_of(line));
     known.tool = f.tool;
     known.certain = f.certainty == verify::Certainty::Certain;
     known.count = f.count;
@@ -79,7 +80,7 @@ KnownFinding known_of(const Checked& checked, const Finding& f, const std::strin
     // For links of the machine, the box covers the whole path, so only the point counts.
     if (!f.point || !f.rule.starts_with("machine-")) known.box = f.box;
     if (f.point) known.box.add(*f.point);
-    known.why = as_kept(f.accepted.value_or(""));
+    known.why = round_trip_utf8(f.accepted.value_or(""));
     return known;
 }
 
@@ -94,7 +95,7 @@ Json to_json(const std::string& program, const KnownFinding& known) {
     if (!known.row.empty()) json["row"] = known.row;
     if (known.quantity) {
         json["quantity"] = {{"name", known.quantity->name},
-                            {"value", tidy(known.quantity->value)},
+                            {"value", round_value(known.quantity->value)},
                             {"unit", known.quantity->unit}};
     }
     if (!known.box.is_empty())
@@ -259,7 +260,7 @@ std::string seen_from(const std::string& baseline, const std::string& program) {
         fs::absolute(fs::path(baseline), error).lexically_normal().parent_path();
     const fs::path path = fs::absolute(fs::path(program), error).lexically_normal();
     const fs::path seen = path.lexically_relative(folder);
-    return as_kept((seen.empty() ? path : seen).generic_string());
+    return round_trip_utf8((seen.empty() ? path : seen).generic_string());
 }
 
 }  // namespace
@@ -318,11 +319,11 @@ void Baseline::accept(Checked& checked, const verify::Selection& selection) cons
         if (is_found[k] || !was_asked(f.rule)) continue;
         std::string what = f.message;
         if (f.quantity) what += ": " + verify::text_of(*f.quantity);
-        checked.no_longer.push_back({f.rule, f.severity, f.line, std::move(what)});
+        checked.resolved.push_back({f.rule, f.severity, f.line, std::move(what)});
     }
 }
 
-std::string Baseline::about(const std::string& program) const {
+std::string Baseline::key_of_program(const std::string& program) const {
     Json all = Json::array();
     if (const auto* known = known_of(program)) {
         for (const KnownFinding& f : *known)

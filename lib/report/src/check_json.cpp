@@ -45,7 +45,7 @@ Json to_json(const Checked& checked, const Finding& f) {
     if (f.goes_on) json["goes_on"] = true;
     if (f.quantity) {
         json["quantity"] = {{"name", f.quantity->name},
-                            {"value", tidy(f.quantity->value)},
+                            {"value", round_value(f.quantity->value)},
                             {"unit", f.quantity->unit}};
     }
     if (f.point) json["point"] = vector_json(*f.point);
@@ -73,31 +73,32 @@ Json to_json(const Checked& checked, const verify::Doubt& d) {
 
 Json to_json(const verify::Ledger& ledger) {
     const auto known = [](const std::optional<double>& value) {
-        return value ? Json(tidy(*value)) : Json(nullptr);
+        return value ? Json(round_value(*value)) : Json(nullptr);
     };
-    Json json{{"stock_mm3", tidy(ledger.stock_mm3)},
-              {"rest_mm3", tidy(ledger.rest_mm3)},
-              {"removed_mm3", ledger.measured ? Json(tidy(ledger.removed_mm3)) : Json(nullptr)},
-              {"feed_mm", tidy(ledger.feed_mm)},
-              {"rapid_mm", tidy(ledger.rapid_mm)},
-              {"air_mm", ledger.air_known ? Json(tidy(ledger.air_mm)) : Json(nullptr)},
-              {"feed_seconds", known(ledger.feed_seconds)},
-              {"rapid_seconds", known(ledger.rapid_seconds)},
-              {"other_seconds", known(ledger.other_seconds)}};
+    Json json{
+        {"stock_mm3", round_value(ledger.stock_mm3)},
+        {"rest_mm3", round_value(ledger.rest_mm3)},
+        {"removed_mm3", ledger.measured ? Json(round_value(ledger.removed_mm3)) : Json(nullptr)},
+        {"feed_mm", round_value(ledger.feed_mm)},
+        {"rapid_mm", round_value(ledger.rapid_mm)},
+        {"air_mm", ledger.air_known ? Json(round_value(ledger.air_mm)) : Json(nullptr)},
+        {"feed_seconds", known(ledger.feed_seconds)},
+        {"rapid_seconds", known(ledger.rapid_seconds)},
+        {"other_seconds", known(ledger.other_seconds)}};
     return json;
 }
 
 Json to_json(const DesignFacts::Side& side) {
-    return {{"largest_mm", tidy(side.largest_mm)},
-            {"volume_mm3", side.volume_mm3 ? Json(tidy(*side.volume_mm3)) : Json(nullptr)},
+    return {{"largest_mm", round_value(side.largest_mm)},
+            {"volume_mm3", side.volume_mm3 ? Json(round_value(*side.volume_mm3)) : Json(nullptr)},
             {"regions", side.regions}};
 }
 
 Json to_json(const DesignFacts& design) {
     return {{"file", relative_path(design.path)},
             {"tolerance_mm", design.tolerance_mm},
-            {"resolution_mm", tidy(design.resolution_mm)},
-            {"deviation_mm", tidy(design.deviation_mm)},
+            {"resolution_mm", round_value(design.resolution_mm)},
+            {"deviation_mm", round_value(design.deviation_mm)},
             {"gouge", to_json(design.gouge)},
             {"excess", to_json(design.excess)}};
 }
@@ -106,7 +107,7 @@ Json baseline_json(const Checked& checked) {
     Json json{{"file", relative_path(checked.baseline)},
               {"accepted", checked.verdict.accepted()},
               {"no_longer_found", Json::array()}};
-    for (const NoLonger& known : checked.no_longer) {
+    for (const ResolvedFinding& known : checked.resolved) {
         json["no_longer_found"].push_back({{"rule", known.rule},
                                            {"severity", known.severity},
                                            {"line", known.line},
@@ -185,7 +186,7 @@ void write_check_json(std::ostream& out, const Entries& all, const Scope& scope)
             {{"file", relative_path(file.path)}, {"judged_with", relative_path(file.caller)}});
     json.end();
     json.begin_array("left_out");
-    for (const LeftOut& file : scope.left_out)
+    for (const ExcludedEntry& file : scope.excluded)
         json.element({{"file", relative_path(file.path)}, {"why", file.why}});
     json.end();
     json.end();

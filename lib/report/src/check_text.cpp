@@ -64,7 +64,7 @@ void put_place(std::string& text, const Finding& f) {
 void put_finding(std::string& text, const Checked& checked, const Finding& f,
                  const std::string& line) {
     // The path is shown as specified, so a click in a terminal finds the file.
-    text += shown_path(f.place.file == 0 ? checked.path : file_of(checked, f.place));
+    text += printable_path(f.place.file == 0 ? checked.path : file_of(checked, f.place));
     if (f.place.span.line > 0) {
         append(text, ":{}:{}", f.place.span.line, f.place.span.column);
     }
@@ -90,7 +90,7 @@ void put_finding(std::string& text, const Checked& checked, const Finding& f,
 }
 
 void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d) {
-    text += shown_path(d.place.file == 0 ? checked.path : file_of(checked, d.place));
+    text += printable_path(d.place.file == 0 ? checked.path : file_of(checked, d.place));
     if (d.place.span.line > 0) append(text, ":{}:{}", d.place.span.line, d.place.span.column);
     append(text, ": {}: {}", d.accepted ? "accepted doubt" : "doubt", one_line(d.message));
     if (d.count > 1) append(text, ", {} times", d.count);
@@ -208,7 +208,7 @@ std::string rules_of(const Lines& skipped) {
 
 std::string text_of(const Checked& checked, const TextOptions& options) {
     std::string text;
-    const std::string path = shown_path(name_of(checked));
+    const std::string path = printable_path(name_of(checked));
     if (!checked.failure.empty()) {
         append(text, "{}: not verified: {}\n", path, one_line(checked.failure));
         return text;
@@ -226,7 +226,7 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
         if (!d.accepted || options.notes) put_doubt(text, checked, d);
     }
     if (options.quiet) return text;
-    for (const NoLonger& known : checked.no_longer) {
+    for (const ResolvedFinding& known : checked.resolved) {
         append(text, "{}: no longer there, but in the baseline: {}: {} [{}]\n", path,
                known.severity, one_line(known.what), known.rule);
     }
@@ -235,8 +235,8 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     append(text, "{}: {}{}: {}\n", path, name_of_verdict(checked),
            scope.empty() ? "" : fmt::format(" ({})", scope), counts_of(checked));
     put_remedies(text, remedies_of(checked));
-    put_settings(text, shown_path(checked.settings));
-    put_baseline(text, shown_path(checked.baseline));
+    put_settings(text, printable_path(checked.settings));
+    put_baseline(text, printable_path(checked.baseline));
     if (!checked.stock.empty()) append(text, "  stock    {}\n", one_line(checked.stock));
     if (!checked.time.empty()) append(text, "  time     {}\n", checked.time);
     if (checked.design) append(text, "  design   {}\n", one_line(text_of(*checked.design)));
@@ -312,7 +312,7 @@ std::string scope_of(const Checked& checked) {
     return text;
 }
 
-std::string skipped_of(const Checked& checked) {
+std::string skipped_rules_text(const Checked& checked) {
     std::string text;
     put_demotions(text, checked.verdict.demotions);
     put_skipped(text, checked.verdict.skipped);
@@ -327,20 +327,20 @@ std::string summary_of(const Entries& all, const TextOptions& options, const Sco
     std::map<std::string, std::string> listed;
     Lines settings;
     Lines skipped;
-    Lines to_tell;
+    Lines remedy_text;
     Lines scopes;
     all([&](const Entry& entry) {
         ++programs;
         std::string specified;
-        put_settings(specified, shown_path(entry.settings));
-        put_baseline(specified, shown_path(entry.baseline));
+        put_settings(specified, printable_path(entry.settings));
+        put_baseline(specified, printable_path(entry.baseline));
         settings.add(specified);
         skipped.add(entry.skipped);
-        to_tell.add(entry.to_tell);
+        remedy_text.add(entry.remedy_text);
         if (!entry.scope.empty()) scopes.add("  scope    " + entry.scope + '\n');
         if (++words[entry.word] > kMostListed || entry.word == "clean") return;
         const std::string program = entry.program.empty() ? "" : " (" + entry.program + ')';
-        listed[entry.word] += "  " + shown_path(entry.path) + one_line(program);
+        listed[entry.word] += "  " + printable_path(entry.path) + one_line(program);
         if (!entry.scope.empty()) listed[entry.word] += " (" + entry.scope + ")";
         if (!entry.counts.empty()) listed[entry.word] += ": " + entry.counts;
         listed[entry.word] += '\n';
@@ -348,7 +348,7 @@ std::string summary_of(const Entries& all, const TextOptions& options, const Sco
     if (!options.many) return skipped.text();
     text += settings.text(programs);
     text += scopes.text(programs);
-    put_remedies(text, to_tell.text(programs));
+    put_remedies(text, remedy_text.text(programs));
     if (options.notes) {
         text += skipped.text(programs);
     } else {
@@ -369,7 +369,7 @@ std::string summary_of(const Entries& all, const TextOptions& options, const Sco
     if (!scope.job.empty()) {
         std::string word = worst_verdict(all);
         std::ranges::replace(word, '-', ' ');
-        append(text, "{}: {}\n", shown_path(scope.job), word);
+        append(text, "{}: {}\n", printable_path(scope.job), word);
     }
     return text;
 }

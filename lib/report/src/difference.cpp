@@ -20,7 +20,7 @@ namespace ncsim::report {
 
 namespace {
 
-void put_side(std::string& text, const OneSided& side, const std::string& has,
+void put_side(std::string& text, const OneSidedMaterial& side, const std::string& has,
               const std::string& cuts) {
     constexpr std::size_t kShown = 10;
     append(text, "only in {}: {:.6g} mm3\n", has, side.volume_mm3);
@@ -38,7 +38,7 @@ void put_runs(std::string& text, const char* sign,
               const std::vector<ProcessDifference::Run>& runs) {
     constexpr std::size_t kShown = 5;
     for (std::size_t i = 0; i < runs.size() && i < kShown; ++i) {
-        append(text, "  {} {}:{}: {}\n", sign, shown_path(runs[i].file), runs[i].line,
+        append(text, "  {} {}:{}: {}\n", sign, printable_path(runs[i].file), runs[i].line,
                runs[i].condition);
     }
     if (runs.size() > kShown) append(text, "  {} and {} more\n", sign, runs.size() - kShown);
@@ -53,8 +53,8 @@ Json to_json(const std::vector<ProcessDifference::Run>& runs) {
     return json;
 }
 
-Json to_json(const OneSided& side, const std::string& cut_by) {
-    Json json{{"volume_mm3", tidy(side.volume_mm3)}, {"regions", Json::array()}};
+Json to_json(const OneSidedMaterial& side, const std::string& cut_by) {
+    Json json{{"volume_mm3", round_value(side.volume_mm3)}, {"regions", Json::array()}};
     for (const verify::Region& r : side.regions) {
         Json lines = Json::array();
         for (const verify::LineRange& range : r.lines) {
@@ -64,7 +64,7 @@ Json to_json(const OneSided& side, const std::string& cut_by) {
                              {"last", range.last}});
         }
         json["regions"].push_back(
-            {{"volume_mm3", tidy(r.volume_mm3)},
+            {{"volume_mm3", round_value(r.volume_mm3)},
              {"box", {{"min", vector_json(r.box.min)}, {"max", vector_json(r.box.max)}}},
              {"lines", std::move(lines)}});
     }
@@ -75,8 +75,8 @@ Json to_json(const OneSided& side, const std::string& cut_by) {
 
 std::string text_of(const Difference& d) {
     std::string text;
-    const std::string old_name = shown_path(d.old_name);
-    const std::string new_name = shown_path(d.new_name);
+    const std::string old_name = printable_path(d.old_name);
+    const std::string new_name = printable_path(d.new_name);
     if (!d.stocks.empty()) append(text, "{}\n", one_line(d.stocks));
     if (d.same_motions) {
         text += "both programs make the same motions with the same tools\n";
@@ -102,8 +102,8 @@ void write_difference(std::ostream& out, const Difference& d) {
               {"differs", d.differs},
               {"tolerance_mm3", d.tolerance_mm3},
               {"same_motions", d.same_motions},
-              {"old_mm3", tidy(d.old_mm3)},
-              {"new_mm3", tidy(d.new_mm3)},
+              {"old_mm3", round_value(d.old_mm3)},
+              {"new_mm3", round_value(d.new_mm3)},
               {"only_in_old", to_json(d.only_old, d.new_name)},
               {"only_in_new", to_json(d.only_new, d.old_name)},
               {"process",

@@ -24,7 +24,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("baseline", entry.baseline);
     take("counts", entry.counts);
     take("scope", entry.scope);
-    take("to_tell", entry.to_tell);
+    take("to_tell", entry.remedy_text);
     take("skipped", entry.skipped);
     take("json", entry.json);
     take("sarif", entry.sarif);
@@ -56,7 +56,7 @@ std::size_t character_length(std::string_view text) {
 // this range is stored the same way.
 constexpr std::string_view kByteMark = "\xf4\x8f";
 
-std::string with_bytes_marked(std::string_view text) {
+std::string mark_bytes(std::string_view text) {
     std::string marked;
     while (!text.empty()) {
         const std::size_t length = character_length(text);
@@ -76,7 +76,7 @@ std::string with_bytes_marked(std::string_view text) {
     return marked;
 }
 
-std::string with_bytes_back(std::string_view marked) {
+std::string unmark_bytes(std::string_view marked) {
     std::string text;
     for (std::size_t at = 0; at < marked.size();) {
         const std::string_view rest = marked.substr(at);
@@ -99,9 +99,8 @@ namespace {
 
 Json json_of(const Entry& entry) {
     Json json{{"code", entry.code}, {"is_subprogram", entry.is_subprogram}};
-    for_each_text(entry, [&](const char* key, const std::string& text) {
-        json[key] = with_bytes_marked(text);
-    });
+    for_each_text(entry,
+                  [&](const char* key, const std::string& text) { json[key] = mark_bytes(text); });
     json["more"] = Json::array();
     for (const Entry& more : entry.more)
         json["more"].push_back(json_of(more));
@@ -119,7 +118,7 @@ std::optional<Entry> entry_of(const Json& json) {
     bool is_whole = true;
     for_each_text(entry, [&](const char* key, std::string& text) {
         is_whole = is_whole && json.contains(key) && json[key].is_string();
-        if (is_whole) text = with_bytes_back(json[key].get<std::string>());
+        if (is_whole) text = unmark_bytes(json[key].get<std::string>());
     });
     for (const Json& one : json["more"]) {
         std::optional<Entry> more = entry_of(one);

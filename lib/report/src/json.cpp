@@ -11,12 +11,12 @@
 
 namespace ncsim::report {
 
-double tidy(double value) {
+double round_value(double value) {
     return std::round(value * 1e6) / 1e6 + 0.0;
 }
 
 Json vector_json(cda::Vec3 v) {
-    return Json::array({tidy(v.x), tidy(v.y), tidy(v.z)});
+    return Json::array({round_value(v.x), round_value(v.y), round_value(v.z)});
 }
 
 Json findings_json(const gcode::Diagnostics& diagnostics) {
@@ -36,11 +36,11 @@ Json findings_json(const gcode::Diagnostics& diagnostics) {
 }
 
 std::string to_line(const Json& json) {
-    return shown_json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string to_text(const Json& json) {
-    return shown_json(json.dump(1, ' ', false, Json::error_handler_t::replace)) + '\n';
+    return printable_json(json.dump(1, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace ncsim::report

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 /// Rounds to a millionth of the unit, finer than any meaningful length (mm), area or volume, to
 /// hide the rounding errors of binary fractions.
-double tidy(double value);
+double round_value(double value);
 
 /// Returns a non-negative whole number from an untrusted file.
 /// Throws: Json::exception if `json` is not a non-negative whole number, or is too large for T.

@@ -101,22 +101,22 @@ Json to_json(const gcode::Block& block) {
 }
 
 // Rounds to 1e-9 mm, as in the text of motions.
-double tidy_mm(gcode::Length length) {
+double round_mm(gcode::Length length) {
     const double mm = length.mm();
     return std::abs(mm) < 1e6 ? std::round(mm * 1e9) / 1e9 + 0.0 : mm;
 }
 
 Json to_json(const gcode::Position& p) {
-    Json json{{"x", tidy_mm(p.x)}, {"y", tidy_mm(p.y)}, {"z", tidy_mm(p.z)}};
+    Json json{{"x", round_mm(p.x)}, {"y", round_mm(p.y)}, {"z", round_mm(p.z)}};
     const auto more = [&json](const char* name, double value) {
         if (value != 0.0) json[name] = value;
     };
     more("a", p.a.degrees());
     more("b", p.b.degrees());
     more("c", p.c.degrees());
-    more("u", tidy_mm(p.u));
-    more("v", tidy_mm(p.v));
-    more("w", tidy_mm(p.w));
+    more("u", round_mm(p.u));
+    more("v", round_mm(p.v));
+    more("w", round_mm(p.w));
     return json;
 }
 
@@ -154,7 +154,7 @@ struct WhatJson {
         json["from"] = to_json(arc.from);
         json["to"] = to_json(arc.to);
         json["plane"] = name_of(arc.plane);
-        json["centre"] = {tidy_mm(arc.centre_1), tidy_mm(arc.centre_2)};
+        json["centre"] = {round_mm(arc.centre_1), round_mm(arc.centre_2)};
         json["turns"] = arc.turns;
         if (!arc.tilted) return;
         json["tilted"] = {{"origin", arc.tilted->origin}, {"rows", arc.tilted->rows}};
@@ -165,7 +165,7 @@ struct WhatJson {
         json["to"] = to_json(spline.to);
         json["order"] = spline.order;
         for (const auto& p : spline.control_points) {
-            json["control_points"].push_back({tidy_mm(p.x), tidy_mm(p.y), p.weight});
+            json["control_points"].push_back({round_mm(p.x), round_mm(p.y), p.weight});
         }
         json["knots"] = spline.knots;
     }
@@ -256,11 +256,12 @@ gcode::Diagnostics list_motions(const gcode::SourceFile& program,
     return std::move(result.diagnostics);
 }
 
-Lacking list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
-                     bool as_json, const TextSink& sink) {
-    const std::vector<gcode::CodeUse> uses = gcode::lacking_codes(program, control);
+MissingCodes list_missing_codes(const gcode::SourceFile& program,
+                                const gcode::ControlCodes& control, bool as_json,
+                                const TextSink& sink) {
+    const std::vector<gcode::CodeUse> uses = gcode::missing_codes(program, control);
     const std::string name = base_name(program.name);
-    Lacking count;
+    MissingCodes count;
     for (const gcode::CodeUse& use : uses) {
         count.lacking += use.support == gcode::CodeSupport::No ? 1 : 0;
         count.unknown += use.support == gcode::CodeSupport::Unknown ? 1 : 0;

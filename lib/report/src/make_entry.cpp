@@ -21,8 +21,8 @@ Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
     entry.settings = checked.settings;
     entry.counts = counts_of(checked);
     entry.scope = scope_of(checked);
-    entry.to_tell = remedies_of(checked);
-    entry.skipped = skipped_of(checked);
+    entry.remedy_text = remedies_of(checked);
+    entry.skipped = skipped_rules_text(checked);
     if (options.json) entry.json = to_line(check_json_share(checked));
     if (options.sarif) entry.sarif = to_line(sarif_share(checked, options.notes));
     if (options.junit) entry.junit = to_line(junit_share(checked, options.warnings_as_errors));

@@ -38,7 +38,7 @@ std::string list_text(const char* before, const std::vector<std::uint32_t>& numb
     return numbers.size() > kMostNumbers ? text + ", …" : text;
 }
 
-std::string by_text(const CutBy& by) {
+std::string cut_by_text(const CutBy& by) {
     if (by.lines.empty()) return "stock";
     std::string text;
     for (const std::uint32_t tool : by.tools)
@@ -64,7 +64,7 @@ std::string degrees_text(double degrees) {
     return fmt::format("{}°", length_text(std::round(degrees * 100.0) / 100.0));
 }
 
-std::string what_text(const MeasuredBore& bore) {
+std::string feature_text(const MeasuredBore& bore) {
     std::string text = fmt::format("{} deep", length_text(bore.depth));
     if (bore.end == "through") text = "through, " + text;
     if (bore.tip_depth) {
@@ -92,7 +92,7 @@ public:
                volume_text(sheet_.volume_mm3));
         rows("bores", sheet_.bores, [](const MeasuredBore& b) {
             return std::tuple("D" + length_text(b.diameter),
-                              what_text(b) + "; " + place_text(b.mouth, b.axis), b.by);
+                              feature_text(b) + "; " + place_text(b.mouth, b.axis), b.by);
         });
         rows("bosses", sheet_.bosses, [](const MeasuredBoss& b) {
             std::string what = length_text(b.height) + " high";
@@ -119,7 +119,8 @@ private:
     void rows(const char* title, const std::vector<Feature>& features, const Row& row) {
         for (std::size_t i = 0; i < std::min(features.size(), kMostRows); ++i) {
             const auto& [size, what, by] = row(features[i]);
-            append(text_, "{:<10} {:<9} {}; {}\n", i == 0 ? title : "", size, what, by_text(by));
+            append(text_, "{:<10} {:<9} {}; {}\n", i == 0 ? title : "", size, what,
+                   cut_by_text(by));
         }
         if (features.size() > kMostRows)
             append(text_, "{:<10} and {} more (--json)\n", "", features.size() - kMostRows);
@@ -211,8 +212,8 @@ private:
 
 // --- JSON ---------------------------------------------------------------------------------
 
-Json tidy_json(cda::Vec3 v) {
-    return {tidy(v.x), tidy(v.y), tidy(v.z)};
+Json rounded_json(cda::Vec3 v) {
+    return {round_value(v.x), round_value(v.y), round_value(v.z)};
 }
 
 void add(Json& json, const CutBy& by) {
@@ -221,57 +222,57 @@ void add(Json& json, const CutBy& by) {
 }
 
 Json to_json(const MeasuredBore& b) {
-    Json json{{"diameter_mm", tidy(b.diameter)},
-              {"depth_mm", tidy(b.depth)},
+    Json json{{"diameter_mm", round_value(b.diameter)},
+              {"depth_mm", round_value(b.depth)},
               {"end", b.end},
               {"through", b.end == "through"},
-              {"mouth", tidy_json(b.mouth)},
-              {"axis", tidy_json(b.axis)},
-              {"mouth_slants_by_mm", tidy(b.mouth_slants_by)},
-              {"covers_degrees", tidy(b.covers_degrees)}};
-    if (b.tip_depth) json["tip_depth_mm"] = tidy(*b.tip_depth);
-    if (b.tip_angle_degrees) json["tip_angle_degrees"] = tidy(*b.tip_angle_degrees);
+              {"mouth", rounded_json(b.mouth)},
+              {"axis", rounded_json(b.axis)},
+              {"mouth_slants_by_mm", round_value(b.mouth_slants_by)},
+              {"covers_degrees", round_value(b.covers_degrees)}};
+    if (b.tip_depth) json["tip_depth_mm"] = round_value(*b.tip_depth);
+    if (b.tip_angle_degrees) json["tip_angle_degrees"] = round_value(*b.tip_angle_degrees);
     add(json, b.by);
     return json;
 }
 
 Json to_json(const MeasuredBoss& b) {
-    Json json{{"diameter_mm", tidy(b.diameter)},
-              {"height_mm", tidy(b.height)},
-              {"foot", tidy_json(b.foot)},
-              {"axis", tidy_json(b.axis)},
-              {"covers_degrees", tidy(b.covers_degrees)}};
+    Json json{{"diameter_mm", round_value(b.diameter)},
+              {"height_mm", round_value(b.height)},
+              {"foot", rounded_json(b.foot)},
+              {"axis", rounded_json(b.axis)},
+              {"covers_degrees", round_value(b.covers_degrees)}};
     add(json, b.by);
     return json;
 }
 
 Json to_json(const MeasuredCorner& c) {
-    Json json{{"radius_mm", tidy(c.radius)},
+    Json json{{"radius_mm", round_value(c.radius)},
               {"inside", c.is_inside},
-              {"covers_degrees", tidy(c.covers_degrees)},
-              {"centre", tidy_json(c.on_axis)},
-              {"axis", tidy_json(c.axis)}};
+              {"covers_degrees", round_value(c.covers_degrees)},
+              {"centre", rounded_json(c.on_axis)},
+              {"axis", rounded_json(c.axis)}};
     add(json, c.by);
     return json;
 }
 
 Json to_json(const MeasuredDistance& d) {
-    Json json{{"mm", tidy(d.mm)},
+    Json json{{"mm", round_value(d.mm)},
               {"between", d.is_void ? "void" : "material"},
-              {"from", tidy_json(d.from)},
-              {"to", tidy_json(d.to)}};
+              {"from", rounded_json(d.from)},
+              {"to", rounded_json(d.to)}};
     add(json, d.by);
     return json;
 }
 
 Json to_json(const MeasuredFloor& f, const cda::Box& extents) {
-    Json json{{"z", tidy(f.z)},
-              {"below_top_mm", tidy(extents.max.z - f.z)},
-              {"above_bottom_mm", tidy(f.z - extents.min.z)},
-              {"area_mm2", tidy(f.area)},
+    Json json{{"z", round_value(f.z)},
+              {"below_top_mm", round_value(extents.max.z - f.z)},
+              {"above_bottom_mm", round_value(f.z - extents.min.z)},
+              {"area_mm2", round_value(f.area)},
               {"walls_all_round", f.is_closed},
-              {"min", tidy_json(f.box.min)},
-              {"max", tidy_json(f.box.max)}};
+              {"min", rounded_json(f.box.min)},
+              {"max", rounded_json(f.box.max)}};
     add(json, f.by);
     return json;
 }
@@ -291,12 +292,13 @@ std::string text_of(const MeasureSheet& sheet) {
 }
 
 void write_measures(std::ostream& out, const MeasureSheet& sheet) {
-    Json json{
-        {"ncsim", kVersion}, {"program", sheet.program}, {"volume_mm3", tidy(sheet.volume_mm3)}};
+    Json json{{"ncsim", kVersion},
+              {"program", sheet.program},
+              {"volume_mm3", round_value(sheet.volume_mm3)}};
     json["extents"] = nullptr;
     if (!sheet.extents.is_empty()) {
-        json["extents"] = {{"min", tidy_json(sheet.extents.min)},
-                           {"max", tidy_json(sheet.extents.max)}};
+        json["extents"] = {{"min", rounded_json(sheet.extents.min)},
+                           {"max", rounded_json(sheet.extents.max)}};
     }
     json["bores"] = list_json(sheet.bores);
     json["bosses"] = list_json(sheet.bosses);
@@ -305,7 +307,7 @@ void write_measures(std::ostream& out, const MeasureSheet& sheet) {
     if (sheet.has_too_many_walls) json["distances"] = nullptr;
     json["corners"] = list_json(sheet.corners);
     json["not_measured"] = {{"facets", sheet.facets},
-                            {"area_mm2", tidy(sheet.facet_area_mm2)},
+                            {"area_mm2", round_value(sheet.facet_area_mm2)},
                             {"lines", sheet.facet_lines}};
     out << to_text(json);
 }

@@ -67,19 +67,19 @@ void put_share(std::string& bytes, double share) {
     bytes += static_cast<char>(bits >> 8U);
 }
 
-Json mesh_json(const Look& look) {
+Json mesh_json(const PageData& page_data) {
     std::string vertices, triangles, lines, normals;
-    for (const cda::Vec3& v : look.mesh.vertices) {
+    for (const cda::Vec3& v : page_data.mesh.vertices) {
         for (const double c : {v.x, v.y, v.z})
             put_word(vertices, static_cast<float>(c));
     }
-    for (const auto& triangle : look.mesh.triangles) {
+    for (const auto& triangle : page_data.mesh.triangles) {
         for (const std::uint32_t corner : triangle)
             put_word(triangles, corner);
     }
-    for (const std::uint32_t line : look.lines)
+    for (const std::uint32_t line : page_data.lines)
         put_word(lines, line);
-    for (const cda::Vec3& n : look.normals) {
+    for (const cda::Vec3& n : page_data.normals) {
         for (const double c : {n.x, n.y, n.z})
             put_share(normals, c);
     }
@@ -90,19 +90,19 @@ Json mesh_json(const Look& look) {
 }
 
 // Returns for each joint: index of the value, rotary or linear, direction, a point of the axis.
-Json joints_json(const std::vector<MachineLook::Joint>& joints) {
+Json joints_json(const std::vector<MachinePageData::Joint>& joints) {
     Json all = Json::array();
-    for (const MachineLook::Joint& j : joints) {
+    for (const MachinePageData::Joint& j : joints) {
         const cda::Vec3 &d = j.direction, &p = j.through;
         all.push_back({j.axis, j.turns, {d.x, d.y, d.z}, {p.x, p.y, p.z}});
     }
     return all;
 }
 
-Json machine_json(const MachineLook& machine) {
+Json machine_json(const MachinePageData& machine) {
     Json json;
     json["bodies"] = Json::array();
-    for (const MachineLook::Body& body : machine.bodies) {
+    for (const MachinePageData::Body& body : machine.bodies) {
         std::string corners;
         for (const auto& triangle : body.mesh.triangles) {
             for (const std::uint32_t corner : triangle) {
@@ -120,7 +120,7 @@ Json machine_json(const MachineLook& machine) {
     json["part_moved_by"] = joints_json(machine.part_moved_by);
     json["zero"] = {machine.zero.x, machine.zero.y, machine.zero.z};
     std::string lines, values, tools;
-    for (const auto& [line, stand] : machine.stands) {
+    for (const auto& [line, stand] : machine.line_poses) {
         put_word(lines, line);
         for (const double value : stand.values)
             put_word(values, static_cast<float>(value));
@@ -146,10 +146,10 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 // Returns the data for the script. The mark of a line is its highest severity.
 Json data_json(const Checked& checked) {
-    const Look& look = *checked.look;
+    const PageData& page_data = *checked.page_data;
     Json data;
     data["source"] = Json::array();
-    for (const std::string_view line : lines_of(look.source))
+    for (const std::string_view line : lines_of(page_data.source))
         data["source"].push_back(one_line(line));
     std::map<std::uint32_t, Severity> marks;
     for (const Finding& f : checked.verdict.findings) {
@@ -167,8 +167,8 @@ Json data_json(const Checked& checked) {
     data["removed"] = Json::object();
     for (const auto& [line, volume] : removed)
         data["removed"][std::to_string(line)] = std::stod(fmt::format("{:.6g}", volume));
-    if (!look.mesh.triangles.empty()) data["mesh"] = mesh_json(look);
-    if (look.machine) data["machine"] = machine_json(*look.machine);
+    if (!page_data.mesh.triangles.empty()) data["mesh"] = mesh_json(page_data);
+    if (page_data.machine) data["machine"] = machine_json(*page_data.machine);
     return data;
 }
 
@@ -279,9 +279,9 @@ std::string skipped_html(const Checked& checked) {
     return text + "</table></section>\n";
 }
 
-std::string pictures_html(const Look& look) {
+std::string pictures_html(const PageData& page_data) {
     std::string text = "<section><h2>Pictures</h2>\n";
-    for (const auto& [name, png] : look.pictures) {
+    for (const auto& [name, png] : page_data.pictures) {
         text += fmt::format(
             "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}"
             "</figcaption></figure>\n",
@@ -323,12 +323,12 @@ std::string valid_utf8(const std::string& text) {
 
 void write_page(std::ostream& out, const Checked& checked) {
     std::string body = header_html(checked);
-    const bool verified = checked.look.has_value();
+    const bool verified = checked.page_data.has_value();
     if (verified) {
         body += "<main>\n<section><h2>Part</h2>";
-        if (!checked.look->mesh.triangles.empty() && !kThreeScript.empty()) {
+        if (!checked.page_data->mesh.triangles.empty() && !kThreeScript.empty()) {
             body += "<div id=\"view\"></div>";
-            if (checked.look->machine) {
+            if (checked.page_data->machine) {
                 body +=
                     "<p id=\"stand\"><label><input type=\"checkbox\" checked> machine</label>"
                     "<input type=\"range\" aria-label=\"line\"></p>";
@@ -338,7 +338,7 @@ void write_page(std::ostream& out, const Checked& checked) {
             "<p id=\"picked\"></p></section>\n"
             "<section><h2>Program</h2><div id=\"source\"></div></section>\n";
         body += findings_html(checked) + doubts_html(checked) + ledger_html(checked);
-        if (!checked.look->pictures.empty()) body += pictures_html(*checked.look);
+        if (!checked.page_data->pictures.empty()) body += pictures_html(*checked.page_data);
         body += skipped_html(checked) + "</main>\n";
     }
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
@@ -371,10 +371,10 @@ std::string scope_html(const Scope& scope) {
         text += fmt::format("<li>{} (with {})</li>\n", escaped(relative_path(file.path)),
                             escaped(relative_path(file.caller)));
     if (!scope.called.empty()) text += "</ul></section>\n";
-    if (!scope.left_out.empty()) text += "<section><h2>Left out</h2><ul>\n";
-    for (const LeftOut& file : scope.left_out)
+    if (!scope.excluded.empty()) text += "<section><h2>Left out</h2><ul>\n";
+    for (const ExcludedEntry& file : scope.excluded)
         text += fmt::format("<li>{}: {}</li>\n", escaped(relative_path(file.path)), file.why);
-    if (!scope.left_out.empty()) text += "</ul></section>\n";
+    if (!scope.excluded.empty()) text += "</ul></section>\n";
     return text;
 }
 

@@ -42,7 +42,7 @@ Character first_character(std::string_view text) {
 
 // True for control characters of ASCII and Latin-1, line separators, and characters that change the
 // writing direction.
-bool is_obeyed(std::uint32_t code) {
+bool is_control_code(std::uint32_t code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
            code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
            (code >= 0x2066 && code <= 0x2069);
@@ -80,7 +80,7 @@ std::string printable(std::string_view text) {
         const auto byte = static_cast<std::uint8_t>(result[at]);
         // A byte that is not UTF-8 is a control character in a Latin-1 terminal.
         const bool is_stray = c.bytes == 1 && byte >= 0x80 && byte < 0xa0;
-        if ((is_obeyed(c.code) || is_stray) && byte != '\n') {
+        if ((is_control_code(c.code) || is_stray) && byte != '\n') {
             const char instead = byte == '\t' ? ' ' : '?';
             result.replace(at, c.bytes, c.bytes, instead);
         }
@@ -105,7 +105,7 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-std::string shown_path(std::string_view path) {
+std::string printable_path(std::string_view path) {
     // Spreadsheets evaluate a cell that begins with any of these characters.
     constexpr std::string_view kFormula = "=+-@\t\r";
     const bool is_safe = path.empty() || (kFormula.find(path.front()) == std::string_view::npos &&
@@ -114,7 +114,7 @@ std::string shown_path(std::string_view path) {
     return one_line(shown.append(path));
 }
 
-std::string shown_json(std::string text) {
+std::string printable_json(std::string text) {
     for (std::size_t at = text.find("##"); at != std::string::npos; at = text.find("##", at + 1)) {
         if (!is_mark(std::string_view(text).substr(at))) continue;
         constexpr std::string_view kEscaped = "\\u0023";

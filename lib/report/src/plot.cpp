@@ -109,7 +109,7 @@ std::string curve(const std::vector<double>& values, double y_max, bool filled) 
 }
 
 // Returns the removed volume in each bin.
-std::vector<double> binned(const Course& course) {
+std::vector<double> bin_volumes(const Course& course) {
     std::vector<double> bins(kBins, 0.0);
     const double width = course.length / static_cast<double>(kBins);
     for (const Span& s : course.spans) {
@@ -129,7 +129,7 @@ std::vector<double> binned(const Course& course) {
 std::string plot(const verify::Ledger& ledger, bool rate) {
     const Course course = course_of(ledger);
     if (course.length <= 0.0 || ledger.removed_mm3 <= 0.0) return {};
-    std::vector<double> values = binned(course);
+    std::vector<double> values = bin_volumes(course);
     const double width = course.length / static_cast<double>(kBins);
     if (rate) {
         for (double& v : values)

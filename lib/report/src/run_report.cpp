@@ -8,7 +8,7 @@
 #include "ncsim/report/machining_time.h"
 #include "ncsim/report/value_source.h"
 #include "ncsim/report/version.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 #include "append.h"
 #include "json.h"
@@ -38,20 +38,24 @@ Json source(toolpath::ValueSource by, gcode::SourceSpan span, const std::string&
 // Returns the times; a time is null if a feed is not specified.
 Json time_json(const verify::Distances& distances) {
     const MachiningTime time = time_of(distances);
-    const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
+    const auto known = [](const std::optional<double>& s) {
+        return s ? Json(round_value(*s)) : Json();
+    };
     return {{"model", "constant feeds, no acceleration"},
             {"total_seconds", known(time.total())},
             {"feed_seconds", known(time.feed)},
-            {"rapid_seconds", tidy(time.rapid)},
+            {"rapid_seconds", round_value(time.rapid)},
             {"rapid_mm_per_min", kAssumedRapid},
             {"tool_changes", distances.tool_changes},
-            {"tool_change_seconds", tidy(time.tool_changes)},
-            {"dwell_seconds", tidy(time.dwells)}};
+            {"tool_change_seconds", round_value(time.tool_changes)},
+            {"dwell_seconds", round_value(time.dwells)}};
 }
 
 // Returns the times; a time is null if a rate is not specified.
 Json machine_time_json(const verify::Ledger& ledger) {
-    const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
+    const auto known = [](const std::optional<double>& s) {
+        return s ? Json(round_value(*s)) : Json();
+    };
     return {{"feed_seconds", known(ledger.feed_seconds)},
             {"rapid_seconds", known(ledger.rapid_seconds)},
             {"other_seconds", known(ledger.other_seconds)}};
@@ -65,19 +69,19 @@ Json tools_json(const RunFacts& run) {
                   {"diameter_mm", toolpath::cutting_diameter_of(used.tool)},
                   {"length_mm", toolpath::cutting_height_of(used.tool)},
                   {"source", source(used.specified_by, used.span, used.text)},
-                  {"assumed", used.filled_in}};
+                  {"assumed", used.assumed_values_text}};
         if (const auto d = run.program->distances.find(number); d != run.program->distances.end()) {
-            tool["rapid_mm"] = tidy(d->second.rapid_mm);
-            tool["feed_mm"] = tidy(d->second.feed_mm);
+            tool["rapid_mm"] = round_value(d->second.rapid_mm);
+            tool["feed_mm"] = round_value(d->second.feed_mm);
             tool["time"] = time_json(d->second);
         }
         if (run.part) {
             const auto removed = run.part->removed_by_tool.find(number);
             tool["removed_mm3"] =
-                removed == run.part->removed_by_tool.end() ? 0.0 : tidy(removed->second);
+                removed == run.part->removed_by_tool.end() ? 0.0 : round_value(removed->second);
             const CutterFacts facts = run.part->cutters.at(number);
             tool["sides"] = facts.sides;
-            tool["error_mm"] = tidy(facts.error_mm);
+            tool["error_mm"] = round_value(facts.error_mm);
         }
         tools.push_back(std::move(tool));
     }
@@ -108,12 +112,12 @@ std::string solid_text(const SolidFacts& solid) {
         text += fmt::format("          without lunes at bends of balls, up to {:.2g} mm high\n",
                             solid.mitred_mm);
     }
-    if (solid.coarser > 1.0) {
+    if (solid.tolerance_factor > 1.0) {
         text += fmt::format(
             "          facets alone are joined within {:g} times the tolerance: finer ones cross "
             "or "
             "touch\n",
-            solid.coarser);
+            solid.tolerance_factor);
     }
     if (solid.facets_kept == 0) return text;
     text += fmt::format("          {} of the planes {} of round tools", solid.facets_kept,
@@ -178,10 +182,10 @@ std::string aliasing_text(const AliasingFacts& aliasing, double resolution) {
 Json thin_json(const cda::ThinPlaces& thin, std::uint32_t line) {
     Json json = {{"rays", thin.count},
                  {"missing_rays", thin.missing},
-                 {"missing_mm3", tidy(thin.missing_mm3)}};
+                 {"missing_mm3", round_value(thin.missing_mm3)}};
     if (thin.count > 0) {
         json["thinnest"] = {
-            {"mm", tidy(thin.thinnest_mm)}, {"at", vector_json(thin.at)}, {"line", line}};
+            {"mm", round_value(thin.thinnest_mm)}, {"at", vector_json(thin.at)}, {"line", line}};
     }
     return json;
 }
@@ -189,8 +193,8 @@ Json thin_json(const cda::ThinPlaces& thin, std::uint32_t line) {
 Json section_json(const SectionFacts& section) {
     return {{"plane", section.plane},
             {"outlines", section.outlines},
-            {"area_mm2", tidy(section.area_mm2)},
-            {"length_mm", tidy(section.length_mm)},
+            {"area_mm2", round_value(section.area_mm2)},
+            {"length_mm", round_value(section.length_mm)},
             {"lines", section.curves[0]},
             {"arcs", section.curves[1]},
             {"ellipses", section.curves[2]},
@@ -256,7 +260,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
                        {"feed_moves", run.program->feed_moves}};
     json["assumptions"] = {{"units", read.uses_inches ? "inch" : "mm"},
                            {"units_stated", read.units_stated},
-                           {"moves_from_unknown_start", run.program->moves_from_nowhere},
+                           {"moves_from_unknown_start", run.program->moves_without_start},
                            {"machine_zero_above_program_zero_mm", verify::kHomeHeight},
                            {"uses_machine_coordinates", run.program->uses_machine_coordinates}};
     if (run.program->stock) {
@@ -281,12 +285,13 @@ void write_report(std::ostream& out, const RunFacts& run) {
         if (run.cutting.resolution > 0.0) json["model"]["resolution_mm"] = run.cutting.resolution;
         json["accuracy_mm"] = {{"chord_tolerance", run.cutting.tolerance},
                                {"tool_tolerance", run.cutting.tool_tolerance},
-                               {"missed", tidy(s.bounds.missed_mm)},
-                               {"gained", tidy(s.bounds.gained_mm)}};
-        json["volume_mm3"] = {{"stock", tidy(s.stock_volume)},
-                              {"part", tidy(s.part_volume)},
-                              {"removed", tidy(s.stock_volume - s.part_volume)}};
-        if (s.part_volume_error > 0.0) json["volume_mm3"]["error"] = tidy(s.part_volume_error);
+                               {"missed", round_value(s.bounds.missed_mm)},
+                               {"gained", round_value(s.bounds.gained_mm)}};
+        json["volume_mm3"] = {{"stock", round_value(s.stock_volume)},
+                              {"part", round_value(s.part_volume)},
+                              {"removed", round_value(s.stock_volume - s.part_volume)}};
+        if (s.part_volume_error > 0.0)
+            json["volume_mm3"]["error"] = round_value(s.part_volume_error);
         if (run.cutting.resolution > 0.0)
             json["model"]["rays"] = run.cutting.has_rays_along_z_alone ? "z" : "xyz";
         if (s.aliasing) {
@@ -298,7 +303,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
     }
     if (run.boundary) {
         json["part"] = {{"extents", to_json(cda::bounds(*run.boundary))},
-                        {"area_mm2", tidy(cda::area(*run.boundary))},
+                        {"area_mm2", round_value(cda::area(*run.boundary))},
                         {"faces", run.boundary->faces.size()},
                         {"vertices", run.boundary->vertices.size()},
                         {"shells", run.boundary->shells}};
@@ -313,7 +318,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
         for (const auto& [kind, count] : run.solid->kinds)
             kinds[kind] = count;
         json["step"] = {{"faces", run.solid->faces},
-                        {"volume_mm3", tidy(run.solid->volume_mm3)},
+                        {"volume_mm3", round_value(run.solid->volume_mm3)},
                         {"surfaces", std::move(kinds)},
                         {"edges_within_mm", run.solid->miss_mm},
                         {"facets_kept", run.solid->facets_kept},
@@ -324,12 +329,14 @@ void write_report(std::ostream& out, const RunFacts& run) {
             json["step"]["refined_to_mm"] = run.solid->own_cut->tools_mm;
             json["step"]["arcs_refined_to_mm"] = run.solid->own_cut->arcs_mm;
         }
-        if (run.solid->coarser > 1.0) json["step"]["facets_coarser"] = run.solid->coarser;
+        if (run.solid->tolerance_factor > 1.0)
+            json["step"]["facets_coarser"] = run.solid->tolerance_factor;
     }
     for (const SectionFacts& section : run.sections)
         json["sections"].push_back(section_json(section));
-    json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
-    if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);
+    json["distance_mm"] = {{"rapid", round_value(distances.rapid_mm)},
+                           {"feed", round_value(distances.feed_mm)}};
+    if (distances.feed_seconds) json["feed_seconds"] = round_value(*distances.feed_seconds);
     json["time"] = time_json(distances);
     if (run.on_machine) json["time_on_machine"] = machine_time_json(*run.on_machine);
     json["tip_extents"] = to_json(run.program->tip_positions);
@@ -338,7 +345,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
         Json blocks = Json::array();
         for (const auto& [place, removed] : run.part->removed_by_block) {
             const auto& [file, line] = place;
-            Json block{{"line", line}, {"removed_mm3", tidy(removed)}};
+            Json block{{"line", line}, {"removed_mm3", round_value(removed)}};
             if (file > 0 && file < read.files.size()) block["file"] = read.files[file];
             blocks.push_back(std::move(block));
         }

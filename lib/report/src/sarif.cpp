@@ -154,7 +154,7 @@ Json result(const Checked& checked, const Finding& f, const std::string& line, S
     Json properties{{"certain", f.certainty == verify::Certainty::Certain}};
     if (f.quantity) {
         properties["quantity"] = f.quantity->name;
-        properties["value"] = tidy(f.quantity->value);
+        properties["value"] = round_value(f.quantity->value);
         properties["unit"] = f.quantity->unit;
     }
     json["properties"] = std::move(properties);

@@ -53,7 +53,7 @@ std::vector<CalledFile> called_files(const Entries& all) {
     return called;
 }
 
-Entries without_called(const Entries& all, const std::vector<CalledFile>& called) {
+Entries remove_called(const Entries& all, const std::vector<CalledFile>& called) {
     std::set<std::string> paths;
     for (const CalledFile& file : called)
         paths.insert(file.path);
@@ -70,14 +70,14 @@ Entries without_called(const Entries& all, const std::vector<CalledFile>& called
     };
 }
 
-std::string text_of(const std::vector<LeftOut>& left_out) {
-    if (left_out.empty()) return {};
+std::string text_of(const std::vector<ExcludedEntry>& excluded) {
+    if (excluded.empty()) return {};
     std::map<std::string, std::vector<std::string>> kinds;
-    for (const LeftOut& file : left_out)
-        kinds[file.why].push_back(shown_path(file.path));
+    for (const ExcludedEntry& file : excluded)
+        kinds[file.why].push_back(printable_path(file.path));
     std::string text =
         fmt::format("ncsim: {} left out: no NC program{}; to judge one all the same, name it\n",
-                    left_out.size(), left_out.size() == 1 ? "" : "s");
+                    excluded.size(), excluded.size() == 1 ? "" : "s");
     for (const auto& [why, names] : kinds) {
         text += fmt::format("ncsim:   {}: {}: ", why, names.size());
         for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
@@ -105,8 +105,8 @@ std::string counts_of(const Scope& scope) {
     const std::size_t called = scope.called.size();
     if (called == 1) text += "; 1 subprogram, judged with its caller";
     if (called > 1) text += fmt::format("; {} subprograms, judged with their callers", called);
-    const std::size_t left_out = scope.left_out.size();
-    if (left_out > 0) text += fmt::format("; {} left out", left_out);
+    const std::size_t excluded = scope.excluded.size();
+    if (excluded > 0) text += fmt::format("; {} left out", excluded);
     return text;
 }
 

@@ -94,7 +94,7 @@ void write_tools(std::ostream& out, const SheetSetUp& set_up) {
             time = seconds ? time_text(*seconds) : "?";
         }
         std::string shape = toolpath::describe(used.tool);
-        if (!used.filled_in.empty()) shape += "; assumed: " + used.filled_in;
+        if (!used.assumed_values_text.empty()) shape += "; assumed: " + used.assumed_values_text;
         if (used.is_guess) shape += "; a guess";
         out << fmt::format(
             "<tr><td>T{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"

@@ -33,7 +33,7 @@ constexpr std::uint64_t kMostPrograms = 100'000'000;
 struct Head {
     std::string version;
     ShardHead head;
-    std::vector<LeftOut> left_out;
+    std::vector<ExcludedEntry> excluded;
 };
 
 std::optional<Head> head_from(const std::string& line) {
@@ -43,15 +43,15 @@ std::optional<Head> head_from(const std::string& line) {
         if (whole_number<int>(json.at("ncsim-shard")) != kFormat ||
             whole_number<std::uint64_t>(json.at("programs")) > kMostPrograms)
             return std::nullopt;
-        std::vector<LeftOut> left_out;
+        std::vector<ExcludedEntry> excluded;
         for (const Json& file : json.at("left_out"))
-            left_out.push_back({file.at(0).get<std::string>(), file.at(1).get<std::string>()});
+            excluded.push_back({file.at(0).get<std::string>(), file.at(1).get<std::string>()});
         return Head{json.at("version").get<std::string>(),
                     {json.at("list").get<std::string>(), json.at("options").get<std::string>(),
                      whole_number<std::uint32_t>(json.at("shard")),
                      whole_number<std::uint32_t>(json.at("of")),
                      whole_number<std::uint64_t>(json.at("programs"))},
-                    std::move(left_out)};
+                    std::move(excluded)};
     } catch (const Json::exception&) {
         return std::nullopt;
     }
@@ -83,10 +83,10 @@ std::string shard_file_name(std::uint32_t shard, std::uint32_t of) {
     return fmt::format("shard-{0:0{2}}-of-{1:0{2}}.ndjson", shard, of, digits);
 }
 
-void write_shard(std::ostream& out, const ShardHead& head, const std::vector<LeftOut>& left_out,
-                 std::span<const Placed> entries) {
+void write_shard(std::ostream& out, const ShardHead& head,
+                 const std::vector<ExcludedEntry>& excluded, std::span<const Placed> entries) {
     Json rest = Json::array();
-    for (const LeftOut& file : left_out)
+    for (const ExcludedEntry& file : excluded)
         rest.push_back(Json::array({file.path, file.why}));
     out << to_line({{"ncsim-shard", kFormat},
                     {"version", kVersion},
@@ -116,8 +116,8 @@ bool is_whole(const std::string& file, const ShardHead& head) {
     return false;
 }
 
-std::vector<std::size_t> dealt(std::span<const std::uint64_t> sizes, std::uint32_t shard,
-                               std::uint32_t of) {
+std::vector<std::size_t> programs_of_shard(std::span<const std::uint64_t> sizes,
+                                           std::uint32_t shard, std::uint32_t of) {
     std::vector<std::size_t> order(sizes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t i) { return sizes[i]; });
@@ -164,9 +164,9 @@ void Shards::take(std::uint32_t number) {
     if (!head) fail(file, "it is no result of ncsim check --shard");
     if (head->version != kVersion)
         fail(file, fmt::format("it was written by ncsim {}", one_line(head->version)));
-    for (LeftOut& left_out : head->left_out) {
-        if (std::ranges::find(left_out_, left_out) == left_out_.end())
-            left_out_.push_back(std::move(left_out));
+    for (ExcludedEntry& excluded : head->excluded) {
+        if (std::ranges::find(excluded_, excluded) == excluded_.end())
+            excluded_.push_back(std::move(excluded));
     }
     ShardHead same = head->head;
     same.shard = head_.shard;

@@ -91,7 +91,7 @@ std::string tile_file_name(std::uint32_t tile, std::uint32_t of) {
 
 std::string bytes_of(const TileFile& file, Digest digest_of) {
     std::string bytes = line_of(file.head) + '\n';
-    for (const auto& [motion, hulls] : file.met)
+    for (const auto& [motion, hulls] : file.stock_contacts)
         bytes += fmt::format("{} {}\n", motion, hulls);
     bytes += '\n' + file.evidence + '\n' + file.tile;
     bytes += '\n' + digest_of(bytes) + '\n';
@@ -136,7 +136,7 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
         if (hulls.ec != std::errc() || hulls.ptr == last || *hulls.ptr != '\n')
             refuse_tile(name, "its motions cannot be read");
         at = static_cast<std::size_t>(hulls.ptr - bytes.data()) + 1;
-        file.met.push_back(met);
+        file.stock_contacts.push_back(met);
     }
     // The evidence ends at the next empty line.
     const std::size_t begin = std::min(at + 1, bytes.size());
@@ -150,8 +150,8 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
     return file;
 }
 
-std::vector<std::size_t> in_order(const std::vector<TileFile>& files,
-                                  const std::vector<std::string>& names) {
+std::vector<std::size_t> order_tiles(const std::vector<TileFile>& files,
+                                     const std::vector<std::string>& names) {
     if (files.empty()) throw std::runtime_error("there are no tiles");
     const TileHead& first = files[0].head;
     constexpr std::size_t kNowhere = ~std::size_t{0};

@@ -97,7 +97,7 @@ private:
             const UsedTool& tool = used->second;
             add("  source",
                 specified(tool.specified_by, tool.span, tool.text, tool.file, "--tool"));
-            if (!tool.filled_in.empty()) add("  assumed", tool.filled_in);
+            if (!tool.assumed_values_text.empty()) add("  assumed", tool.assumed_values_text);
         } else if (const auto* entry = toolpath::find_tool(described_, number)) {
             add("  source",
                 specified(entry->specified_by, entry->span, entry->text, entry->file, "--tool"));
@@ -182,7 +182,7 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
             const UsedTool& u = used->second;
             add_spec(tool, u.spec);
             tool["source"] = source_json(u.specified_by, u.span, u.file, u.text);
-            tool["assumed"] = u.filled_in;
+            tool["assumed"] = u.assumed_values_text;
             tool["first_line"] = u.first.line;
         } else if (entry) {
             add_spec(tool, entry->spec);
@@ -190,8 +190,8 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
                 source_json(entry->specified_by, entry->span, entry->file, entry->text);
         }
         if (distances) {
-            tool["feed_mm"] = tidy(distances->feed_mm);
-            tool["rapid_mm"] = tidy(distances->rapid_mm);
+            tool["feed_mm"] = round_value(distances->feed_mm);
+            tool["rapid_mm"] = round_value(distances->rapid_mm);
         }
         tools.push_back(std::move(tool));
     }

@@ -5,7 +5,7 @@
 
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/motion.h"
-#include "ncsim/simulation/questions.h"
+#include "ncsim/simulation/verification_options.h"
 
 #include <fmt/format.h>
 
@@ -64,11 +64,11 @@ double widest_radius(const Survey& survey) {
 
 // Returns the first rapid move in several axes whose box comes near the stock or a fixture, or
 // null. Only such moves can meet a body on one path and miss the body on the second.
-const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(const Survey& survey,
-                                                                   const Questions& questions) {
+const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(
+    const Survey& survey, const VerificationOptions& verification_options) {
     if (!survey.is_ready()) return nullptr;
     std::vector<cda::Box> bodies{survey.stock->box};
-    for (const verify::Fixture& fixture : questions.machine.machine.fixtures)
+    for (const verify::Fixture& fixture : verification_options.machine.machine.fixtures)
         bodies.push_back(fixture.place());
     const double radius = widest_radius(survey);
     const auto is_near = [radius](const cda::Box& rapid, const cda::Box& body) {
@@ -156,11 +156,13 @@ void add_other_controls(const Plan& plan, const gcode::Interpretation& read,
     for (const gcode::Dialect control :
          {gcode::Dialect::Rs274, gcode::Dialect::Fanuc, gcode::Dialect::Haas}) {
         if (!known.insert(motions_on(plan, control, accepted)).second) continue;
-        found.push_back(
-            {"control-guess", fmt::format("on a control such as {}", gcode::name_of(control)),
-             place_of(*read.control_dependent),
-             [control](Plan& other, Questions&) { other.job.interpreter.dialect = control; },
-             true});
+        found.push_back({"control-guess",
+                         fmt::format("on a control such as {}", gcode::name_of(control)),
+                         place_of(*read.control_dependent),
+                         [control](Plan& other, VerificationOptions&) {
+                             other.job.interpreter.dialect = control;
+                         },
+                         true});
     }
 }
 
@@ -170,14 +172,14 @@ std::string described(const verify::Finding& finding) {
 
 }  // namespace
 
-std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
-                                         const Questions& questions) {
+std::vector<Alternative> alternatives_of(const Plan& plan, const Survey& survey,
+                                         const VerificationOptions& verification_options) {
     std::vector<Alternative> found;
     const setup::JobOptions& options = plan.job.options;
     const gcode::Interpretation& read = survey.interpretation;
     if (read.deletable && !options.block_delete) {
         found.push_back({"block-delete", "with blocks that start with '/' skipped",
-                         place_of(*read.deletable), [](Plan& other, Questions&) {
+                         place_of(*read.deletable), [](Plan& other, VerificationOptions&) {
                              other.job.options.block_delete = true;
                              other.job.interpreter.block_delete = true;
                          }});
@@ -185,19 +187,20 @@ std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
     if (read.without_point && read.has_points && !options.increments) {
         found.push_back({"decimal-point",
                          "with numbers without a decimal point as least increments",
-                         place_of(*read.without_point), [](Plan& other, Questions&) {
+                         place_of(*read.without_point), [](Plan& other, VerificationOptions&) {
                              other.job.options.increments = true;
                              other.job.interpreter.least_increments = true;
                          }});
     }
     add_other_controls(plan, read, found);
-    if (const auto* rapid = first_rapid_near_bodies(survey, questions);
-        rapid && !questions.is_rapid_specified) {
-        found.push_back({"rapid-path",
-                         questions.dog_leg ? "with straight rapid moves"
-                                           : "with rapid moves axis by axis (dog-leg)",
-                         {rapid->file, rapid->span},
-                         [](Plan&, Questions& other) { other.dog_leg = !other.dog_leg; }});
+    if (const auto* rapid = first_rapid_near_bodies(survey, verification_options);
+        rapid && !verification_options.is_rapid_specified) {
+        found.push_back(
+            {"rapid-path",
+             verification_options.dog_leg ? "with straight rapid moves"
+                                          : "with rapid moves axis by axis (dog-leg)",
+             {rapid->file, rapid->span},
+             [](Plan&, VerificationOptions& other) { other.dog_leg = !other.dog_leg; }});
     }
     return found;
 }
@@ -226,9 +229,9 @@ bool is_another_part(const report::Checked& verdict, double more_mm3) {
 
 }  // namespace
 
-std::optional<verify::Doubt> doubt_between(const report::Checked& verdict,
-                                           const report::Checked& other,
-                                           const Alternative& alternative) {
+std::optional<verify::Doubt> doubt_from(const report::Checked& verdict,
+                                        const report::Checked& other,
+                                        const Alternative& alternative) {
     std::string found = difference(verdict, other);
     if (!found.empty()) {
         found = fmt::format("the verdict is another one {}: {}", alternative.message, found);

@@ -17,7 +17,7 @@
 
 namespace ncsim::simulation {
 
-struct Questions;
+struct VerificationOptions;
 
 /// A second reading of the program.
 struct Alternative {
@@ -25,20 +25,20 @@ struct Alternative {
     std::string_view reason;
     std::string message;  ///< Condition of the second verdict: "with blocks skipped".
     verify::Place place;  ///< First place with two readings.
-    std::function<void(Plan&, Questions&)> apply;
+    std::function<void(Plan&, VerificationOptions&)> apply;
     bool compares_parts = false;  ///< True if a part of a different volume is a doubt, too.
 };
 
 /// Returns the further readings of `plan`, except where an option decides the reading.
-std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
-                                         const Questions& questions);
+std::vector<Alternative> alternatives_of(const Plan& plan, const Survey& survey,
+                                         const VerificationOptions& verification_options);
 
 /// Returns the most severe difference of `other` from `verdict`, or an empty string.
 std::string difference(const report::Checked& verdict, const report::Checked& other);
 
 /// Returns the doubt about `verdict` if `other`, the verdict of `alternative`, differs.
-std::optional<verify::Doubt> doubt_between(const report::Checked& verdict,
-                                           const report::Checked& other,
-                                           const Alternative& alternative);
+std::optional<verify::Doubt> doubt_from(const report::Checked& verdict,
+                                        const report::Checked& other,
+                                        const Alternative& alternative);
 
 }  // namespace ncsim::simulation

@@ -35,7 +35,7 @@ struct Trace {
     bool operator==(const Trace&) const = default;
 };
 
-bool moves_alike(const Surveyed& a, const Surveyed& b) {
+bool moves_alike(const SurveyedPlan& a, const SurveyedPlan& b) {
     // On specified machines, poses depend on more than the motions.
     if (a.plan.kinematics || b.plan.kinematics) return false;
     const auto same_tool = [](const auto& s, const auto& t) {
@@ -57,7 +57,7 @@ bool moves_alike(const Surveyed& a, const Surveyed& b) {
 }
 
 // Returns what the program of `side` still removes from the finished part of `other`.
-report::OneSided remainder(const Surveyed& side, const Simulation& other) {
+report::OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& other) {
     verify::Setup setup;
     setup.ledger = true;
     for (const verify::RuleInfo& rule : verify::rules())
@@ -71,7 +71,7 @@ report::OneSided remainder(const Surveyed& side, const Simulation& other) {
     const Simulation cut = simulate(side.plan, side.survey, verification, {});
     const verify::Verdict verdict =
         verifier.finish(side.survey.interpretation, cut.part.get(), cut.stock_volume);
-    report::OneSided result;
+    report::OneSidedMaterial result;
     result.regions = verify::regions_of(verdict.ledger);
     result.volume_mm3 = verdict.ledger.removed_mm3;
     result.files = verdict.files;
@@ -80,7 +80,7 @@ report::OneSided remainder(const Surveyed& side, const Simulation& other) {
 
 }  // namespace
 
-report::Difference compare_parts(const Surveyed& a, const Surveyed& b) {
+report::Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
     require_verifying(a.plan);
     require_verifying(b.plan);
     report::Difference d;

@@ -31,14 +31,14 @@ struct Condition {
 };
 
 // True if equal except for the rounding of values in inches.
-bool nearly(double a, double b) {
+bool is_nearly_equal(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
 bool same(const Condition& a, const Condition& b) {
-    return nearly(a.dwell_s, b.dwell_s) && a.tool == b.tool && a.feed_mode == b.feed_mode &&
-           nearly(a.feed, b.feed) && a.spindle == b.spindle && nearly(a.rpm, b.rpm) &&
-           a.coolant == b.coolant;
+    return is_nearly_equal(a.dwell_s, b.dwell_s) && a.tool == b.tool &&
+           a.feed_mode == b.feed_mode && is_nearly_equal(a.feed, b.feed) &&
+           a.spindle == b.spindle && is_nearly_equal(a.rpm, b.rpm) && a.coolant == b.coolant;
 }
 
 Condition condition_of(const gcode::Motion& m) {

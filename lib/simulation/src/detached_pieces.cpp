@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostPieces = 16;
 
 // The part after some of its cuts.
-struct Moment {
+struct CutState {
     verify::Solids solids;
     verify::Place place;
     std::uint64_t motion = 0;
@@ -35,14 +35,14 @@ public:
         verification_.verifier = nullptr;
     }
 
-    const Moment& after(std::uint32_t cuts) {
+    const CutState& after(std::uint32_t cuts) {
         auto& moment = known_[cuts];
         if (!moment) {
             Verification limited = verification_;
             limited.most_cuts = cuts;
             const Simulation s = simulate(plan_, *survey_, limited, {});
-            moment = std::make_unique<Moment>(
-                Moment{verify::Solids(s.part->boundary()), s.last_cut, s.last_motion});
+            moment = std::make_unique<CutState>(
+                CutState{verify::Solids(s.part->boundary()), s.last_cut, s.last_motion});
         }
         return *moment;
     }
@@ -51,7 +51,7 @@ private:
     Plan plan_;
     const Survey* survey_;
     Verification verification_;
-    std::map<std::uint32_t, std::unique_ptr<Moment>> known_;
+    std::map<std::uint32_t, std::unique_ptr<CutState>> known_;
 };
 
 // Returns the first number of cuts after which both points are in different pieces. Material that
@@ -129,7 +129,7 @@ std::vector<verify::Finding> detached_pieces(const Plan& plan, const Survey& sur
         }
         const std::uint32_t cut =
             separation(history, piece.origins, *piece.inner_point, *main.inner_point);
-        const Moment& moment = history.after(cut);
+        const CutState& moment = history.after(cut);
         verify::Finding f;
         f.rule = "part-cut-free";
         f.place = f.last = moment.place;

@@ -56,7 +56,7 @@ bool is_plain_flat(const toolpath::Tool& tool) {
 void choose_model(Plan& plan, const Survey& survey) {
     if (!plan.draft || plan.is_model_specified || survey.moves < kLongProgram) return;
     const auto has_resolution = [](const ModelInfo& model) { return model.has_resolution; };
-    const bool needs_exact = plan.keep_carved || plan.block_volumes || plan.needs_exact;
+    const bool needs_exact = plan.keep_removed_cells || plan.block_volumes || plan.needs_exact;
     if (needs_exact || plan.tile || plan.tiles) return;
     plan.model = std::ranges::find_if(models(), has_resolution)->name;
     plan.is_model_chosen = true;

@@ -33,7 +33,7 @@ const gcode::Linear* plain_line(const gcode::Motion& motion) {
                                                                                          : nullptr;
 }
 
-bool is_alike(const gcode::Motion& a, const gcode::Motion& b) {
+bool is_same_kind(const gcode::Motion& a, const gcode::Motion& b) {
     return a.tool == b.tool && a.file == b.file && a.coordinates == b.coordinates &&
            a.length == b.length && a.feed == b.feed && a.feed_mode == b.feed_mode &&
            a.feed_mode != gcode::FeedMode::InverseTime && a.spindle == b.spindle &&
@@ -49,7 +49,8 @@ MoveJoiner::MoveJoiner(double tolerance_mm, gcode::MotionSink sink)
 
 bool MoveJoiner::can_join(const gcode::Motion& next) const {
     const gcode::Linear* line = plain_line(next);
-    if (!held_ || !line || !is_alike(*held_, next) || passed_.size() >= kMostPlaces) return false;
+    if (!held_ || !line || !is_same_kind(*held_, next) || intermediate_ends_.size() >= kMostPlaces)
+        return false;
     const auto& row = std::get<gcode::Linear>(held_->what);
     if (!(row.to == line->from)) return false;
     const cda::Vec3 from = place(row.from);
@@ -64,14 +65,14 @@ bool MoveJoiner::can_join(const gcode::Motion& next) const {
         before = t;
         return is_next && cda::dot(off, off) <= tolerance_mm_ * tolerance_mm_;
     };
-    return std::ranges::all_of(passed_, lies_on_way) && lies_on_way(place(row.to));
+    return std::ranges::all_of(intermediate_ends_, lies_on_way) && lies_on_way(place(row.to));
 }
 
 void MoveJoiner::take(const gcode::Motion& motion) {
     if (tolerance_mm_ <= 0.0) return sink_(motion);
     if (can_join(motion)) {
         auto& row = std::get<gcode::Linear>(held_->what);
-        passed_.push_back(place(row.to));
+        intermediate_ends_.push_back(place(row.to));
         has_joined_ = true;
         row.to = std::get<gcode::Linear>(motion.what).to;
         return;
@@ -85,7 +86,7 @@ void MoveJoiner::flush() {
     if (!held_) return;
     sink_(*held_);
     held_.reset();
-    passed_.clear();
+    intermediate_ends_.clear();
 }
 
 }  // namespace ncsim::simulation

@@ -35,7 +35,7 @@ private:
     gcode::MotionSink sink_;
     /// Joined move from the start of the row to its current end.
     std::optional<gcode::Motion> held_;
-    std::vector<cda::Vec3> passed_;  ///< Intermediate ends, mm.
+    std::vector<cda::Vec3> intermediate_ends_;  ///< Intermediate ends, mm.
     bool has_joined_ = false;
 };
 

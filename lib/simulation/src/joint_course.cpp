@@ -131,7 +131,7 @@ private:
         if (!course_.keys.empty()) {
             const Values before = course_.keys.back().values;
             add_key(course_.seconds, before);
-            go_over(before, *from);
+            add_transfer_time(before, *from);
         }
         add_key(course_.seconds, *from);
         const double seconds = std::max(specified_seconds, least_seconds(*from, *to));
@@ -141,7 +141,7 @@ private:
 
     // Adds the time from the end of a motion to the start of the next motion, if the positions
     // differ.
-    void go_over(const Values& from, const Values& to) {
+    void add_transfer_time(const Values& from, const Values& to) {
         double square = 0.0;
         for (std::size_t i = 0; i < 3; ++i)
             square += (to[i] - from[i]) * (to[i] - from[i]);
@@ -160,10 +160,10 @@ private:
     // Adds keys after the key at `a` up to the key at `b`.
     void divide(const toolpath::JointPath& path, const End& a, const End& b, double seconds,
                 int halvings) {
-        const auto going = path.going(a.t, a.values, b.t, b.values);
+        const auto joint_motion = path.joint_motion(a.t, a.values, b.t, b.values);
         const double missed_mm =
-            going ? going->bend / 8.0 : std::numeric_limits<double>::infinity();
-        const bool is_last = halvings == kMostHalvings || (!going && halvings == kUnknown);
+            joint_motion ? joint_motion->bend / 8.0 : std::numeric_limits<double>::infinity();
+        const bool is_last = halvings == kMostHalvings || (!joint_motion && halvings == kUnknown);
         if (missed_mm > kCourseTolerance && !is_last) {
             const double middle = 0.5 * (a.t + b.t);
             if (const auto values = path.at(middle)) {
@@ -174,7 +174,7 @@ private:
             }
             ++course_.left_out;
         }
-        if (going) course_.missed_mm = std::max(course_.missed_mm, missed_mm);
+        if (joint_motion) course_.missed_mm = std::max(course_.missed_mm, missed_mm);
         add_key(course_.seconds + b.t * seconds, b.values);
     }
 

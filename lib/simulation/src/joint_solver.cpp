@@ -24,7 +24,7 @@ public:
         return std::ranges::any_of(placed_.chain.joints, &machine::Joint::turns);
     }
 
-    Stand stand_of(const Axes& joints, double length_mm) const override {
+    TipPose tip_pose(const Axes& joints, double length_mm) const override {
         const machine::Pose X_WT = chain(length_mm).pose(in_W(joints));
         const cda::Vec3 axis = axis_of(X_WT);
         const cda::Vec3& tip = X_WT.translation;
@@ -44,7 +44,7 @@ public:
     }
 
     // The rotary joints of the table are before X, Y and Z in the chain.
-    Triple with_table(const Triple& v, const Axes& from, const Axes& to) const override {
+    Triple rotate_with_table(const Triple& v, const Axes& from, const Axes& to) const override {
         std::vector<machine::Joint> table;
         for (const machine::Joint& joint : placed_.chain.joints) {
             if (!joint.turns) break;
@@ -56,16 +56,16 @@ public:
         };
         cda::Vec3 d{v[0], v[1], v[2]};
         for (auto next = table.rbegin(); next != table.rend(); ++next)
-            d = machine::turned(*next, of(start, *next), d);
+            d = machine::rotate_by_joint(*next, of(start, *next), d);
         for (const machine::Joint& joint : table)
-            d = machine::turned(joint, -of(end, joint), d);
+            d = machine::rotate_by_joint(joint, -of(end, joint), d);
         return {d.x, d.y, d.z};
     }
 
-    Turned turned_to(const Triple& axis, const Axes& joints, Way way) const override {
+    Solution joints_for_direction(const Triple& axis, const Axes& joints, Way way) const override {
         const machine::SolutionPreference prefer =
-            way == Way::Up     ? machine::SolutionPreference::WayUp
-            : way == Way::Down ? machine::SolutionPreference::WayDown
+            way == Way::Up     ? machine::SolutionPreference::PositiveMotion
+            : way == Way::Down ? machine::SolutionPreference::NegativeMotion
                                : prefer_;
         const cda::Vec3 to{axis[0], axis[1], axis[2]};
         const machine::Values now = in_W(joints);

@@ -5,7 +5,7 @@
 
 #include "ncsim/gcode/joints.h"
 #include "ncsim/machine/orient.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 
 #include <memory>
 

@@ -10,8 +10,8 @@
 
 namespace ncsim::simulation {
 
-verify::Ledger times_on(const Plan& plan, const Survey& survey,
-                        const verify::MachineDescription& machine) {
+verify::Ledger machining_times(const Plan& plan, const Survey& survey,
+                               const verify::MachineDescription& machine) {
     verify::Setup setup;
     setup.machine = machine;
     for (const verify::RuleInfo& rule : verify::rules())

@@ -16,7 +16,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-using Maker = std::unique_ptr<cda::WorkpieceModel> (*)(const ModelParameters&);
+using ModelFactory = std::unique_ptr<cda::WorkpieceModel> (*)(const ModelParameters&);
 
 std::unique_ptr<cda::WorkpieceModel> make_tree(const ModelParameters& parameters) {
     if (parameters.tiles) return cda::Tiles::model(parameters.tiles);
@@ -51,7 +51,7 @@ constexpr std::array kModels = {
                       "may be missing",
               .has_resolution = true},
 };
-constexpr std::array<Maker, kModels.size()> kMakers = {make_tree, make_flat, make_dexel};
+constexpr std::array<ModelFactory, kModels.size()> kFactories = {make_tree, make_flat, make_dexel};
 
 }  // namespace
 
@@ -85,7 +85,7 @@ std::unique_ptr<cda::WorkpieceModel> make_model(std::string_view name,
                                                 const ModelParameters& parameters) {
     const ModelInfo* model = find_model(name);
     if (!model) throw std::invalid_argument("there is no model " + std::string(name));
-    return kMakers[static_cast<std::size_t>(model - kModels.data())](parameters);
+    return kFactories[static_cast<std::size_t>(model - kModels.data())](parameters);
 }
 
 }  // namespace ncsim::simulation

@@ -38,8 +38,7 @@ namespace {
 
 // Returns the assumption about U, V and W. On a table they move along X, Y and Z. On a rotary head
 // only the machine file specifies their motion, and only under tip control.
-std::string guess_of_second_axes(const setup::SpecifiedKinematics& specified,
-                                 const AxesInUse& axes) {
+std::string second_axes_guess(const setup::SpecifiedKinematics& specified, const AxesInUse& axes) {
     if (!specified.chain.has_head()) return {};
     bool as_specified = false, as_axes = false;
     for (std::size_t i = 0; i < axes.uvw.size(); ++i) {
@@ -82,7 +81,7 @@ std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiec
         guesses.push_back("the axes " + at_zero + " pass through the program zero");
     if (!of_tip && !work_zero(workpiece) && at_zero.empty())
         guesses.emplace_back("the program zero is the machine zero, to which axes refer");
-    if (std::string second = guess_of_second_axes(specified, axes); !second.empty())
+    if (std::string second = second_axes_guess(specified, axes); !second.empty())
         guesses.push_back(std::move(second));
     for (std::size_t i = 0; i < axes.uvw.size(); ++i) {
         const char letter = "UVW"[i];

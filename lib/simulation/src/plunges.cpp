@@ -5,7 +5,7 @@
 
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/machine/presets.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/trace.h"
 #include "ncsim/trig/angles.h"
 
@@ -32,7 +32,7 @@ struct Candidate {
     std::uint64_t moves = 0;
 };
 
-machine::Chain turning_of(const machine::Chain& chain, bool other_signs) {
+machine::Chain rotation_bounds_of(const machine::Chain& chain, bool other_signs) {
     machine::Chain turning;
     for (machine::Joint joint : chain.joints) {
         if (!joint.turns) continue;
@@ -45,11 +45,13 @@ machine::Chain turning_of(const machine::Chain& chain, bool other_signs) {
 
 std::vector<Candidate> candidates_of(const Plan& plan) {
     std::vector<Candidate> all;
-    if (plan.kinematics) all.push_back({"this machine", turning_of(plan.kinematics->chain, false)});
+    if (plan.kinematics)
+        all.push_back({"this machine", rotation_bounds_of(plan.kinematics->chain, false)});
     for (const machine::Preset& preset : machine::presets()) {
         const machine::Chain chain = *machine::preset(preset.name);
-        all.push_back({std::string(preset.name), turning_of(chain, false)});
-        all.push_back({std::string(preset.name) + " with other signs", turning_of(chain, true)});
+        all.push_back({std::string(preset.name), rotation_bounds_of(chain, false)});
+        all.push_back(
+            {std::string(preset.name) + " with other signs", rotation_bounds_of(chain, true)});
     }
     return all;
 }

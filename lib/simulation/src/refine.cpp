@@ -19,7 +19,7 @@ namespace {
 using verify::Certainty;
 
 // Returns the part of the stock in `box` (mm).
-toolpath::Stock within(const toolpath::Stock& stock, const cda::Box& box, double tolerance_mm) {
+toolpath::Stock crop_stock(const toolpath::Stock& stock, const cda::Box& box, double tolerance_mm) {
     auto shape = std::make_shared<cda::Shape>(toolpath::stock_shape(stock, tolerance_mm));
     const cda::Lattice& lattice = shape->lattice;
     const cda::Cell sides = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
@@ -51,8 +51,8 @@ std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
         std::optional<Certainty> seen = Certainty::Within;
         for (const double factor : {16.0, 256.0}) {
             if (seen != Certainty::Within) break;
-            if (looks_++ >= kMostLooks) return Certainty::Within;
-            seen = look(contact, box, factor);
+            if (refinements_++ >= kMaxRefinements) return Certainty::Within;
+            seen = refine_once(contact, box, factor);
         }
         if (seen == Certainty::Certain) return seen;
         is_open |= seen.has_value();
@@ -60,8 +60,8 @@ std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
     return is_open ? std::optional(Certainty::Within) : std::nullopt;
 }
 
-std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const cda::Box& box,
-                                       double factor) {
+std::optional<Certainty> Refiner::refine_once(const verify::OpenContact& contact,
+                                              const cda::Box& box, double factor) {
     const auto finer = [factor](double mm) {
         constexpr double kFinest = 1e-5;
         return std::max(mm / factor, kFinest);
@@ -72,7 +72,8 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     plan.tool_tolerance = finer(plan.tool_tolerance);
     plan.tolerance = finer(plan.tolerance);
     Survey survey = *survey_;
-    static_cast<toolpath::Stock&>(*survey.stock) = within(*survey.stock, box, plan.tool_tolerance);
+    static_cast<toolpath::Stock&>(*survey.stock) =
+        crop_stock(*survey.stock, box, plan.tool_tolerance);
     const cda::Shape& shape = *survey.stock->shape;
     // A bar of finer tolerance may not reach the box.
     if (!cda::ConvexPolytope::of(shape.outer, shape.lattice)) return std::nullopt;
@@ -89,7 +90,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     }
     setup.rapid = setup_->rapid;
     setup.kinematics = setup_->kinematics;
-    const toolpath::Watch watch = verify::watch_of(setup);
+    const toolpath::WatchedParts watch = verify::watched_parts(setup);
     setup.accuracy.tolerance_mm = plan.tool_tolerance;
     verify::Verifier verifier(std::move(setup), survey.stock->box,
                               toolpath::stock_lattice(*survey.stock));

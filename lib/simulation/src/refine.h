@@ -20,24 +20,24 @@ public:
     Refiner(const Plan& plan, const Survey& survey, const verify::Setup& setup);
 
     /// Decides a contact with tools 16 times, then 256 times as fine. Certain as soon as a box is
-    /// certain; empty if no box is open any more. After kMostLooks simulations, or after about as
-    /// much work as the simulation of the program, all contacts stay open. The result depends on
+    /// certain; empty if no box is open any more. After kMaxRefinements simulations, or after about
+    /// as much work as the simulation of the program, all contacts stay open. The result depends on
     /// the preceding calls. Cost: a simulation per box and accuracy.
     std::optional<verify::Certainty> decide(const verify::OpenContact& contact);
 
 private:
-    static constexpr int kMostLooks = 64;
+    static constexpr int kMaxRefinements = 64;
     // A step without contact costs a hundredth of a cutting step.
     static constexpr std::uint64_t kStepsPerMove = 64;
     static constexpr std::uint64_t kLeastSteps = 20'000;
 
-    std::optional<verify::Certainty> look(const verify::OpenContact& contact, const cda::Box& box,
-                                          double factor);
+    std::optional<verify::Certainty> refine_once(const verify::OpenContact& contact,
+                                                 const cda::Box& box, double factor);
 
     const Plan* plan_;
     const Survey* survey_;
     const verify::Setup* setup_;
-    int looks_ = 0;
+    int refinements_ = 0;
     std::uint64_t steps_left_;
 };
 

@@ -25,8 +25,8 @@ double error_of(const Plan& plan, const Simulation& simulation, const Solid& sol
 
 }  // namespace
 
-SectionView cut_open(const Plan& plan, const Simulation& simulation, const Solid& solid,
-                     const brep::SectionPlane& plane) {
+SectionView make_section_view(const Plan& plan, const Simulation& simulation, const Solid& solid,
+                              const brep::SectionPlane& plane) {
     const cda::Boundary& boundary = *simulation.boundary;
     std::vector<std::vector<cda::Origin>> origins;
     for (const cda::BoundaryFace& face : boundary.faces)

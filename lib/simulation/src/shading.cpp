@@ -15,7 +15,7 @@ brep::Shading shading_of(const Plan& plan, const Survey& survey, const Simulatio
     brep::ShadingMaker maker(boundary);
     for_each_source(
         plan, survey, simulation, boundary, tolerance_mm,
-        [&](cda::Origin origin, const brep::Source& source) { maker.take(origin, source); });
+        [&](cda::Origin origin, const brep::SweptSurfaces& source) { maker.take(origin, source); });
     return maker.finish();
 }
 

@@ -11,7 +11,7 @@
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
-#include "messages.h"
+#include "simulation_messages.h"
 #include "until_line.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-double now_in_seconds() {
+double current_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
 }
@@ -46,7 +46,7 @@ int halvings_for(std::uint64_t moves) {
 std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan, std::uint64_t moves) {
     ModelParameters parameters;
     parameters.threads = plan.threads;
-    if (plan.hull_times) parameters.clock = &now_in_seconds;
+    if (plan.hull_times) parameters.clock = &current_seconds;
     parameters.resolution_mm = plan.resolution;
     parameters.only_along_z = plan.rays == RayDirections::AlongZ;
     parameters.halvings = halvings_for(moves);
@@ -59,7 +59,7 @@ toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Latt
                          const Verification& verification) {
     toolpath::ToolAccuracy accuracy;
     // Saved cells may be verified later, which needs a known side of the error.
-    accuracy.side = !plan.keep_carved ? verification.side : toolpath::Side::Circumscribed;
+    accuracy.side = !plan.keep_removed_cells ? verification.side : toolpath::Side::Circumscribed;
     accuracy.tolerance_mm = plan.tool_tolerance;
     toolpath::SamplingOptions sampling;
     sampling.chord_tolerance_mm = plan.tolerance;
@@ -88,7 +88,7 @@ public:
           shows_path_(plan.keep_paths),
           measured_(verifier_ && verifier_->measures_all()),
           keep_cuts_(verification.keep_cuts),
-          keeps_cells_(plan.keep_carved),
+          keeps_cells_(plan.keep_removed_cells),
           tile_(plan.tile),
           tiles_(plan.tiles),
           budget_(plan.budget),
@@ -98,8 +98,8 @@ public:
           tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume) {
-        if (result.part->takes_sweeps()) walk_.leave_round();
-        if (verification.own_lines) walk_.tell_steps_alone();
+        if (result.part->takes_sweeps()) walk_.prefer_sweeps();
+        if (verification.own_lines) walk_.disable_merged_cells();
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
@@ -134,18 +134,18 @@ public:
                 if (++result_.steps > most_steps_) throw StepLimit{};
                 follow(motion, step);
                 is_near_stock_ |= step.is_near;
-                if (verifier) verifier->look(step, *result_.part);
+                if (verifier) verifier->before_cut(step, *result_.part);
                 const double removed = cut(step, origin);
                 if (verifier) verifier->after_cut(step, *result_.part, removed);
                 budget_.check(result_.provenance.program, line_);
             });
         if (verifier) {
-            walk_.arrive(motion, origin, [&](const toolpath::Step& step) {
-                verifier->arrive(step, *result_.part);
+            walk_.at_end_position(motion, origin, [&](const toolpath::Step& step) {
+                verifier->at_end_position(step, *result_.part);
             });
             verifier->end(result_.part.get());
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
-            tell_missed(motion, bounds.missed_mm);
+            add_missed(motion, bounds.missed_mm);
         }
         if (!has_met_stock(hulls_before)) return;
         result_.last_cut = {motion.file, motion.span};
@@ -169,10 +169,10 @@ public:
         // Computes the surface first, because this also computes the volume.
         if (needs_surface) result_.boundary = result_.part->boundary();
         if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
-        if (tiles_ && next_met_ != tiles_->met.size()) refuse_tiles();
-        const auto standing = result_.standing;
+        if (tiles_ && next_contact_ != tiles_->stock_contacts.size()) refuse_tiles();
+        const auto tool_position = result_.tool_position;
         change_tool(0);
-        result_.standing = standing;
+        result_.tool_position = tool_position;
         result_.part_volume = verifier_ || !tool_volumes_ ? result_.part->volume() : volume_;
         result_.part_volume_error = result_.part->volume_error();
         if (const auto aliasing = result_.part->aliasing()) {
@@ -192,7 +192,7 @@ public:
 
 private:
     void follow(const gcode::Motion& motion, const toolpath::Step& step) {
-        result_.standing = {motion.tool, step.X_WB};
+        result_.tool_position = {motion.tool, step.X_WB};
         if (!shows_path_) return;
         const bool is_rapid = motion.kind == gcode::MoveKind::Rapid;
         auto& paths = result_.paths;
@@ -206,7 +206,8 @@ private:
     // Removes the cells of the step. Returns the removed volume, mm³, if it is measured.
     double cut(const toolpath::Step& step, cda::Origin origin) {
         double removed = 0.0;
-        if (verifier_ && !step.straight.empty()) result_.part->subtract_step({}, {}, step.straight);
+        if (verifier_ && !step.preceding_cells.empty())
+            result_.part->subtract_step({}, {}, step.preceding_cells);
         for (const cda::RoundSweep& sweep : step.sweeps) {
             ++result_.hulls;
             result_.part->subtract_sweep(sweep);
@@ -224,22 +225,25 @@ private:
         }
         // The combined cells may include the current motion.
         has_covered_ |= std::ranges::any_of(
-            step.covering, [&](const cda::Cell& cell) { return cell.origin == origin; });
+            step.merged_cells, [&](const cda::Cell& cell) { return cell.origin == origin; });
         if (verifier_) {
-            if (!step.covering.empty()) result_.part->subtract_step({}, step.covering);
+            if (!step.merged_cells.empty()) result_.part->subtract_step({}, step.merged_cells);
             return removed;
         }
         // Only steps near the stock are counted, by tiles as well; so cells of a step that is not
         // near are kept for the next near step.
-        if (!step.is_near || !late_.empty())
-            late_.insert(late_.end(), step.straight.begin(), step.straight.end());
+        if (!step.is_near || !combined_cells_.empty())
+            combined_cells_.insert(combined_cells_.end(), step.preceding_cells.begin(),
+                                   step.preceding_cells.end());
         if (step.is_near) {
-            result_.part->subtract_step(
-                step.cells, step.covering,
-                late_.empty() ? step.straight : std::span<const cda::Cell>(late_));
-            late_.clear();
+            result_.part->subtract_step(step.cells, step.merged_cells,
+                                        combined_cells_.empty()
+                                            ? step.preceding_cells
+                                            : std::span<const cda::Cell>(combined_cells_));
+            combined_cells_.clear();
         } else {
-            late_.insert(late_.end(), step.covering.begin(), step.covering.end());
+            combined_cells_.insert(combined_cells_.end(), step.merged_cells.begin(),
+                                   step.merged_cells.end());
         }
         return removed;
     }
@@ -249,11 +253,11 @@ private:
     // the same.
     cda::Origin begin_cut() {
         if (!tile_) {
-            if (tiles_) walk_.want_cells(result_.part->wanted());
+            if (tiles_) walk_.restrict_cells(result_.part->wanted());
             return cda::Origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
         }
         const bool is_turn = motions_ % tile_->of == tile_->tile;
-        walk_.want_nothing_but(is_turn ? std::nullopt : place_of_tile_);
+        walk_.restrict_motions(is_turn ? std::nullopt : place_of_tile_);
         return cda::Origin{static_cast<std::uint32_t>(motions_)};
     }
 
@@ -261,16 +265,16 @@ private:
     // false.
     bool has_met_stock(std::uint64_t hulls_before) {
         if (tiles_) {
-            const auto& met = tiles_->met;
-            if (next_met_ == met.size() || met[next_met_].motion != motions_) return false;
-            result_.hulls += met[next_met_++].hulls;
+            const auto& met = tiles_->stock_contacts;
+            if (next_contact_ == met.size() || met[next_contact_].motion != motions_) return false;
+            result_.hulls += met[next_contact_++].hulls;
             result_.origins.emplace_back(motions_, result_.provenance.entries.size());
             return true;
         }
         const std::uint64_t hulls = result_.hulls - hulls_before;
         const bool has_met = hulls > 0 || has_covered_;
         if (tile_ && has_met && motions_ % tile_->of == tile_->tile)
-            result_.met.push_back({motions_, hulls});
+            result_.stock_contacts.push_back({motions_, hulls});
         return !tile_ && has_met;
     }
 
@@ -283,10 +287,10 @@ private:
         }
         is_near_stock_ = false;
         tool_ = next;
-        result_.standing.reset();
+        result_.tool_position.reset();
     }
 
-    void tell_missed(const gcode::Motion& motion, double missed_mm) {
+    void add_missed(const gcode::Motion& motion, double missed_mm) {
         if (!result_.diagnostics.empty()) {
             ++result_.diagnostics.front().count;
             return;
@@ -319,11 +323,11 @@ private:
     int tool_ = 0;
     bool tool_volumes_;
     std::optional<cda::Box> place_of_tile_;
-    double volume_;                // at the last tool change
-    bool is_near_stock_ = false;   // whether the tool was near the stock since its change
-    bool has_covered_ = false;     // whether combined cells belong to the current motion
-    std::vector<cda::Cell> late_;  // combined cells of steps that are not near
-    std::size_t next_met_ = 0;     // index into the motions of tiles_
+    double volume_;                          // at the last tool change
+    bool is_near_stock_ = false;             // whether the tool was near the stock since its change
+    bool has_covered_ = false;               // whether combined cells belong to the current motion
+    std::vector<cda::Cell> combined_cells_;  // combined cells of steps that are not near
+    std::size_t next_contact_ = 0;           // index into the motions of tiles_
 };
 
 }  // namespace
@@ -347,7 +351,7 @@ cda::Boundary surface_of(const Simulation& simulation) {
 }
 
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
-                    const ProgressSink& progress, const Onlooker& onlooker) {
+                    const ProgressSink& progress, const CutObserver& observer) {
     if (verification.verifier) require_verifying(plan);
     Simulation result;
     const cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
@@ -370,9 +374,9 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
         if (!start_of(motion)) return;
         ++moves;
         if (progress) progress(moves);
-        if (onlooker.every == 0 || moves % onlooker.every != 0 || motions > most) return;
+        if (observer.every == 0 || moves % observer.every != 0 || motions > most) return;
         mill.pause(plan.keep_boundary);
-        onlooker.look(result);
+        observer.observe(result);
     });
     joiner.flush();
     if (joiner.has_joined()) {
@@ -385,7 +389,7 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
 
 Simulation simulate(Plan plan) {
     const Survey seen = survey(plan);
-    if (!seen.is_ready()) throw std::runtime_error(reason_against(seen));
+    if (!seen.is_ready()) throw std::runtime_error(reason_not_simulated(seen));
     return simulate(plan, seen, {}, {});
 }
 

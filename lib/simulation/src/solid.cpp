@@ -28,10 +28,11 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
         exporter::Simplified flat = exporter::simplify(*simulation.boundary, tolerance, lines);
         return brep::Facets{std::move(flat.boundary), std::move(flat.origins)};
     };
-    std::map<cda::Origin, brep::Source> sources;
-    for_each_source(
-        plan, survey, simulation, *simulation.boundary, tolerance_mm,
-        [&](cda::Origin origin, brep::Source source) { sources[origin] = std::move(source); });
+    std::map<cda::Origin, brep::SweptSurfaces> sources;
+    for_each_source(plan, survey, simulation, *simulation.boundary, tolerance_mm,
+                    [&](cda::Origin origin, brep::SweptSurfaces source) {
+                        sources[origin] = std::move(source);
+                    });
     return brep::recognise(facets(tolerance_mm, &apart), sources,
                            [&](double times) { return facets(times * tolerance_mm, nullptr); });
 }
@@ -44,7 +45,7 @@ bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simul
     constexpr std::size_t kMany = 20'000, kMost = 60'000, kFew = 100;
     const std::size_t facets = simulation.boundary->faces.size();
     return facets <= (solid.shells_kept == 0 ? kMost : kMany) &&
-           solid.facets_given_up > (facets <= kMany ? 0 : solid.part.faces.size() / kFew);
+           solid.facets_demoted > (facets <= kMany ? 0 : solid.part.faces.size() / kFew);
 }
 
 // Factors of the tolerances of a further cut. Finer facets show more clearly which surfaces meet.
@@ -69,7 +70,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
     // cda-flat has quadratic cost in the facets; this model makes the same part.
     other.model = verifying_model().name;
     other.keep_boundary = true;
-    other.keep_paths = other.keep_carved = other.hull_times = false;
+    other.keep_paths = other.keep_removed_cells = other.hull_times = false;
     other.tool_volumes = other.block_volumes = false;
     std::size_t facets = 0;
     const auto most = static_cast<std::size_t>(most_refinements);

@@ -3,7 +3,7 @@
 // Sources of the faces of a part, by a second interpretation of the program.
 #include "sources.h"
 
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
@@ -85,16 +85,17 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const auto cutter = simulation.cutters.find(motion.tool);
         const double polygon =
             cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
-        brep::Source source = brep::surfaces_of(motion, tool->second.tool, plan.placed.get());
+        brep::SweptSurfaces source =
+            brep::surfaces_of(motion, tool->second.tool, plan.placed.get());
         // On specified machines no moves are combined.
         if (start_of_row && !plan.placed) {
             gcode::Motion together = motion;
             std::get<gcode::Linear>(together.what).from = *start_of_row;
-            brep::Source of_row = brep::surfaces_of(together, tool->second.tool, nullptr);
+            brep::SweptSurfaces of_row = brep::surfaces_of(together, tool->second.tool, nullptr);
             std::ranges::move(of_row.candidates, std::back_inserter(source.candidates));
         }
         source.error_mm =
-            polygon + source.chords * plan.tolerance + source.beside_mm + moved_mm + rounding;
+            polygon + source.chords * plan.tolerance + source.deviation_mm + moved_mm + rounding;
         sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
     });
     // On specified machines, any move may rotate the tool.

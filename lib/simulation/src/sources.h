@@ -3,7 +3,7 @@
 // Surfaces that the motions of a program can leave on the part.
 #pragma once
 
-#include "ncsim/brep/swept.h"
+#include "ncsim/brep/swept_surfaces.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/simulate.h"
@@ -13,7 +13,7 @@
 
 namespace ncsim::simulation {
 
-using SourceSink = std::function<void(cda::Origin, brep::Source)>;
+using SourceSink = std::function<void(cda::Origin, brep::SweptSurfaces)>;
 
 /// Passes on the source of the stock, and the sources of the motions that `boundary` names, in
 /// their order. Facets were joined within `tolerance_mm`. Requires: `simulation` kept its cuts.

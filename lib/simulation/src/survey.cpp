@@ -6,13 +6,13 @@
 
 #include "ncsim/cda/cell.h"
 #include "ncsim/setup/tool_clues.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/trace.h"
 
-#include "messages.h"
 #include "place_kinematics.h"
+#include "simulation_messages.h"
 
 #include <fmt/format.h>
 
@@ -35,8 +35,8 @@ using toolpath::ValueSource;
 // mm. No machine is that large: then a unit or a number is wrong.
 constexpr double kLargestStock = 1e5;
 
-void tell(Survey& survey, const gcode::MessageText& message, gcode::SourceSpan span,
-          std::initializer_list<std::string_view> arguments = {}) {
+void add_diagnostic(Survey& survey, const gcode::MessageText& message, gcode::SourceSpan span,
+                    std::initializer_list<std::string_view> arguments = {}) {
     survey.diagnostics.push_back(gcode::diagnostic_of(message, span, arguments));
 }
 
@@ -95,10 +95,10 @@ public:
         specified_[2] |= motion.known_end.z;
         if (!toolpath::has_known_start(motion)) {
             if (toolpath::has_known_end(motion)) track_of(motion);
-            ++result_.moves_from_nowhere;
-            if (feed && !result_.cuts_from_nowhere) {
-                result_.cuts_from_nowhere = true;
-                first_cut_from_nowhere_ = motion.span;
+            ++result_.moves_without_start;
+            if (feed && !result_.has_cut_without_start) {
+                result_.has_cut_without_start = true;
+                first_cut_without_start_ = motion.span;
             }
             return;
         }
@@ -144,15 +144,15 @@ public:
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
     // Returns which of X, Y, Z any move specifies.
     const std::array<bool, 3>& specified() const { return specified_; }
-    gcode::SourceSpan first_cut_from_nowhere() const { return first_cut_from_nowhere_; }
+    gcode::SourceSpan first_cut_without_start() const { return first_cut_without_start_; }
 
 private:
     // Feed moves from one rapid move to the next.
     struct FeedPath {
         ToolTrack* track = nullptr;
-        std::optional<cda::Vec3> came_down;  // at rapid, to here
-        bool begins_in_air = false;          // the move at hand is the first one, level
-        std::optional<cda::Vec3> air_start;  // of the first move, if that was so
+        std::optional<cda::Vec3> plunge_end;  // at rapid, to here
+        bool begins_in_air = false;           // the move at hand is the first one, level
+        std::optional<cda::Vec3> air_start;   // of the first move, if that was so
         int moves = 0;
         cda::Box last_move;  // tips, without the first
     };
@@ -172,16 +172,16 @@ private:
         if (path_.track && (path_.track != &track || motion.kind != gcode::MoveKind::Feed))
             end_path(*path_.track);
         if (motion.kind != gcode::MoveKind::Feed) {
-            path_.came_down.reset();
+            path_.plunge_end.reset();
             if (motion.kind == gcode::MoveKind::Rapid && end.z < start.z && !is_turned)
-                path_.came_down = end;
+                path_.plunge_end = end;
             return;
         }
         path_.track = &track;
         if (!path_.last_move.is_empty()) track.inner_tips.add(path_.last_move);
         path_.last_move = {};
         constexpr std::size_t kMost = 10'000;
-        path_.begins_in_air = path_.moves == 0 && path_.came_down == start && start.z == end.z &&
+        path_.begins_in_air = path_.moves == 0 && path_.plunge_end == start && start.z == end.z &&
                               track.air.size() < kMost;
         if (path_.begins_in_air) {
             path_.air_start = start;
@@ -225,7 +225,7 @@ private:
     const toolpath::Kinematics* specified_machine_;
     std::map<int, ToolTrack> tracks_;
     std::array<bool, 3> specified_{};
-    gcode::SourceSpan first_cut_from_nowhere_;
+    gcode::SourceSpan first_cut_without_start_;
     FeedPath path_;
 };
 
@@ -295,13 +295,13 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
         } else {
             const std::string name = std::to_string(number);
             if (number == 0 && result.calls_tools && track.cuts_after_change) {
-                tell(result, Message::SpindleEmpty, track.first_cut, {});
+                add_diagnostic(result, Message::SpindleEmpty, track.first_cut, {});
             } else if (number == 0) {
-                tell(result, Message::NoToolCalled, track.first, {guess});
+                add_diagnostic(result, Message::NoToolCalled, track.first, {guess});
             } else {
-                tell(result, Message::ToolUnknown,
-                     track.first_cut.line > 0 ? track.first_cut : track.first,
-                     {name, name, guess, name, guess});
+                add_diagnostic(result, Message::ToolUnknown,
+                               track.first_cut.line > 0 ? track.first_cut : track.first,
+                               {name, name, guess, name, guess});
             }
             result.ready = false;
             result.unknown_tools.emplace(number, track.first);
@@ -314,11 +314,11 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
         used.length_specified = specified.length || !specified.pieces.empty();
         used.spec = toolpath::filled(spec, length);
         if (used.specified_by == ValueSource::Assumption) used.spec.assumed = {"shape"};
-        used.filled_in = toolpath::filled_in(spec, length);
+        used.assumed_values_text = toolpath::assumed_values_text(spec, length);
         used.tool = toolpath::make_tool(spec, length);
-        for (const std::string& what : toolpath::unkept_values(spec)) {
-            tell(result, Message::ToolContradicts, track.first,
-                 {std::to_string(number), what, toolpath::describe(used.tool)});
+        for (const std::string& what : toolpath::unsupported_values(spec)) {
+            add_diagnostic(result, Message::ToolContradicts, track.first,
+                           {std::to_string(number), what, toolpath::describe(used.tool)});
         }
         result.tools.emplace(number, std::move(used));
     }
@@ -477,7 +477,7 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
 }
 
 // Returns a block around all positions of the tip; the margin gives points and lines a volume.
-cda::Box around_tips(const cda::Box& tips) {
+cda::Box box_around_tips(const cda::Box& tips) {
     const cda::Vec3 around{1, 1, 1};  // mm
     cda::Box box = tips;
     if (box.is_empty()) box.add(cda::Vec3{0, 0, 0});
@@ -489,7 +489,7 @@ cda::Box around_tips(const cda::Box& tips) {
 }
 
 // Sets an empty stock; `box` is the visible block.
-void put_nothing(Survey& result, const cda::Box& box) {
+void set_no_stock(Survey& result, const cda::Box& box) {
     toolpath::Stock nothing{box};
     const cda::Lattice lattice = cda::Lattice::for_stock(box);
     const cda::Cell all = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
@@ -515,11 +515,11 @@ void report_unspecified(Survey& result) {
     }
     if (names.empty()) return;
     const bool is_path = result.is_flat() && result.ready;
-    tell(result, is_path ? Message::AxisUnspecifiedOfPath : Message::AxisUnspecified,
-         result.first_move, {names});
+    add_diagnostic(result, is_path ? Message::AxisUnspecifiedOfPath : Message::AxisUnspecified,
+                   result.first_move, {names});
 }
 
-struct Look {
+struct BlockEstimate {
     Survey survey;
     std::array<bool, 3> specified;  // X, Y, Z, specified by a move or by the start
 };
@@ -530,15 +530,15 @@ std::string rotation_of(const Plan& plan, const Survey& survey) {
         return "assumed: A, B, C turn the tool about X, Y, Z through the program zero";
     std::string text = "as the machine file specifies";
     if (survey.uses_tip_control) text += ", X Y Z are the tip's under tip control";
-    const bool by_tips = !survey.turns_under_axes && !survey.interpretation.asked_for_places;
+    const bool by_tips = !survey.turns_under_axes && !survey.interpretation.requested_tip_positions;
     const std::string guess =
         kinematics_guess(plan, survey.interpretation.workpiece,
                          {survey.turns, survey.uvw, survey.uvw_of_tip}, by_tips);
     return guess.empty() ? text : text + "; assumed: " + guess;
 }
 
-Look look_at(const Plan& plan, const std::array<bool, 3>& unspecified) {
-    Look look;
+BlockEstimate estimate_block(const Plan& plan, const std::array<bool, 3>& unspecified) {
+    BlockEstimate look;
     Survey& result = look.survey;
     result.unspecified = unspecified;
     MotionSurvey motions(result, plan.placed.get());
@@ -560,32 +560,33 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& unspecified) {
     if (result.moves == 0 || (result.feed_moves == 0 && !plan.job.stock)) {
         result.only_rapid = result.moves > 0;
         const bool drawn = result.only_rapid && plan.draft;
-        tell(result,
-             result.moves == 0 ? Message::NoMove
-             : drawn           ? Message::OnlyRapidMovesDrawn
-                               : Message::OnlyRapidMoves,
-             result.first_move);
+        add_diagnostic(result,
+                       result.moves == 0 ? Message::NoMove
+                       : drawn           ? Message::OnlyRapidMovesDrawn
+                                         : Message::OnlyRapidMoves,
+                       result.first_move);
         if (result.only_rapid) choose_tools(plan, motions, result);
-        if (drawn) put_nothing(result, around_tips(result.tip_positions));
+        if (drawn) set_no_stock(result, box_around_tips(result.tip_positions));
         result.ready = drawn;
         return look;
     }
-    if (result.cuts_from_nowhere) {
-        tell(result, Message::StartUnknown, motions.first_cut_from_nowhere());
+    if (result.has_cut_without_start) {
+        add_diagnostic(result, Message::StartUnknown, motions.first_cut_without_start());
     }
     choose_tools(plan, motions, result);
     if (!result.ready) return look;
     choose_stock(plan, motions, result);
     if (!result.stock) {
-        tell(result, Message::CutsFromNowhere, result.first_move);
+        add_diagnostic(result, Message::CutsFromNowhere, result.first_move);
         result.ready = false;
         return look;
     }
     const cda::Box& box = result.stock->box;
     for (int axis = 0; axis < 3; ++axis) {
         if (std::max(std::abs(box.min[axis]), std::abs(box.max[axis])) > kLargestStock) {
-            tell(result, Message::StockSize, result.stock->span,
-                 {fmt::format("{:.6g}", box.min[axis]), fmt::format("{:.6g}", box.max[axis])});
+            add_diagnostic(
+                result, Message::StockSize, result.stock->span,
+                {fmt::format("{:.6g}", box.min[axis]), fmt::format("{:.6g}", box.max[axis])});
             result.ready = false;
             break;
         }
@@ -597,7 +598,7 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& unspecified) {
 
 Survey survey(Plan& plan) {
     place_kinematics(plan);
-    Look look = look_at(plan, {});
+    BlockEstimate look = estimate_block(plan, {});
     const Survey& first = look.survey;
     const bool drawn = first.feed_moves > 0 || (first.only_rapid && plan.draft);
     if (first.interpretation.refused || !drawn) return std::move(look.survey);
@@ -606,24 +607,24 @@ Survey survey(Plan& plan) {
         unspecified[axis] = !look.specified[axis];
         if (unspecified[axis]) plan.job.interpreter.start[axis] = gcode::Length();
     }
-    if (unspecified != std::array<bool, 3>{}) look = look_at(plan, unspecified);
+    if (unspecified != std::array<bool, 3>{}) look = estimate_block(plan, unspecified);
     report_unspecified(look.survey);
     return std::move(look.survey);
 }
 
-std::string reason_against(const Survey& survey) {
+std::string reason_not_simulated(const Survey& survey) {
     for (const gcode::Diagnostic& d : survey.diagnostics) {
         if (d.severity == gcode::Severity::Error) return d.message;
     }
     return "there is nothing to simulate";
 }
 
-void cut_nothing(Survey& survey) {
+void set_empty_stock(Survey& survey) {
     const auto is_it = [](const gcode::Diagnostic& d) { return d.code == "no-motion"; };
     std::erase_if(survey.diagnostics, is_it);
     cda::Box box;
     box.add(cda::Vec3{0, 0, 0}), box.add(cda::Vec3{1, 1, 1});
-    put_nothing(survey, box);
+    set_no_stock(survey, box);
     survey.ready = true;
 }
 

@@ -47,8 +47,8 @@ struct Plane {
     Vec3 from, along;
     double length;
 
-    double ahead(Vec3 p) const { return cda::dot(p - from, along); }
-    Vec3 off(Vec3 p) const { return p - from - ahead(p) * along; }
+    double distance_along(Vec3 p) const { return cda::dot(p - from, along); }
+    Vec3 offset_from_line(Vec3 p) const { return p - from - distance_along(p) * along; }
 };
 
 }  // namespace
@@ -64,10 +64,10 @@ bool UprightRuns::goes_on(const Motion& next) const {
     double before = 0.0;
     return std::ranges::all_of(run_, [&](const Motion& motion) {
         const Vec3 p = place(line_of(motion).to);
-        const double ahead = plane.ahead(p);
+        const double ahead = plane.distance_along(p);
         const bool is_next = ahead > before && ahead < plane.length;
         before = ahead;
-        return is_next && cda::norm(plane.off(p)) <= kRoundedMm;
+        return is_next && cda::norm(plane.offset_from_line(p)) <= kRoundedMm;
     });
 }
 
@@ -83,7 +83,7 @@ void UprightRuns::flush() {
     double moved_mm = 0.0;
     for (std::size_t i = 0; i + 1 < run_.size(); ++i) {
         gcode::Position& end = std::get<Linear>(run_[i].what).to;
-        const Vec3 off = plane.off(place(end));
+        const Vec3 off = plane.offset_from_line(place(end));
         moved_mm = std::max(moved_mm, cda::norm(off));
         end.x = gcode::Length::from_mm(end.x.mm() - off.x);
         end.y = gcode::Length::from_mm(end.y.mm() - off.y);

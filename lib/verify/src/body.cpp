@@ -24,20 +24,20 @@ toolpath::Tool tool_of(toolpath::ToolPiece piece) {
     return tool;
 }
 
-toolpath::ToolAccuracy with_side(toolpath::ToolAccuracy accuracy, Side side) {
+toolpath::ToolAccuracy accuracy_for(toolpath::ToolAccuracy accuracy, Side side) {
     accuracy.side = side;
     return accuracy;
 }
 
 }  // namespace
 
-Pose raised(const Pose& X_WT, double distance) {
+Pose raise_pose(const Pose& X_WT, double distance) {
     Pose pose = X_WT;
     if (distance != 0.0) pose.translation = pose.translation + distance * axis_of(X_WT);
     return pose;
 }
 
-Cell shrunk(const Cell& cell, double distance, const cda::Lattice& lattice) {
+Cell shrink_cell(const Cell& cell, double distance, const cda::Lattice& lattice) {
     Cell result = cell;
     const double units = distance / lattice.unit_mm;
     for (cda::Plane& plane : result.planes) {
@@ -135,45 +135,46 @@ Body::Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
            toolpath::ToolAccuracy accuracy, const toolpath::ToolPiece* below)
     : lattice_(lattice),
       prism_(is_prism(piece)),
-      outer_(tool_of(piece), lattice, with_side(accuracy, Side::Circumscribed), below),
-      inner_(tool_of(piece), lattice, with_side(accuracy, Side::Inscribed), below) {}
+      outer_(tool_of(piece), lattice, accuracy_for(accuracy, Side::Circumscribed), below),
+      inner_(tool_of(piece), lattice, accuracy_for(accuracy, Side::Inscribed), below) {}
 
 std::vector<Cell> Body::cells(const Step& step, double raise, Side side) {
     std::vector<Cell> cells;
     toolpath::Cutter& cutter = side == Side::Circumscribed ? outer_ : inner_;
-    cutter.trace(raised(step.X_WA, raise), raised(step.X_WB, raise), {}, cells,
-                 toolpath::liberties_of(step.turning.raised(raise)));
+    cutter.trace(raise_pose(step.X_WA, raise), raise_pose(step.X_WB, raise), {}, cells,
+                 toolpath::simplification_of(step.turning.raise_tool(raise)));
     return cells;
 }
 
 Box Body::bounds(const Step& step, double raise) const {
-    return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise),
-                         toolpath::liberties_of(step.turning.raised(raise)));
+    return outer_.bounds(raise_pose(step.X_WA, raise), raise_pose(step.X_WB, raise),
+                         toolpath::simplification_of(step.turning.raise_tool(raise)));
 }
 
-double gained_by(const toolpath::Cutter& cutter, const Step& step, double raise) {
-    const toolpath::Turning turning = step.turning.raised(raise);
-    const toolpath::ToolExtent kept =
-        toolpath::in_slabs(toolpath::below(cutter.extent(), turning.top_mm), turning.slab_mm);
-    return turning.chord_mm +
-           toolpath::gained_mm(raised(step.X_WA, raise), raised(step.X_WB, raise), turning, kept);
+double gain_of(const toolpath::Cutter& cutter, const Step& step, double raise) {
+    const toolpath::RotationBounds turning = step.turning.raise_tool(raise);
+    const toolpath::ToolExtent kept = toolpath::split_into_slabs(
+        toolpath::below(cutter.extent(), turning.top_mm), turning.slab_mm);
+    return turning.chord_mm + toolpath::gained_mm(raise_pose(step.X_WA, raise),
+                                                  raise_pose(step.X_WB, raise), turning, kept);
 }
 
 double Body::gained(const Step& step, double raise) const {
-    return gained_by(inner_, step, raise);
+    return gain_of(inner_, step, raise);
 }
 
 double Body::rounding(const Step& step) const {
     return rounding_of(step, prism_, lattice_);
 }
 
-Meeting Body::meet(const Step& step, double raise, const cda::WorkpieceModel& part,
-                   const Box& stock) {
-    Meeting meeting;
+PartContact Body::find_contact(const Step& step, double raise, const cda::WorkpieceModel& part,
+                               const Box& stock) {
+    PartContact meeting;
     if (!stock.overlaps(bounds(step, raise))) return meeting;
     const double rounding = this->rounding(step);
     for (const Cell& cell : cells(step, raise, Side::Circumscribed)) {
-        const auto point = part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
+        const auto point =
+            part.contact(rounding > 0.0 ? shrink_cell(cell, rounding, lattice_) : cell);
         if (!point) continue;
         if (!meeting.is_there) meeting.point = point;
         meeting.is_there = true;
@@ -182,7 +183,7 @@ Meeting Body::meet(const Step& step, double raise, const cda::WorkpieceModel& pa
     if (!meeting.is_there) return meeting;
     const double less = gained(step, raise) + rounding;
     for (const Cell& cell : cells(step, raise, Side::Inscribed)) {
-        const auto point = part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell);
+        const auto point = part.contact(less > 0.0 ? shrink_cell(cell, less, lattice_) : cell);
         if (!point) continue;
         meeting.certainty = Certainty::Certain;
         meeting.point = point;
@@ -195,14 +196,15 @@ bool Body::meets_certainly(const Step& step, double raise, const cda::WorkpieceM
     if (!stock.overlaps(bounds(step, raise))) return false;
     const double less = gained(step, raise) + rounding(step);
     return std::ranges::any_of(cells(step, raise, Side::Inscribed), [&](const Cell& cell) {
-        return part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell).has_value();
+        return part.contact(less > 0.0 ? shrink_cell(cell, less, lattice_) : cell).has_value();
     });
 }
 
 double needed_raise(Body& body, const Step& step, double known, double limit, double raise_step,
                     const cda::WorkpieceModel& part, const Box& stock) {
     const auto meets = [&](std::int64_t steps) {
-        return body.meet(step, raise_step * static_cast<double>(steps), part, stock).is_there;
+        return body.find_contact(step, raise_step * static_cast<double>(steps), part, stock)
+            .is_there;
     };
     const auto most = static_cast<std::int64_t>(std::ceil(limit / raise_step));
     auto low = static_cast<std::int64_t>(std::round(known / raise_step));

@@ -14,7 +14,7 @@
 namespace ncsim::verify {
 
 /// Intersection of a convex body with a part.
-struct Meeting {
+struct PartContact {
     bool is_there = false;  ///< False: at most a touch.
     Certainty certainty = Certainty::Within;
     std::optional<cda::Vec3> point;  ///< Common point.
@@ -22,9 +22,9 @@ struct Meeting {
 };
 
 /// Returns the pose moved by `distance` mm along the tool axis, towards the spindle.
-toolpath::Pose raised(const toolpath::Pose& X_WT, double distance);
+toolpath::Pose raise_pose(const toolpath::Pose& X_WT, double distance);
 /// Returns `cell` with the halfspaces moved inwards by `distance` (mm, > 0) or outwards (< 0).
-cda::Cell shrunk(const cda::Cell& cell, double distance, const cda::Lattice& lattice);
+cda::Cell shrink_cell(const cda::Cell& cell, double distance, const cda::Lattice& lattice);
 /// True if the piece is a cylinder. The planes of its polytope are then exact; normals of cones and
 /// rounded ends are rounded to the lattice.
 bool is_prism(const toolpath::ToolPiece& piece);
@@ -48,7 +48,7 @@ cda::Box intersection(const cda::Box& a, const cda::Box& b);
 
 /// Returns the largest distance (mm) by which the cells of a cutter in this step, `raise` mm
 /// higher, exceed the true sweep, at places that matter.
-double gained_by(const toolpath::Cutter& cutter, const toolpath::Step& step, double raise = 0.0);
+double gain_of(const toolpath::Cutter& cutter, const toolpath::Step& step, double raise = 0.0);
 
 class Body {
 public:
@@ -62,8 +62,8 @@ public:
 
     /// Intersects the sweep of the body, `raise` mm higher on the tool, with `part`, which lies in
     /// `stock`. Certain if the inscribed polytope, minus the excess of sampling, meets the part.
-    Meeting meet(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
-                 const cda::Box& stock);
+    PartContact find_contact(const toolpath::Step& step, double raise,
+                             const cda::WorkpieceModel& part, const cda::Box& stock);
     /// True if the contact is certain. Cheaper than meet().
     bool meets_certainly(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
                          const cda::Box& stock);
@@ -71,7 +71,7 @@ public:
     /// Returns the cells of the sweep, circumscribed or inscribed.
     std::vector<cda::Cell> cells(const toolpath::Step& step, double raise, toolpath::Side side);
     cda::Box bounds(const toolpath::Step& step, double raise) const;
-    /// Returns gained_by() of the inscribed cutter: the distance (mm) by which its cells exceed the
+    /// Returns gain_of() of the inscribed cutter: the distance (mm) by which its cells exceed the
     /// sweep of the body, at places that matter.
     double gained(const toolpath::Step& step, double raise) const;
 

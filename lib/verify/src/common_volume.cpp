@@ -102,7 +102,7 @@ public:
     }
 
     // Step 2.
-    void tell_corners(const Surface& other) {
+    void add_corners(const Surface& other) {
         std::vector<std::vector<std::uint32_t>> at(mesh_.vertices.size());  // faces at each vertex
         for (std::uint32_t t = 0; t < size(); ++t) {
             for (const std::uint32_t v : mesh_.triangles[t])
@@ -198,7 +198,8 @@ private:
 };
 
 // Step 1 for one pair.
-void meet(Surface& a, std::uint32_t t, Surface& b, std::uint32_t s, std::vector<Vec3>& ends) {
+void find_contact(Surface& a, std::uint32_t t, Surface& b, std::uint32_t s,
+                  std::vector<Vec3>& ends) {
     const Corners in_a = a.corners(t), in_b = b.corners(s);
     ends.clear();
     a.cross_edges(t, in_b, ends);
@@ -223,11 +224,11 @@ double volume_in_common(const cda::TriangleMesh& mesh_a, const cda::TriangleMesh
             box.add(corner);
         b.tree().visit([&](const Box& other) { return box.overlaps(other); },
                        [&](std::uint32_t s) {
-                           if (!b.is_flat_at(s)) meet(a, t, b, s, ends);
+                           if (!b.is_flat_at(s)) find_contact(a, t, b, s, ends);
                        });
     }
-    a.tell_corners(b);
-    b.tell_corners(a);
+    a.add_corners(b);
+    b.add_corners(a);
     return (a.volume() + b.volume()) / 3.0;
 }
 

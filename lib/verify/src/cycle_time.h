@@ -20,7 +20,7 @@
 #pragma once
 
 #include "ncsim/cda/vec.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 #include <cstddef>
 #include <functional>

@@ -48,7 +48,7 @@ bool sums(Subject subject) {
 
 // True if observations of this subject are not merged, because a single tile makes each of the
 // observations or each counts separately.
-bool stands_alone(Subject subject) {
+bool is_not_merged(Subject subject) {
     return subject == Subject::Fixture || subject == Subject::Link;
 }
 
@@ -138,7 +138,7 @@ Evidence together(std::vector<Evidence> tiles) {
     std::size_t kept = 0;
     for (Observation& o : all) {
         const bool is_same = kept > 0 && place_of(all[kept - 1]) == place_of(o);
-        if (is_same && !stands_alone(o.subject)) {
+        if (is_same && !is_not_merged(o.subject)) {
             add_to(all[kept - 1], o);
         } else if (Observation& place = all[kept++]; &place != &o) {
             place = std::move(o);

@@ -153,7 +153,7 @@ void FindingLog::end_row(std::string_view rule) {
         it = rows_.erase(it);
 }
 
-void FindingLog::go_on(std::string_view rule) {
+void FindingLog::mark_incomplete(std::string_view rule) {
     const std::string begin = row_key(rule, "");
     for (auto it = rows_.lower_bound(begin); it != rows_.end() && it->first.starts_with(begin);
          ++it)

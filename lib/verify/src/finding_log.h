@@ -45,7 +45,7 @@ public:
     void add(std::string_view rule, const Move& move, Occurrence sighting);
     void end_row(std::string_view rule);
     /// Marks the open rows of `rule`: there may be more motions, which are not searched.
-    void go_on(std::string_view rule);
+    void mark_incomplete(std::string_view rule);
     /// Adds a reason that keeps the program from being proven. Repetitions of the same reason and
     /// message are counted.
     void doubt(std::string_view reason, std::string message, const Place& place = {});

@@ -19,7 +19,7 @@ using cda::Vec3;
 
 namespace {
 
-Box grown(const Box& box, double by) {
+Box grow_box(const Box& box, double by) {
     return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
 }
 
@@ -27,7 +27,7 @@ Box grown(const Box& box, double by) {
 constexpr double kFiner[] = {16.0, 256.0};
 
 // Margin (mm) around a fixture in which cells are considered.
-constexpr double kAround = 1.0;
+constexpr double kMargin = 1.0;
 
 Cell cell_of(const Box& box, const cda::Lattice& lattice) {
     return cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
@@ -36,13 +36,13 @@ Cell cell_of(const Box& box, const cda::Lattice& lattice) {
 }  // namespace
 
 Box Fixture::place() const {
-    return grown(box, clearance_mm + deflection_mm);
+    return grow_box(box, clearance_mm + deflection_mm);
 }
 
 FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup.machine.fixtures) {
     Box all;
     for (const Fixture& f : fixtures_)
-        all.add(grown(f.place(), kAround));
+        all.add(grow_box(f.place(), kMargin));
     if (all.is_empty()) return;
     lattice_ = cda::Lattice::for_stock(all);
     const cda::TreeCda model{cda::TreeParameters{}};
@@ -60,7 +60,7 @@ bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
     if (fixture.mesh.triangles.empty()) return boxes_[index]->contact(cell).has_value();
     // The part of the cell near the mesh is the material, and the mesh is the body that may meet
     // the material.
-    Cell near = cell_of(grown(fixture.place(), kAround), lattice_);
+    Cell near = cell_of(grow_box(fixture.place(), kMargin), lattice_);
     near.planes.insert(near.planes.end(), cell.planes.begin(), cell.planes.end());
     if (!cda::ConvexPolytope::of(near, lattice_)) return false;
     return cda::collision(cda::FlatCda(near, lattice_), fixture.mesh).has_value();
@@ -76,7 +76,7 @@ FixtureContact FixtureScene::contact_of(Body& body, std::size_t f,
     // The true surface may be this far outside or inside the triangles.
     const double hidden = fixtures_[f].deflection_mm;
     const auto meets = [&](const Cell& cell, double less) {
-        return touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell);
+        return touches(f, less != 0.0 ? shrink_cell(cell, less, lattice_) : cell);
     };
     for (const Cell& cell : body.cells(step, 0.0, Side::Circumscribed)) {
         const bool touching = meets(cell, rounding - hidden);
@@ -94,7 +94,7 @@ FixtureContact FixtureScene::contact_of(Body& body, std::size_t f,
     return contact;
 }
 
-Body& FixtureScene::finer(int tool, std::size_t piece, double factor) {
+Body& FixtureScene::finer_body(int tool, std::size_t piece, double factor) {
     const auto key = std::tuple(tool, piece, factor);
     const auto known = fine_.find(key);
     if (known != fine_.end()) return known->second;
@@ -104,8 +104,8 @@ Body& FixtureScene::finer(int tool, std::size_t piece, double factor) {
         .first->second;
 }
 
-void FixtureScene::meet(int tool, const toolpath::Step& step,
-                        std::vector<FixtureContact>& contacts) {
+void FixtureScene::find_contact(int tool, const toolpath::Step& step,
+                                std::vector<FixtureContact>& contacts) {
     const auto found = tools_.find(tool);
     if (found == tools_.end()) return;
     std::vector<Body>& bodies = found->second;
@@ -123,7 +123,7 @@ void FixtureScene::meet(int tool, const toolpath::Step& step,
             // If the accuracy of the tool leaves the contact open, a finer tool may decide.
             for (const double factor : kFiner) {
                 if (contact.box.is_empty() || contact.certainty == Certainty::Certain) break;
-                contact = contact_of(finer(tool, piece, factor), f, step);
+                contact = contact_of(finer_body(tool, piece, factor), f, step);
             }
             if (contact.box.is_empty()) continue;
             contact.piece = piece;

@@ -26,13 +26,13 @@ public:
     bool is_empty() const { return fixtures_.empty(); }
     /// Adds contacts of the tool in this step to `contacts`, at most one for each fixture and
     /// piece.
-    void meet(int tool, const toolpath::Step& step, std::vector<FixtureContact>& contacts);
+    void find_contact(int tool, const toolpath::Step& step, std::vector<FixtureContact>& contacts);
 
 private:
     bool touches(std::size_t fixture, const cda::Cell& cell) const;
     /// Returns the contact; without a box if the bodies are not near each other.
     FixtureContact contact_of(Body& body, std::size_t fixture, const toolpath::Step& step) const;
-    Body& finer(int tool, std::size_t piece, double factor);
+    Body& finer_body(int tool, std::size_t piece, double factor);
 
     const Setup* setup_;
     cda::Lattice lattice_;

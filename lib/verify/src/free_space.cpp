@@ -114,9 +114,9 @@ double apart_mm(const Pose& X, const RigidBody& observer, const RigidBody& body,
 // long as no point has moved farther than `apart`. Proof: the joints between this joint and the
 // body have moved the body by at most `apart`, so the distance of a point from the joint's axis has
 // grown by at most `apart`.
-OfJoints reach_of(const machine::Chain& chain, const Values& at, const RigidBody& body,
-                  double apart) {
-    OfJoints reach{};
+JointValues reach_of(const machine::Chain& chain, const Values& at, const RigidBody& body,
+                     double apart) {
+    JointValues reach{};
     Vec3 centre = body.centre();
     for (auto next = chain.joints.rbegin(); next != chain.joints.rend(); ++next) {
         const machine::Joint& joint = *next;
@@ -128,7 +128,7 @@ OfJoints reach_of(const machine::Chain& chain, const Values& at, const RigidBody
         } else {
             reach[letter] = 1.0;
         }
-        centre = machine::moved(joint, at[letter], centre);
+        centre = machine::move_by_joint(joint, at[letter], centre);
     }
     return reach;
 }
@@ -145,10 +145,11 @@ FreeSpace free_space(const machine::Chain& way, const Values& at, const RigidBod
     return space;
 }
 
-std::optional<JointWays> ways_of(const Values& begin, const std::optional<Values>& from,
-                                 const std::optional<machine::JointMotion>& leg) {
+std::optional<JointMotionBounds> joint_motion_bounds(
+    const Values& begin, const std::optional<Values>& from,
+    const std::optional<machine::JointMotion>& leg) {
     if (!from || !leg) return std::nullopt;
-    JointWays go;
+    JointMotionBounds go;
     for (std::size_t i = 0; i < go.ways.size(); ++i) {
         go.ways[i] = std::abs((*from)[i] - begin[i]);
         if (i >= go.straight.size()) go.ways[i] += std::abs(leg->to[i] - leg->from[i]);
@@ -160,7 +161,7 @@ std::optional<JointWays> ways_of(const Values& begin, const std::optional<Values
 
 namespace {
 
-double most_of(const OfJoints& reach, const JointWays& go) {
+double largest_motion(const JointValues& reach, const JointMotionBounds& go) {
     double sum = 0.0, straight = 0.0, count = 0.0;
     for (std::size_t i = 0; i < reach.size(); ++i) {
         sum += go.ways[i] * reach[i];
@@ -177,8 +178,9 @@ double most_of(const OfJoints& reach, const JointWays& go) {
 // Proof by contradiction: let t be the first time at which a point has travelled the free distance.
 // Until t every joint has moved the point by at most the joint's reach times its motion; the sum is
 // less than the free distance.
-bool keeps_apart(const FreeSpace& space, const JointWays& go, double needed_mm) {
-    const double most = std::min(most_of(space.of_body, go), most_of(space.of_observer, go));
+bool stays_separated(const FreeSpace& space, const JointMotionBounds& go, double needed_mm) {
+    const double most =
+        std::min(largest_motion(space.of_body, go), largest_motion(space.of_observer, go));
     return most + needed_mm < space.apart_mm;
 }
 

@@ -16,7 +16,7 @@
 namespace ncsim::verify {
 
 /// Value by the letter of the joint.
-using OfJoints = std::array<double, std::tuple_size_v<machine::Values>>;
+using JointValues = std::array<double, std::tuple_size_v<machine::Values>>;
 
 /// Free space between two bodies with the joints at `at`: the distance is proven to be at least
 /// `apart_mm`; 0: the bodies may touch. As long as no point of a body has moved farther than
@@ -25,7 +25,7 @@ using OfJoints = std::array<double, std::tuple_size_v<machine::Values>>;
 struct FreeSpace {
     machine::Values at{};
     double apart_mm = 0.0;
-    OfJoints of_body{}, of_observer{};
+    JointValues of_body{}, of_observer{};
 };
 /// Measures the free space. `way` is PairOnLeg::way; the distance is limited to `most_mm`.
 FreeSpace free_space(const machine::Chain& way, const machine::Values& at,
@@ -34,16 +34,16 @@ FreeSpace free_space(const machine::Chain& way, const machine::Values& at,
 
 /// Bounds of joint motions from the time of the proof to the start of a leg, and in the leg; mm and
 /// degrees. X, Y and Z in the leg are separate (`straight`), with a bound for the three together.
-struct JointWays {
-    OfJoints ways{};
+struct JointMotionBounds {
+    JointValues ways{};
     std::array<double, 3> straight{};
     double all_straight = 0.0;
 };
 /// Returns the joint motions from `begin`; `from`: start of the leg. Empty if unknown.
-std::optional<JointWays> ways_of(const machine::Values& begin,
-                                 const std::optional<machine::Values>& from,
-                                 const std::optional<machine::JointMotion>& leg);
+std::optional<JointMotionBounds> joint_motion_bounds(
+    const machine::Values& begin, const std::optional<machine::Values>& from,
+    const std::optional<machine::JointMotion>& leg);
 /// True if more than `needed_mm` remains between the bodies during such motions.
-bool keeps_apart(const FreeSpace& space, const JointWays& ways, double needed_mm);
+bool stays_separated(const FreeSpace& space, const JointMotionBounds& ways, double needed_mm);
 
 }  // namespace ncsim::verify

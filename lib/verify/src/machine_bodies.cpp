@@ -28,10 +28,11 @@ MachineBodies::MachineBodies(LinkBodies specified) : specified_(std::move(specif
     const auto add = [](const std::string& what, const auto& from) {
         Body body;
         if (!from.mesh.triangles.empty()) {
-            body.why_hull = why_as_hull(from.mesh, from.as_hull);
+            body.hull_reason = reason_for_hull(from.mesh, from.as_hull);
             body.shape = std::make_unique<const RigidBody>(
-                body.why_hull.empty() ? pieces_of(what, from.mesh_at, from.mesh, from.deflection_mm)
-                                      : hull_of(from.mesh, from.deflection_mm));
+                body.hull_reason.empty()
+                    ? pieces_of(what, from.mesh_at, from.mesh, from.deflection_mm)
+                    : hull_of(from.mesh, from.deflection_mm));
         }
         return body;
     };

@@ -59,7 +59,7 @@ RigidBody body_of(const Fixture& fixture, Vec3 shift) {
     cda::TriangleMesh mesh = fixture.mesh;
     for (Vec3& p : mesh.vertices)
         p = p + shift;
-    if (!why_as_hull(fixture.mesh, fixture.as_hull).empty())
+    if (!reason_for_hull(fixture.mesh, fixture.as_hull).empty())
         return hull_of(mesh, fixture.deflection_mm);
     if (!mesh.triangles.empty()) return body_in_pieces(mesh, fixture.deflection_mm);
     const Vec3 half = 0.5 * fixture.box.size();
@@ -76,14 +76,14 @@ bool leads(const gcode::Motion& leg, const toolpath::Kinematics& machine) {
     const toolpath::Poses poses(&machine, leg);
     const toolpath::Pose start = poses.at(from);
     for (const double t : {0.25, 0.5, 0.75, 1.0}) {
-        if (poses.at(toolpath::between(from, to, t)).rows != start.rows) return false;
+        if (poses.at(toolpath::interpolate(from, to, t)).rows != start.rows) return false;
     }
     return dot(poses.at(to).translation - start.translation, axis_of(start)) <= 0.0;
 }
 
 // Returns the pieces that reach farther from the tool axis than `radius_mm`; null if there are
 // none.
-std::unique_ptr<const RigidBody> beside(const RigidBody& body, double radius_mm) {
+std::unique_ptr<const RigidBody> body_outside_radius(const RigidBody& body, double radius_mm) {
     std::vector<ConvexPiece> pieces;
     for (const ConvexPiece& piece : body.pieces()) {
         const bool is_beside = std::ranges::any_of(piece.outer, [radius_mm](Vec3 p) {
@@ -99,10 +99,10 @@ std::unique_ptr<const RigidBody> beside(const RigidBody& body, double radius_mm)
 
 MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& share)
     : setup_(&setup), stock_(stock), share_(share) {
-    const bool asked = setup.selection.includes("machine-collision") ||
-                       setup.selection.includes("machine-near-miss");
+    const bool is_selected = setup.selection.includes("machine-collision") ||
+                             setup.selection.includes("machine-near-miss");
     if (!setup.bodies || !setup.bodies->has_meshes() || !setup.kinematics ||
-        !setup.machine.work_zero || !asked) {
+        !setup.machine.work_zero || !is_selected) {
         return;
     }
     zero_ = *setup.machine.work_zero;
@@ -124,7 +124,7 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
         fixtures_.push_back(std::make_unique<const RigidBody>(body_of(fixture, zero_)));
         add({fixture.name, fmt::format("the fixture '{}'", fixture.name), specified.part_moved_by,
              fixtures_.back().get(), fixture.clearance_mm, false, false, false,
-             why_as_hull(fixture.mesh, fixture.as_hull)});
+             reason_for_hull(fixture.mesh, fixture.as_hull)});
     }
     // Then the links fixed to the part, finally the links fixed to the tool.
     const auto rank = [&specified](const LinkBody& link) {
@@ -138,7 +138,7 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
             if (!setup.bodies->body(i) || rank(link) != wanted) continue;
             add({link.name, fmt::format("the link '{}'", link.name), link.moved_by,
                  setup.bodies->body(i), link.clearance_mm, false, false, true,
-                 setup.bodies->why_hull(i)});
+                 setup.bodies->hull_reason(i)});
         }
     }
     add({"tool", "the tool", specified.tool_moved_by, nullptr, 0.0, true, false, false});
@@ -176,7 +176,7 @@ void MachineScene::add_pairs() {
                       nullptr};
             if (pair.way.joints.empty() || is_specified(specified.ignored, a, b)) continue;
             const bool are_neighbours = a.is_link && b.is_link && pair.way.joints.size() == 1;
-            if (are_neighbours && !is_specified(specified.asked, a, b)) continue;
+            if (are_neighbours && !is_specified(specified.checked_neighbours, a, b)) continue;
             pair.of_part_and_tool = pair.way == whole;
             pairs_.push_back(std::move(pair));
         }
@@ -220,17 +220,17 @@ bool MachineScene::needs_length(const Pair& pair) const {
 
 // True if the pair has moved since the last check, or moves in `leg`.
 bool MachineScene::moves(const Pair& pair, const Leg& leg) const {
-    if (!leg.from || !leg.to || !pair.asked_at) return true;
+    if (!leg.from || !leg.to || !pair.last_values) return true;
     const bool is_curved = !std::holds_alternative<gcode::Linear>(leg.motion.what) ||
                            leg.motion.coordinates == gcode::Coordinates::Tip;
     return std::ranges::any_of(pair.way.joints, [&](const machine::Joint& joint) {
         const std::size_t i = *machine::index_of(joint.letter);
-        return (*leg.from)[i] != (*leg.to)[i] || (*leg.from)[i] != (*pair.asked_at)[i] ||
+        return (*leg.from)[i] != (*leg.to)[i] || (*leg.from)[i] != (*pair.last_values)[i] ||
                (is_curved && !joint.turns);
     });
 }
 
-PairOnLeg MachineScene::on_leg(const Pair& pair, const Leg& leg) const {
+PairOnLeg MachineScene::pair_on_leg(const Pair& pair, const Leg& leg) const {
     constexpr std::uint64_t kOften = 50;
     return {*leg.path,
             leg.from,
@@ -240,23 +240,23 @@ PairOnLeg MachineScene::on_leg(const Pair& pair, const Leg& leg) const {
             pair.of_part_and_tool,
             {0, 0, -length_mm_},
             pair.not_clear < kOften ? kMostStretches : kFewStretches,
-            pair.met_before};
+            pair.had_contact};
 }
 
-Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
+Vec3 MachineScene::to_W(const Pair& pair, const Encounter& encounter) const {
     const Vec3 p_M = pose_of(members_[pair.observer].moved_by, encounter.values) * encounter.point;
     const machine::Pose X_MP = pose_of(setup_->bodies->specified().part_moved_by, encounter.values);
     return inverse(X_MP) * p_M - zero_;
 }
 
 // True if this Verifier checks the pair, which does not contain the part.
-bool MachineScene::is_asked(std::size_t pair) const {
+bool MachineScene::is_selected_pair(std::size_t pair) const {
     if (share_.evidence) return false;
     return !share_.tile || pair % share_.tile->of == share_.tile->tile;
 }
 
-void MachineScene::tell(const Pair& pair, const Encounter& encounter, bool touches,
-                        std::vector<MachineContact>& contacts) {
+void MachineScene::report_contact(const Pair& pair, const Encounter& encounter, bool touches,
+                                  std::vector<MachineContact>& contacts) {
     Observation seen;
     seen.subject = Subject::Link;
     seen.index = static_cast<std::uint32_t>(&pair - pairs_.data());
@@ -265,7 +265,7 @@ void MachineScene::tell(const Pair& pair, const Encounter& encounter, bool touch
     seen.assumed = encounter.assumed;
     seen.value = encounter.amount_mm;
     seen.values = encounter.values;
-    if (seen.certain) seen.point = in_W(pair, encounter);
+    if (seen.certain) seen.point = to_W(pair, encounter);
     note(seen, contacts);
     if (share_.tile) seen_.push_back(std::move(seen));
 }
@@ -287,9 +287,9 @@ void MachineScene::note(const Observation& seen, std::vector<MachineContact>& co
     contact.point = seen.point;
     for (const std::size_t i : {pair.observer, pair.body}) {
         const Member& member = members_[i];
-        if (!member.why_hull.empty())
+        if (!member.hull_reason.empty())
             contact.hulls.push_back(fmt::format("the mesh of '{}' counts as its hull: {}",
-                                                member.name, member.why_hull));
+                                                member.name, member.hull_reason));
     }
     const auto old = std::ranges::find_if(contacts, [&](const MachineContact& c) {
         return c.first == contact.first && c.second == contact.second;
@@ -317,12 +317,12 @@ bool MachineScene::stays_free(Pair& pair, const Leg& leg, const RigidBody& obser
     constexpr double kSumRounding = 1e-6;
     const double needed_mm = pair.clearance_mm + leg.missed_mm + kSumRounding;
     const auto is_enough = [&] {
-        const auto ways = ways_of(pair.free.at, leg.from, leg.going);
-        return ways && keeps_apart(pair.free, *ways, needed_mm);
+        const auto ways = joint_motion_bounds(pair.free.at, leg.from, leg.joint_motion);
+        return ways && stays_separated(pair.free, *ways, needed_mm);
     };
     if (pair.free_with == &body && is_enough()) return true;
-    if (!leg.from || !leg.going || pair.waits > 0) {
-        pair.waits -= pair.waits > 0 ? 1 : 0;
+    if (!leg.from || !leg.joint_motion || pair.legs_until_retry > 0) {
+        pair.legs_until_retry -= pair.legs_until_retry > 0 ? 1 : 0;
         return false;
     }
     // Distance (mm) larger than a few moves of a machine, and small enough to exclude most pieces.
@@ -335,43 +335,44 @@ bool MachineScene::stays_free(Pair& pair, const Leg& leg, const RigidBody& obser
         return true;
     }
     constexpr std::uint32_t kMostDoublings = 6;
-    pair.waits = 1U << std::min(pair.failed++, kMostDoublings);
+    pair.legs_until_retry = 1U << std::min(pair.failed++, kMostDoublings);
     return false;
 }
 
-void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const ToolLength& length,
-                       std::vector<MachineContact>& contacts) {
+void MachineScene::check_pair(Pair& pair, const Leg& leg, const RigidBody* tool,
+                              const ToolLength& length, std::vector<MachineContact>& contacts) {
     const auto body = [&](std::size_t member) {
         return members_[member].is_tool ? tool : members_[member].body;
     };
     const RigidBody* observer = body(pair.observer);
     const RigidBody* other = body(pair.body);
     if (!observer || !other) return;
-    if (pair.asked_with == other && !moves(pair, leg)) return;
-    pair.asked_at = leg.to;
-    pair.asked_with = other;
+    if (pair.last_tool_body == other && !moves(pair, leg)) return;
+    pair.last_values = leg.to;
+    pair.last_tool_body = other;
     if (stays_free(pair, leg, *observer, *other)) {
-        pair.met_before = false;
+        pair.had_contact = false;
         return;
     }
-    const PairOnLeg on_leg = this->on_leg(pair, leg);
-    pair.met_before = false;
+    const PairOnLeg pair_on_leg = this->pair_on_leg(pair, leg);
+    pair.had_contact = false;
     Encounter near;
     if (pair.clearance_mm > 0.0) {
-        near = come_near(on_leg, *observer, *other, lattice_, pair.clearance_mm);
+        near = search_near(pair_on_leg, *observer, *other, lattice_, pair.clearance_mm);
         if (near.closeness == Closeness::Clear) return;
     }
-    Encounter met = meet(on_leg, *observer, *other, lattice_, pair.measured < kMostMeasured);
+    Encounter met =
+        find_contact(pair_on_leg, *observer, *other, lattice_, pair.measured < kMostMeasured);
     // If the accuracy of the tool leaves the contact open, a finer tool may decide.
     if (met.closeness == Closeness::Open && members_[pair.body].is_tool) {
         const RigidBody* finer = this->tool(leg.motion.tool, *length.gauge_mm, kFinerTool);
-        met = meet(on_leg, *observer, *finer, lattice_, false);
+        met = find_contact(pair_on_leg, *observer, *finer, lattice_, false);
     }
     const bool touches = met.closeness != Closeness::Clear;
     if (!touches && near.closeness == Closeness::Clear) return;
-    tell(pair, touches ? met : near, touches, contacts);
+    report_contact(pair, touches ? met : near, touches, contacts);
     ++pair.not_clear;
-    pair.met_before = touches;
+    pair.had_contact = touches;
     pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
 }
 
@@ -398,7 +399,8 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
         leg.path.emplace(*setup_->kinematics, leg.motion);
         leg.from = leg.path->at(0.0);
         leg.to = leg.path->at(1.0);
-        if (leg.from && leg.to) leg.going = leg.path->going(0.0, *leg.from, 1.0, *leg.to);
+        if (leg.from && leg.to)
+            leg.joint_motion = leg.path->joint_motion(0.0, *leg.from, 1.0, *leg.to);
     }
     const RigidBody* tool = length.gauge_mm ? this->tool(motion.tool, *length.gauge_mm) : nullptr;
     // No length, or a length that leaves no part of the tool below the nose.
@@ -412,9 +414,9 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
             continue;
         }
         if (!members_[pair.observer].is_part) {
-            if (!is_asked(i)) continue;
+            if (!is_selected_pair(i)) continue;
             for (const Leg& leg : legs_)
-                ask(pair, leg, tool, length, contacts);
+                check_pair(pair, leg, tool, length, contacts);
             continue;
         }
         if (!part || share_.evidence) continue;
@@ -422,25 +424,25 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
         const bool is_on_tool = members_[pair.body].moved_by == tool_moved_by;
         for (std::size_t k = 0; k < legs_.size(); ++k) {
             const Leg& leg = legs_[k];
-            if (pair.asked_with == &body && !moves(pair, leg)) continue;
-            pair.asked_at = leg.to;
-            pair.asked_with = &body;
+            if (pair.last_tool_body == &body && !moves(pair, leg)) continue;
+            pair.last_values = leg.to;
+            pair.last_tool_body = &body;
             if (stays_free(pair, leg, *block_, body)) {
-                pair.met_before = false;
+                pair.had_contact = false;
                 continue;
             }
             const auto is_clear = [&](const RigidBody& what) {
-                return meet_part(on_leg(pair, leg), *part, stock_, zero_, what, pair.clearance_mm,
-                                 false)
+                return search_part(pair_on_leg(pair, leg), *part, stock_, zero_, what,
+                                   pair.clearance_mm, false)
                            .closeness == Closeness::Clear;
             };
             if (is_clear(body)) {
-                pair.met_before = false;
+                pair.had_contact = false;
                 continue;
             }
             bool follows = is_on_tool && leads(leg.motion, *setup_->kinematics);
             if (follows) {
-                const RigidBody* aside = beside_cutter(body, leg.motion.tool);
+                const RigidBody* aside = body_outside_cutter(body, leg.motion.tool);
                 follows = !aside || is_clear(*aside);
             }
             open_.push_back({i, k, follows});
@@ -450,40 +452,41 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
 
 // Returns the parts of a link fixed to the tool that move outside the cylinder of the cutter; null
 // if there are none.
-const RigidBody* MachineScene::beside_cutter(const RigidBody& body, int tool) {
+const RigidBody* MachineScene::body_outside_cutter(const RigidBody& body, int tool) {
     const auto key = std::pair(&body, tool);
-    const auto known = beside_.find(key);
-    if (known != beside_.end()) return known->second.get();
+    const auto known = outside_cutter_.find(key);
+    if (known != outside_cutter_.end()) return known->second.get();
     const auto facts = setup_->tools.find(tool);
     const double radius_mm =
         facts == setup_->tools.end() ? 0.0 : toolpath::cutting_diameter_of(facts->second.tool) / 2;
-    return beside_.emplace(key, beside(body, radius_mm)).first->second.get();
+    return outside_cutter_.emplace(key, body_outside_radius(body, radius_mm)).first->second.get();
 }
 
 void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
     if (!part) return;
-    for (const Open& open : open_) {
+    for (const OpenPair& open : open_) {
         Pair& pair = pairs_[open.pair];
         const Leg& leg = legs_[open.leg];
         const RigidBody& body = *members_[pair.body].body;
         const bool measured = pair.measured < kMostMeasured;
         const auto ask = [&](double clearance_mm) {
-            return meet_part(on_leg(pair, leg), *part, stock_, zero_, body, clearance_mm, measured);
+            return search_part(pair_on_leg(pair, leg), *part, stock_, zero_, body, clearance_mm,
+                               measured);
         };
         Encounter met = ask(0.0);
         bool touches = met.closeness != Closeness::Clear;
         if (!touches && pair.clearance_mm > 0.0) met = ask(pair.clearance_mm);
         if (met.closeness == Closeness::Clear) {
-            pair.met_before = false;
+            pair.had_contact = false;
             if (open.follows) continue;
             // An obstacle existed before the motion; the order of contact and cut is unknown.
             touches = pair.clearance_mm == 0.0;
             met.closeness = Closeness::Open;
             met.values = leg.to.value_or(Values{});
         }
-        tell(pair, met, touches, contacts);
+        report_contact(pair, met, touches, contacts);
         ++pair.not_clear;
-        pair.met_before = met.closeness == Closeness::Certain;
+        pair.had_contact = met.closeness == Closeness::Certain;
         pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
     }
 }

@@ -64,7 +64,7 @@ private:
         const RigidBody* body = nullptr;  // null: the tool, the part
         double clearance_mm = 0.0;
         bool is_tool = false, is_part = false, is_link = false;
-        std::string why_hull{};  // reason why the hull replaces the mesh; empty: it does not
+        std::string hull_reason{};  // reason why the hull replaces the mesh; empty: it does not
     };
     struct Pair {
         std::size_t observer = 0, body = 0;  // indices into members_
@@ -72,16 +72,16 @@ private:
         double clearance_mm = 0.0;
         bool of_part_and_tool = false;
         // Joint positions and tool at the last check.
-        std::optional<machine::Values> asked_at;
-        const RigidBody* asked_with = nullptr;
+        std::optional<machine::Values> last_values;
+        const RigidBody* last_tool_body = nullptr;
         std::uint64_t measured = 0;   // number of measured depths
         std::uint64_t not_clear = 0;  // number of motions that were not clear
-        bool met_before = false;      // contact in the last motion that was checked
+        bool had_contact = false;     // contact in the last motion that was checked
         // Last proof of free space for the two bodies.
         const RigidBody* free_with = nullptr;
         FreeSpace free{};
-        std::uint32_t waits = 0;   // number of legs until the next attempt of a proof
-        std::uint32_t failed = 0;  // number of failed attempts in a row
+        std::uint32_t legs_until_retry = 0;  // number of legs until the next attempt of a proof
+        std::uint32_t failed = 0;            // number of failed attempts in a row
     };
     struct Leg {
         gcode::Motion motion;
@@ -90,26 +90,26 @@ private:
         // joint positions at the ends of the leg
         std::optional<machine::Values> from = std::nullopt, to = std::nullopt;
         // bounds for the whole leg
-        std::optional<machine::JointMotion> going = std::nullopt;
+        std::optional<machine::JointMotion> joint_motion = std::nullopt;
     };
-    struct Open {
+    struct OpenPair {
         std::size_t pair = 0, leg = 0;
         bool follows = false;  // the tool cuts the obstacle first
     };
     void add_pairs();
     bool is_specified(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;
     const RigidBody* tool(int number, double gauge_mm, double finer = 1.0);
-    const RigidBody* beside_cutter(const RigidBody& body, int tool);
+    const RigidBody* body_outside_cutter(const RigidBody& body, int tool);
     bool stays_free(Pair& pair, const Leg& leg, const RigidBody& observer, const RigidBody& body);
-    PairOnLeg on_leg(const Pair& pair, const Leg& leg) const;
+    PairOnLeg pair_on_leg(const Pair& pair, const Leg& leg) const;
     bool moves(const Pair& pair, const Leg& leg) const;
     bool needs_length(const Pair& pair) const;
-    void ask(Pair& pair, const Leg& leg, const RigidBody* tool, const ToolLength& length,
-             std::vector<MachineContact>& contacts);
-    void tell(const Pair& pair, const Encounter& encounter, bool touches,
-              std::vector<MachineContact>& contacts);
-    bool is_asked(std::size_t pair) const;
-    cda::Vec3 in_W(const Pair& pair, const Encounter& encounter) const;
+    void check_pair(Pair& pair, const Leg& leg, const RigidBody* tool, const ToolLength& length,
+                    std::vector<MachineContact>& contacts);
+    void report_contact(const Pair& pair, const Encounter& encounter, bool touches,
+                        std::vector<MachineContact>& contacts);
+    bool is_selected_pair(std::size_t pair) const;
+    cda::Vec3 to_W(const Pair& pair, const Encounter& encounter) const;
 
     const Setup* setup_;
     cda::Box stock_;
@@ -124,12 +124,12 @@ private:
     std::map<std::tuple<int, double, double>, std::unique_ptr<const RigidBody>> tools_;
     bool misses_length_ = false;
     // Parts of links outside the cylinder of a cutter; never iterated, because keys are pointers.
-    std::map<std::pair<const RigidBody*, int>, std::unique_ptr<const RigidBody>> beside_;
+    std::map<std::pair<const RigidBody*, int>, std::unique_ptr<const RigidBody>> outside_cutter_;
     // State of the current motion.
     std::vector<Leg> legs_;
     double length_mm_ = 0.0;
-    std::vector<Open> open_;  // pairs with the part
-    Evidence seen_;           // of a tile
+    std::vector<OpenPair> open_;  // pairs with the part
+    Evidence seen_;               // of a tile
 };
 
 }  // namespace ncsim::verify

@@ -72,7 +72,7 @@ struct Move {
     /// Z at the start, and at the end, is a position of the spindle nose, not of the tip.
     bool starts_at_nose = false, ends_at_nose = false;
     /// Box of all paths up to and including this motion, and up to the motion before.
-    cda::Box way, way_before;
+    cda::Box way, previous_path_box;
 
     // Length of the tool in the control.
     int length_register = 0;            ///< Number, or a gcode::LengthRegister.
@@ -83,7 +83,7 @@ struct Move {
     bool needs_length = false;
 
     // Contacts of the cutting pieces; only if `asked`.
-    bool asked = false;
+    bool needs_contacts = false;
     bool meets_material = false;
     bool volume_known = false;
     double removed_mm3 = 0.0;

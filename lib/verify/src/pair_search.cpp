@@ -48,14 +48,14 @@ struct Span {
     double grow_mm = 0.0;  // largest deviation of a point from the straight path between the ends
 };
 
-Box widened(const Box& box, double by) {
+Box widen_box(const Box& box, double by) {
     return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
 }
 
 Box swept(const Span& place, const Box& box) {
     Box both = placed(place.X_0, box);
     both.add(placed(place.X_1, box));
-    return widened(both, place.grow_mm);
+    return widen_box(both, place.grow_mm);
 }
 
 void add_points(std::vector<LatticePoint>& points, const std::vector<Vec3>& corners, const Pose& X,
@@ -72,15 +72,15 @@ std::vector<LatticePoint> points_of(const std::vector<Vec3>& corners, const Span
     return points;
 }
 
-std::int64_t units_up(double mm, const cda::Lattice& lattice) {
+std::int64_t round_up_units(double mm, const cda::Lattice& lattice) {
     return static_cast<std::int64_t>(std::ceil(std::max(0.0, mm) / lattice.unit_mm));
 }
 
 // Returns a ball that contains the body during the stretch, with bounds of its motion.
 std::optional<Ball> ball_of(const PairOnLeg& pair, const RigidBody& body, const Stretch& s) {
-    const auto going = pair.path.going(s.begin, s.from, s.end, s.to);
-    if (!going) return std::nullopt;
-    Ball ball = moved(pair.way, *going, {body.centre(), body.radius(), 0.0, 0.0});
+    const auto joint_motion = pair.path.joint_motion(s.begin, s.from, s.end, s.to);
+    if (!joint_motion) return std::nullopt;
+    Ball ball = move_ball(pair.way, *joint_motion, {body.centre(), body.radius(), 0.0, 0.0});
     const auto tip = pair.of_part_and_tool ? pair.path.tip(s.begin, s.end) : std::nullopt;
     if (!tip) return ball;
     // x = tip(t) + R(t) r, and |R'' r| <= (Σθ)² |r| for any number of axes.
@@ -96,10 +96,10 @@ std::optional<Ball> ball_of(const PairOnLeg& pair, const RigidBody& body, const 
 // Returns the same ball for the observer, as seen from the body.
 std::optional<Ball> ball_of_observer(const PairOnLeg& pair, const RigidBody& observer,
                                      const Stretch& s) {
-    const auto going = pair.path.going(s.begin, s.from, s.end, s.to);
-    if (!going) return std::nullopt;
-    return moved(machine::seen_from(pair.way, {}), *going,
-                 {observer.centre(), observer.radius(), 0.0, 0.0});
+    const auto joint_motion = pair.path.joint_motion(s.begin, s.from, s.end, s.to);
+    if (!joint_motion) return std::nullopt;
+    return move_ball(machine::seen_from(pair.way, {}), *joint_motion,
+                     {observer.centre(), observer.radius(), 0.0, 0.0});
 }
 
 // Halves a leg until all stretches are decided. `far`: true if all positions in a ball are clear.
@@ -127,7 +127,7 @@ Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_m
         result.time = time;
         return true;
     };
-    if (pair.met_before && (is_certain(0.0, *pair.from) || is_certain(1.0, *pair.to)))
+    if (pair.had_contact && (is_certain(0.0, *pair.from) || is_certain(1.0, *pair.to)))
         return result;
     std::deque<Stretch> waiting;
     waiting.push_back({0.0, 1.0, *pair.from, *pair.to, {}, false});
@@ -242,7 +242,7 @@ public:
           rounding_mm_(observer.accuracy_mm() + body.accuracy_mm() + 2.0 * lattice.unit_mm) {}
 
     double rounding_mm() const { return rounding_mm_; }
-    const PairOnLeg& on_leg() const { return pair_; }
+    const PairOnLeg& pair_on_leg() const { return pair_; }
     const RigidBody& body() const { return body_; }
 
     bool is_far(const Ball& ball, double clearance_mm) const {
@@ -255,25 +255,26 @@ public:
         place.grow_mm += clearance_mm;
         if (!s.is_listed) list_near(observer_, body_, place, s.open);
         s.is_listed = true;
-        const std::int64_t width = units_up(place.grow_mm, lattice_);
-        PointsOfPieces resting(observer_, {}, lattice_), going(body_, place, lattice_);
+        const std::int64_t width = round_up_units(place.grow_mm, lattice_);
+        PointsOfPieces resting(observer_, {}, lattice_), joint_motion(body_, place, lattice_);
         // Motion of the observer, computed on demand.
         std::optional<Span> other_way;
         std::optional<PointsOfPieces> observer_going, body_resting;
         std::erase_if(s.open, [&](const PiecePair& p) {
             const Box& box = observer_.boxes()[p.first];
             if (!box.overlaps(swept(place, body_.boxes()[p.second]))) return true;
-            if (cda::nearness(resting[p.first], going[p.second], width).is_apart) return true;
+            if (cda::nearness(resting[p.first], joint_motion[p.second], width).is_apart)
+                return true;
             // A hull of two rotated positions also contains the region between the ends of a long
             // piece. The hull is smaller if the shorter body moves, so the roles are swapped.
             if (place.X_0.rows == place.X_1.rows) return false;
             if (!other_way) {
-                other_way = as_seen_from_body(place, clearance_mm, s);
+                other_way = to_body_frame(place, clearance_mm, s);
                 observer_going.emplace(observer_, *other_way, lattice_);
                 body_resting.emplace(body_, Span{}, lattice_);
             }
             return cda::nearness((*body_resting)[p.second], (*observer_going)[p.first],
-                                 units_up(other_way->grow_mm, lattice_))
+                                 round_up_units(other_way->grow_mm, lattice_))
                 .is_apart;
         });
     }
@@ -289,7 +290,7 @@ public:
             const auto a = points_of(one.inner, {}, lattice_);
             const auto b = points_of(other.inner, {X, X, 0.0}, lattice_);
             if (cda::nearness(a, b, 0).is_apart) return false;
-            const auto point = cda::common_point(a, b, units_up(rounding_mm_, lattice_));
+            const auto point = cda::common_point(a, b, round_up_units(rounding_mm_, lattice_));
             if (!point) return false;
             const double amount_mm = measured ? depth_mm(one, other, X) : 0.0;
             if (is_known && amount_mm <= found.amount_mm) return false;
@@ -305,7 +306,7 @@ public:
         return for_each_near(values, clearance_mm, [&](const PiecePair& p, const Pose& X) {
             const auto a = points_of(observer_.pieces()[p.first].outer, {}, lattice_);
             const auto b = points_of(body_.pieces()[p.second].outer, {X, X, 0.0}, lattice_);
-            const cda::Nearness near = cda::nearness(a, b, units_up(limit, lattice_));
+            const cda::Nearness near = cda::nearness(a, b, round_up_units(limit, lattice_));
             const double apart = near.distance * lattice_.unit_mm;
             if (near.is_apart || apart > limit) return false;
             if (found.closeness == Closeness::Certain && apart >= found.amount_mm) return false;
@@ -322,7 +323,7 @@ public:
     }
 
 private:
-    Span as_seen_from_body(const Span& place, double clearance_mm, const Stretch& s) const {
+    Span to_body_frame(const Span& place, double clearance_mm, const Stretch& s) const {
         // Bound without a known motion: larger than any distance between pieces.
         constexpr double kFar = 1e5;
         const auto ball = ball_of_observer(pair_, observer_, s);
@@ -388,8 +389,8 @@ void find_worst(const PairOnLeg& pair, const Find& find, Encounter& worst) {
 
 }  // namespace
 
-Encounter meet(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
-               const cda::Lattice& lattice, bool measured) {
+Encounter find_contact(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
+                       const cda::Lattice& lattice, bool measured) {
     const Pair both(pair, observer, body, lattice);
     Encounter result = search(
         pair, body, both.rounding_mm(), [&](const Ball& ball) { return both.is_far(ball, 0.0); },
@@ -408,8 +409,8 @@ Encounter meet(const PairOnLeg& pair, const RigidBody& observer, const RigidBody
     return result;
 }
 
-Encounter come_near(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
-                    const cda::Lattice& lattice, double clearance_mm) {
+Encounter search_near(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
+                      const cda::Lattice& lattice, double clearance_mm) {
     const Pair both(pair, observer, body, lattice);
     return search(
         pair, body, both.rounding_mm(),
@@ -420,13 +421,13 @@ Encounter come_near(const PairOnLeg& pair, const RigidBody& observer, const Rigi
         });
 }
 
-Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const Box& stock,
-                    Vec3 zero, const RigidBody& body, double clearance_mm, bool measured) {
+Encounter search_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const Box& stock,
+                      Vec3 zero, const RigidBody& body, double clearance_mm, bool measured) {
     const cda::Lattice& lattice = part.lattice();
     // Corners, and planes of hulls of rotated corners.
     const double rounding_mm = body.accuracy_mm() + 4.0 * lattice.unit_mm;
-    const Box place_of_part = widened(stock, clearance_mm);
-    const auto in_W = [zero](Pose X) {
+    const Box place_of_part = widen_box(stock, clearance_mm);
+    const auto to_W = [zero](Pose X) {
         X.translation = X.translation - zero;
         return X;
     };
@@ -438,7 +439,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
         return norm(centre - nearest) > ball.radius + pair.missed_mm + rounding_mm;
     };
     const auto list = [&](const Span& specified, Stretch& s) {
-        const Span place{in_W(specified.X_0), in_W(specified.X_1), specified.grow_mm};
+        const Span place{to_W(specified.X_0), to_W(specified.X_1), specified.grow_mm};
         if (!s.is_listed) {
             for (const std::uint32_t i : pieces_near(body, place, place_of_part))
                 s.open.emplace_back(0, i);
@@ -449,11 +450,11 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
             const auto points = points_of(body.pieces()[pieces.second].outer, place, lattice);
             const auto cell = cda::convex_hull(points, lattice, cda::kStockOrigin);
             const double grow_mm = place.grow_mm + clearance_mm;
-            return !cell || !part.contact(shrunk(*cell, -grow_mm, lattice));
+            return !cell || !part.contact(shrink_cell(*cell, -grow_mm, lattice));
         });
     };
     const auto find = [&](const Values& values, Encounter& found) {
-        const Pose X = in_W(pose_of(pair.way, values));
+        const Pose X = to_W(pose_of(pair.way, values));
         bool is_found = false;
         for (const std::uint32_t i : pieces_near(body, {X, X, 0.0}, place_of_part)) {
             const ConvexPiece& piece = body.pieces()[i];
@@ -464,7 +465,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
             if (!cell) continue;
             // The cell shrunk by `less` on all sides; grown if `less` is negative.
             const auto contact = [&](double less) {
-                return part.contact(shrunk(*cell, less, lattice));
+                return part.contact(shrink_cell(*cell, less, lattice));
             };
             double low = rounding_mm - clearance_mm;
             const auto point = contact(low);

@@ -51,20 +51,20 @@ struct PairOnLeg {
     cda::Vec3 tip;
     std::size_t most_stretches = kMostStretches;
     /// Contact in the preceding motion; contact at an end is then likely.
-    bool met_before = false;
+    bool had_contact = false;
 };
 
 /// Searches for contact. A certain contact penetrates by more than rounding. `measured`: also finds
 /// the largest penetration among sampled times. `lattice`: units in which a piece has 24 bits.
-Encounter meet(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
-               const cda::Lattice& lattice, bool measured);
+Encounter find_contact(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
+                       const cda::Lattice& lattice, bool measured);
 /// Searches for distances below `clearance_mm`.
-Encounter come_near(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
-                    const cda::Lattice& lattice, double clearance_mm);
+Encounter search_near(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
+                      const cda::Lattice& lattice, double clearance_mm);
 /// Searches for contact of the body with the rest of the stock (`stock`: box in W, mm), or for
 /// distances below `clearance_mm`. `zero`: origin of W in the frame of the observer with all joints
 /// at 0. The penetration is the distance by which the body would have to shrink on all sides.
-Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const cda::Box& stock,
-                    cda::Vec3 zero, const RigidBody& body, double clearance_mm, bool measured);
+Encounter search_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const cda::Box& stock,
+                      cda::Vec3 zero, const RigidBody& body, double clearance_mm, bool measured);
 
 }  // namespace ncsim::verify

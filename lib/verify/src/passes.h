@@ -23,17 +23,17 @@ public:
     bool cover(const toolpath::Step& step, double rise) const;
 
 private:
-    using Way = std::array<double, 4>;      // from x, y to x, y; mm
+    using Segment = std::array<double, 4>;  // from x, y to x, y; mm
     using Heights = std::array<double, 2>;  // at the ends, mm
     struct Pass {
-        Way way;
+        Segment way;
         Heights heights;
     };
     static Pass pass_of(const toolpath::Step& step);
 
     // About 100 MB; the map is then cleared.
     static constexpr std::size_t kMost = std::size_t{1} << 20;
-    std::map<Way, Heights> lowest_;
+    std::map<Segment, Heights> lowest_;
 };
 
 }  // namespace ncsim::verify

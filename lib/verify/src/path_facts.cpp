@@ -4,7 +4,7 @@
 #include "path_facts.h"
 
 #include "ncsim/toolpath/extent.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
 
@@ -46,7 +46,7 @@ double smallest_radius(const gcode::Arc& specified) {
 // control, or if an axis U, V or W moves the tool along itself.
 bool hides_axes(const toolpath::Poses& poses, const gcode::Position& from,
                 const gcode::Position& to) {
-    if (poses.of_tip()) return true;
+    if (poses.has_tip_control()) return true;
     if (!poses.chain() || !poses.chain()->has_second_axes()) return false;
     const auto is_away = [](const gcode::Position& p) {
         return p.u != gcode::Length() || p.v != gcode::Length() || p.w != gcode::Length();
@@ -75,16 +75,17 @@ void PathFacts::take(Move& move, const gcode::Position& from, const gcode::Posit
     const toolpath::Poses poses(setup_.kinematics.get(), motion);
     measure(move, poses, from, to);
     move.is_tilted_tip = hides_axes(poses, from, to) && is_turned(motion);
-    move.way_before = way_;
+    move.previous_path_box = way_;
     if (!move.is_tilted_tip) way_.add(move.path);
     move.way = way_;
     place_in_machine(move, log);
     move.passes_above = passes_above(motion, from, to);
-    look_at_length(move, poses.place(from).z, poses.place(to).z);
-    look_at_nose(move, from, to);
+    enter_tool_length(move, poses.place(from).z, poses.place(to).z);
+    note_nose_position(move, from, to);
 }
 
-void PathFacts::look_at_nose(Move& move, const gcode::Position& from, const gcode::Position& to) {
+void PathFacts::note_nose_position(Move& move, const gcode::Position& from,
+                                   const gcode::Position& to) {
     const gcode::Motion& motion = *move.motion;
     move.starts_at_nose = at_nose_;
     // A machine position of Z may equal the programmed height of the tip.
@@ -150,7 +151,7 @@ void PathFacts::place_in_machine(Move& move, FindingLog& log) const {
     }
 }
 
-void PathFacts::look_at_length(Move& move, double from_mm, double to_mm) const {
+void PathFacts::enter_tool_length(Move& move, double from_mm, double to_mm) const {
     const gcode::Motion& motion = *move.motion;
     move.length_register = frame_.length_register;
     move.length_specified = frame_.length_specified;

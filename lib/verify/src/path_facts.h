@@ -32,9 +32,9 @@ private:
                  const gcode::Position& to) const;
     void place_in_machine(Move& move, FindingLog& log) const;
     /// Enters the tool length of a motion between two heights of the tip.
-    void look_at_length(Move& move, double from_mm, double to_mm) const;
+    void enter_tool_length(Move& move, double from_mm, double to_mm) const;
     /// Notes whether Z is a position of the spindle nose, given in machine coordinates.
-    void look_at_nose(Move& move, const gcode::Position& from, const gcode::Position& to);
+    void note_nose_position(Move& move, const gcode::Position& from, const gcode::Position& to);
     bool passes_above(const gcode::Motion& motion, const gcode::Position& from,
                       const gcode::Position& to) const;
 

@@ -41,7 +41,7 @@ RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
     return {std::move(pieces), 3.0 * lattice.unit_mm + deflection_mm};
 }
 
-std::string why_as_hull(const cda::TriangleMesh& mesh, bool specified) {
+std::string reason_for_hull(const cda::TriangleMesh& mesh, bool specified) {
     // larger meshes take longer to divide than a program to verify
     constexpr std::size_t kMostTriangles = 50'000;
     if (specified) return "that was specified";

@@ -36,7 +36,7 @@ ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& la
 RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm = 0.0);
 /// Returns the reason why the hull replaces a mesh: a request of the user, or a large mesh; empty:
 /// it does not.
-std::string why_as_hull(const cda::TriangleMesh& mesh, bool specified);
+std::string reason_for_hull(const cda::TriangleMesh& mesh, bool specified);
 /// Returns the convex hull of the corners as a body without inner pieces.
 RigidBody hull_of(const cda::TriangleMesh& mesh, double deflection_mm);
 

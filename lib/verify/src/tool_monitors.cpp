@@ -72,7 +72,7 @@ bool is_straight_above(const toolpath::Tool& tool, double low) {
 }
 
 // Returns the smallest height from which the cutter is such a cylinder.
-double straight_from(const toolpath::Tool& tool) {
+double start_of_cylinder(const toolpath::Tool& tool) {
     double least = toolpath::cutting_height_of(tool);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         for (const toolpath::ProfilePoint& p : piece.profile) {
@@ -94,8 +94,8 @@ std::vector<Body> slices(const toolpath::Tool& tool, double low, double high,
     return bodies;
 }
 
-Above above(const toolpath::Tool& tool, double height, const cda::Lattice& lattice,
-            const toolpath::ToolAccuracy& accuracy) {
+FlutesAbove make_flutes_above(const toolpath::Tool& tool, double height,
+                              const cda::Lattice& lattice, const toolpath::ToolAccuracy& accuracy) {
     return {height, slices(tool, height, kAll, lattice, accuracy),
             slices(tool, 0.0, height, lattice, accuracy)};
 }
@@ -135,12 +135,12 @@ ToolMonitors watch(const ToolFacts& facts, const Selection& selection, const cda
         w.tip.emplace(cylinder(*facts.flat_tip, 0.0, std::min(kThin, height)), lattice, accuracy);
     }
     if (facts.max_depth && *facts.max_depth < height && selection.includes("depth-limit")) {
-        w.too_high = above(facts.tool, *facts.max_depth, lattice, accuracy);
+        w.too_high = make_flutes_above(facts.tool, *facts.max_depth, lattice, accuracy);
     }
     if (facts.certain_flutes && *facts.certain_flutes < height) {
-        w.uncertain = above(facts.tool, *facts.certain_flutes, lattice, accuracy);
+        w.uncertain = make_flutes_above(facts.tool, *facts.certain_flutes, lattice, accuracy);
     }
-    w.straight_from_mm = straight_from(facts.tool);
+    w.straight_from_mm = start_of_cylinder(facts.tool);
     w.widens = widens(facts.tool);
     toolpath::ToolAccuracy inner = accuracy;
     inner.side = toolpath::Side::Inscribed;

@@ -15,7 +15,7 @@
 namespace ncsim::verify {
 
 // Cutter above a height at which it should meet no material.
-struct Above {
+struct FlutesAbove {
     double from_mm = 0.0;      ///< Above the tip.
     std::vector<Body> bodies;  ///< Cutter above the height.
     std::vector<Body> below;   ///< Cutter below the height.
@@ -31,8 +31,8 @@ struct ToolMonitors {
     std::optional<Body> core;              ///< Core, which does not cut.
     std::optional<cda::Vec3> aside_since;  ///< Position at which the tool last was aside.
     double fallen_mm = 0.0;                ///< Length of the descent on the core since.
-    Above too_high;                        ///< Limit: the permitted depth.
-    Above uncertain;                       ///< Limit: the certain flute length.
+    FlutesAbove too_high;                  ///< Limit: the permitted depth.
+    FlutesAbove uncertain;                 ///< Limit: the certain flute length.
     double uncertain_mm = 0.0;             ///< Length of uncertain flutes needed so far.
     Place uncertain_place;                 ///< First block that needed uncertain flutes.
     std::optional<Body> wall;              ///< Thread mill, enlarged by the depth of its thread.

@@ -55,8 +55,8 @@ bool is_over(const cda::Box& path, double radius, const cda::Box& body) {
 }
 
 // Returns the name of a body under the path that reaches above `height` (mm, W).
-std::optional<std::string> body_under(const Setup& setup, const Move& move, double radius,
-                                      double height) {
+std::optional<std::string> body_below_path(const Setup& setup, const Move& move, double radius,
+                                           double height) {
     const auto meets = [&](const cda::Box& body) {
         return is_over(move.path, radius, body) && body.max.z > height + kRounding;
     };
@@ -104,7 +104,7 @@ void doubt_unknown_length(const Setup& setup, const Move& move, FindingLog& log)
     }
     if (!std::isfinite(lowest_nose)) return;
     const auto body =
-        body_under(setup, move, widest_radius(facts.tool), lowest_nose - lengths.most);
+        body_below_path(setup, move, widest_radius(facts.tool), lowest_nose - lengths.most);
     if (body) doubt("it meets " + *body + " in machine coordinates");
 }
 

@@ -18,9 +18,9 @@
 #include "idle_spindle.h"
 #include "ledger_book.h"
 #include "machine_scene.h"
-#include "measuring.h"
 #include "path_facts.h"
 #include "rule_table.h"
+#include "step_measurement.h"
 #include "tool_monitors.h"
 #include "unknown_length.h"
 
@@ -41,12 +41,12 @@ using toolpath::Step;
 namespace {
 
 // True for a motion straight down with an upright tool.
-bool falls_straight(const Step& step) {
+bool moves_straight_down(const Step& step) {
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
     return is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z < 0.0;
 }
 
-bool rises_straight(const Step& step) {
+bool moves_straight_up(const Step& step) {
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
     return is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z > 0.0;
 }
@@ -60,15 +60,15 @@ bool turns_well(const gcode::Motion& motion, bool left_hand) {
 
 // True if a rule needs the removed volume of every step.
 bool needs_volumes(const Setup& setup) {
-    const auto asked = [&](std::string_view rule) { return setup.selection.includes(rule); };
-    return (asked("engagement-limit") && !needs_engagement_limit(setup)) ||
-           (asked("removal-rate") && !needs_removal_limit(setup));
+    const auto is_selected = [&](std::string_view rule) { return setup.selection.includes(rule); };
+    return (is_selected("engagement-limit") && !needs_engagement_limit(setup)) ||
+           (is_selected("removal-rate") && !needs_removal_limit(setup));
 }
 
 }  // namespace
 
-toolpath::Watch watch_of(const Setup& setup) {
-    toolpath::Watch watch;
+toolpath::WatchedParts watched_parts(const Setup& setup) {
+    toolpath::WatchedParts watch;
     watch.shanks = true;
     for (const Fixture& f : setup.machine.fixtures)
         watch.place.add(f.place());
@@ -105,17 +105,17 @@ public:
             }
             if (rule.judge) judges_.push_back(rule.judge);
         }
-        contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);
+        contacts_ = volumes_ || (is_selected("air-cut") && setup_.air_cuts);
         needs_part_ = needs_part(setup_);
         if (setup_.not_simulated) return;
         for (const auto& [number, facts] : setup_.tools) {
             const ToolFacts& wanted = facts;
-            const auto same = std::ranges::find_if(watched_, [&](const auto& known) {
+            const auto same = std::ranges::find_if(monitors_, [&](const auto& known) {
                 return is_same_shape(setup_.tools.at(known.first), wanted);
             });
-            watched_.emplace(number, same != watched_.end() ? same->second
-                                                            : watch(facts, setup_.selection,
-                                                                    lattice_, setup_.accuracy));
+            monitors_.emplace(number, same != monitors_.end() ? same->second
+                                                              : watch(facts, setup_.selection,
+                                                                      lattice_, setup_.accuracy));
         }
     }
 
@@ -147,17 +147,17 @@ public:
             place_ = part->wanted().value_or(stock_);
             measuring_.keep(evidence_, *place_);
         }
-        const auto watched = watched_.find(motion.tool);
-        now_ = watched == watched_.end() ? nullptr : &watched->second;
-        measuring_.begin(now_);
-        move_.is_traced = now_ && toolpath::has_known_start(motion);
+        const auto watched = monitors_.find(motion.tool);
+        current_ = watched == monitors_.end() ? nullptr : &watched->second;
+        measuring_.begin(current_);
+        move_.is_traced = current_ && toolpath::has_known_start(motion);
         idle_.begin(motion);
-        move_.asked = move_.is_traced && asks(motion);
+        move_.needs_contacts = move_.is_traced && needs_cutter_contacts(motion);
         const bool is_fault =
             motion.kind == MoveKind::Rapid || !turns_well(motion, is_left_handed(motion.tool));
-        move_.volume_known = move_.asked && (volumes_ || is_fault);
+        move_.volume_known = move_.needs_contacts && (volumes_ || is_fault);
         if (!share_.tile) {
-            doubt_guesses_of_move(setup_, move_, now_ != nullptr, needs_part_, log_);
+            doubt_guesses_of_move(setup_, move_, current_ != nullptr, needs_part_, log_);
             doubt_blend(setup_, move_, log_);
         }
         if (machine_.is_empty()) return;
@@ -170,43 +170,45 @@ public:
                        "links are where they are taken to be: " + setup_.axes_guess, place());
     }
 
-    void look(const Step& step, const cda::WorkpieceModel& part) {
+    void before_cut(const Step& step, const cda::WorkpieceModel& part) {
         measuring_.begin_step();
         if (share_.evidence) {
             note_step(&step);
             return;
         }
-        if (ascends(step)) measuring_.meet_bodies(step, part);
-        if (now_->core) {
+        if (ascends(step)) measuring_.measure_bodies(step, part);
+        if (current_->core) {
             if (move_.motion->kind == MoveKind::Feed) {
-                measuring_.meet_core(step, part);
+                measuring_.measure_core(step, part);
             } else {
-                now_->aside_since.reset();
+                current_->aside_since.reset();
             }
         }
-        if (now_->wall && measuring_.step() == 1 && rises_straight(step))
-            measuring_.meet_wall(step, part);
+        if (current_->wall && measuring_.step() == 1 && moves_straight_up(step))
+            measuring_.measure_wall(step, part);
         if (move_.motion->kind == MoveKind::Feed && is_upright(step)) {
-            const bool falls = falls_straight(step);
-            if (now_->mouth && falls) measuring_.meet_mouth(step, part);
-            if (now_->tip && !falls && !rises_straight(step)) measuring_.meet_tip(step, part);
+            const bool falls = moves_straight_down(step);
+            if (current_->mouth && falls) measuring_.measure_mouth(step, part);
+            if (current_->tip && !falls && !moves_straight_up(step))
+                measuring_.measure_tip(step, part);
         }
-        if (!now_->too_high.bodies.empty() && move_.motion->kind == MoveKind::Feed)
-            measuring_.meet_too_high(step, part);
+        if (!current_->too_high.bodies.empty() && move_.motion->kind == MoveKind::Feed)
+            measuring_.measure_too_high(step, part);
         const bool goes_on = has_cut_at(step.X_WA);
-        const bool only_up = goes_on && goes_back_up(step);
+        const bool only_up = goes_on && leaves_own_cut(step);
         // Straight down, the certain flutes cut ahead of the uncertain flutes.
-        const bool only_down =
-            goes_on && now_->straight_from_mm <= now_->uncertain.from_mm && falls_straight(step);
-        if (!now_->uncertain.bodies.empty() && !only_up && !only_down && !is_found_rapid())
-            measuring_.meet_uncertain(step, part);
+        const bool only_down = goes_on &&
+                               current_->straight_from_mm <= current_->uncertain.from_mm &&
+                               moves_straight_down(step);
+        if (!current_->uncertain.bodies.empty() && !only_up && !only_down && !is_found_rapid())
+            measuring_.measure_uncertain_flutes(step, part);
         if (books_) ledger_book_.note_cells(step, measuring_.rounding_now(step));
-        if (!move_.asked || step.cells.empty()) return;
+        if (!move_.needs_contacts || step.cells.empty()) return;
         if (move_.motion->kind == MoveKind::Rapid) {
-            if (!only_up || volumes_) measuring_.meet_rapidly(step, part);
+            if (!only_up || volumes_) measuring_.measure_rapid(step, part);
         } else if (!volumes_ || measuring_.rounding_now(step) > 0.0) {
             // A single step that meets material suffices for its motion if no volume is needed.
-            measuring_.meet_at_feed(step, part);
+            measuring_.measure_feed_move(step, part);
         }
     }
 
@@ -216,30 +218,31 @@ public:
             move_.path_error_mm = std::max(move_.path_error_mm, step.bounds.missed_mm);
         if (share_.evidence) return;
         cut_at_ = CutAt{move_.motion->tool, step.X_WB};
-        const bool drills = now_->widens && falls_straight(step);
-        if ((asks_above() || drills) && stands_out(step)) now_->passes.add(step);
+        const bool drills = current_->widens && moves_straight_down(step);
+        if ((needs_flutes_above() || drills) && extends_above_stock(step))
+            current_->passes.add(step);
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
             // Exact cells meet material if they remove some. Inexact cells may remove slivers that
             // earlier steps left.
             const bool is_exact = measuring_.rounding_now(step) <= 0.0;
             measuring_.add_removed(step, removed, is_exact);
         }
-        if (!ascends(step)) measuring_.meet_bodies(step, part);
-        meet_fixtures(step);
+        if (!ascends(step)) measuring_.measure_bodies(step, part);
+        measure_fixtures(step);
     }
 
     // A tool at rest meets the same bodies whatever its start.
-    void arrive(const Step& step, const cda::WorkpieceModel& part) {
+    void at_end_position(const Step& step, const cda::WorkpieceModel& part) {
         move_.arrives = true;
         measuring_.begin_step();
         if (share_.evidence) {
             note_step(nullptr);
             return;
         }
-        if (move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material"))
-            measuring_.meet_rapidly(step, part);
-        measuring_.meet_bodies(step, part);
-        meet_fixtures(step);
+        if (move_.motion->kind == MoveKind::Rapid && is_selected("rapid-in-material"))
+            measuring_.measure_rapid(step, part);
+        measuring_.measure_bodies(step, part);
+        measure_fixtures(step);
     }
 
     void end(const cda::WorkpieceModel* part) {
@@ -250,11 +253,11 @@ public:
         }
         if (share_.evidence) note_end();
         if (share_.tile) {
-            keep_fixtures();
+            record_fixtures();
             count_idle_cuts();
             return;
         }
-        if (setup_.refine_contact) measuring_.look_closer();
+        if (setup_.refine_contact) measuring_.refine_contacts();
         hole_.take(move_);
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
@@ -283,7 +286,7 @@ public:
     }
 
     void add(Finding finding) {
-        if (!asked(finding.rule)) return;
+        if (!is_selected(finding.rule)) return;
         if (finding.certainty == Certainty::Within && finding.severity != Severity::Note &&
             find_rule(finding.rule)->severity == Severity::Error) {
             log_.doubt("uncertain-contact", finding.message, finding.place);
@@ -315,7 +318,7 @@ public:
         Verdict verdict;
         verdict.files = interpretation.files;
         for (const gcode::Diagnostic& d : diagnostics_)
-            tell(d, verdict.files);
+            add_diagnostic(d, verdict.files);
         for (const Suppressions::Unknown& u : setup_.suppressions.unknown()) {
             Finding f;
             f.rule = "suppression";
@@ -327,7 +330,7 @@ public:
                             : "'" + u.name + "' is no rule, so nothing is suppressed by it";
             log_.add(std::move(f));
         }
-        if (asked("air-cut")) air_.conclude(setup_, log_);
+        if (is_selected("air-cut")) air_.conclude(setup_, log_);
         clock_.finish(ledger_);
         ledger_.measured = (volumes_ || books_) && part != nullptr;
         ledger_.air_known = (contacts_ || books_) && part != nullptr;
@@ -361,13 +364,13 @@ private:
     }
 
     // True if this tile checks the motion; tiles take turns.
-    bool is_my_turn() const {
+    bool is_own_motion() const {
         return !share_.tile || move_.number % share_.tile->of == share_.tile->tile;
     }
 
-    void meet_fixtures(const Step& step) {
-        if (!scene_.is_empty() && is_my_turn())
-            scene_.meet(move_.motion->tool, step, move_.fixtures);
+    void measure_fixtures(const Step& step) {
+        if (!scene_.is_empty() && is_own_motion())
+            scene_.find_contact(move_.motion->tool, step, move_.fixtures);
     }
 
     // Records the contacts of links since index `first`, as seen at `step`, for a tile.
@@ -380,7 +383,7 @@ private:
         }
     }
 
-    void keep_fixtures() {
+    void record_fixtures() {
         for (const FixtureContact& contact : move_.fixtures) {
             Observation& seen = evidence_.emplace_back();
             seen.motion = move_.number;
@@ -396,7 +399,7 @@ private:
 
     // Returns the next observation of tiles in this motion up to `step`; null if there is none. A
     // tile cannot know whether an observation was needed, so a tile may have recorded too many.
-    const Observation* next_seen(std::uint64_t step) {
+    const Observation* next_observation(std::uint64_t step) {
         const Evidence& all = *share_.evidence;
         if (next_seen_ == all.size()) return nullptr;
         const Observation& next = all[next_seen_];
@@ -409,27 +412,27 @@ private:
     // Notes the observations of tiles in this step. `step`: null if the tool is at rest.
     void note_step(const Step* step) {
         const Observation* core = nullptr;
-        while (const Observation* seen = next_seen(measuring_.step())) {
+        while (const Observation* seen = next_observation(measuring_.step())) {
             const bool is_cut =
                 seen->subject == Subject::FeedCut || seen->subject == Subject::RapidCut;
             if (seen->subject == Subject::Link) {
                 machine_.note(*seen, move_.machine);
             } else if (seen->subject == Subject::Core) {
                 core = seen;
-            } else if (!is_cut || move_.asked || !step) {
+            } else if (!is_cut || move_.needs_contacts || !step) {
                 measuring_.note(*seen);
             }
         }
-        if (!step || !now_->core) return;
+        if (!step || !current_->core) return;
         if (move_.motion->kind != MoveKind::Feed) {
-            now_->aside_since.reset();
+            current_->aside_since.reset();
         } else {
-            measuring_.meet_core(*step, core);
+            measuring_.measure_core(*step, core);
         }
     }
 
     void note_end() {
-        while (const Observation* seen = next_seen(Observation::kAtEnd)) {
+        while (const Observation* seen = next_observation(Observation::kAtEnd)) {
             if (seen->subject == Subject::Link) {
                 machine_.note(*seen, move_.machine);
             } else if (seen->subject == Subject::Fixture &&
@@ -455,20 +458,20 @@ private:
         return move_.motion->file == 0 && setup_.suppressions.covers(move_.motion->span.line, rule);
     }
 
-    bool asked(std::string_view rule) const { return setup_.selection.includes(rule); }
+    bool is_selected(std::string_view rule) const { return setup_.selection.includes(rule); }
 
     Place place() const { return {move_.motion->file, move_.motion->span}; }
 
     // True for a rapid that certainly is an error if it meets material, whichever flutes meet it.
     bool is_found_rapid() const {
-        return move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material") &&
+        return move_.motion->kind == MoveKind::Rapid && is_selected("rapid-in-material") &&
                !is_suppressed("rapid-in-material");
     }
 
     // True if a rule needs the contacts of the cutter in this motion.
-    bool asks(const gcode::Motion& motion) const {
+    bool needs_cutter_contacts(const gcode::Motion& motion) const {
         switch (motion.kind) {
-            case MoveKind::Rapid: return volumes_ || asked("rapid-in-material");
+            case MoveKind::Rapid: return volumes_ || is_selected("rapid-in-material");
             case MoveKind::Probe: return volumes_;
             case MoveKind::Feed: break;
         }
@@ -480,17 +483,17 @@ private:
              tool->tool.kind == ToolKind::Countersink))
             return true;
         return contacts_ || ((!well || motion.spindle_in_doubt) && !idle_.is_specified() &&
-                             (asked("spindle-off") || asked("spindle-reversed")));
+                             (is_selected("spindle-off") || is_selected("spindle-reversed")));
     }
 
     void count_idle_cuts() {
         if (move_.motion->kind != MoveKind::Feed) return;
-        if (move_.asked && move_.meets_material && !is_suppressed("spindle-off") &&
+        if (move_.needs_contacts && move_.meets_material && !is_suppressed("spindle-off") &&
             !is_suppressed("spindle-reversed"))
             idle_.count_cut();
-        if (!move_.is_traced || move_.asked || !idle_.is_specified()) return;
+        if (!move_.is_traced || move_.needs_contacts || !idle_.is_specified()) return;
         for (const char* rule : {"spindle-off", "spindle-reversed"})
-            log_.go_on(rule);
+            log_.mark_incomplete(rule);
     }
 
     bool is_left_handed(int tool) const {
@@ -505,26 +508,26 @@ private:
 
     // True if the tool moves up out of its own cut and cannot meet material: the cutter is nowhere
     // narrower above, and the stock ends below the upper end of the cutter.
-    bool goes_back_up(const Step& step) const {
+    bool leaves_own_cut(const Step& step) const {
         const Vec3 way = step.X_WB.translation - step.X_WA.translation;
-        return now_->widens && is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z > 0.0 &&
-               stands_out(step);
+        return current_->widens && is_upright(step) && way.x == 0.0 && way.y == 0.0 &&
+               way.z > 0.0 && extends_above_stock(step);
     }
 
     // True if the upper end of the cutter is above the stock.
-    bool stands_out(const Step& step) const {
+    bool extends_above_stock(const Step& step) const {
         return std::min(step.X_WA.translation.z, step.X_WB.translation.z) +
                    toolpath::cutting_height_of(tool_now()) >=
                stock_.max.z;
     }
 
-    bool asks_above() const {
-        return !now_->too_high.bodies.empty() || !now_->uncertain.bodies.empty();
+    bool needs_flutes_above() const {
+        return !current_->too_high.bodies.empty() || !current_->uncertain.bodies.empty();
     }
 
     const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
 
-    void tell(const gcode::Diagnostic& d, const std::vector<std::string>& files) {
+    void add_diagnostic(const gcode::Diagnostic& d, const std::vector<std::string>& files) {
         Place where;
         const auto file = std::ranges::find(files, d.file);
         where.file = d.file.empty() || file == files.end()
@@ -539,7 +542,7 @@ private:
         const bool is_missing = rule == "tool-undefined";
         if (!reason.empty() && (d.severity == Severity::Warning || is_missing) && !is_suppressed)
             log_.doubt(reason, d.message, where);
-        if (rule.empty() || !asked(rule)) return;
+        if (rule.empty() || !is_selected(rule)) return;
         Finding f;
         f.rule = rule;
         f.code = d.code;
@@ -552,7 +555,7 @@ private:
     }
 
     void conclude_doubts(bool is_simulated) {
-        doubt_guesses_of_setup(setup_, watched_, needs_part_, log_);
+        doubt_guesses_of_setup(setup_, monitors_, needs_part_, log_);
         // An unchanged block can differ by the order of summation.
         if (needs_part_ && is_simulated && !(ledger_.rest_mm3 < ledger_.stock_mm3 * (1.0 - 1e-12)))
             log_.doubt("nothing-removed", "the program removes nothing from the stock");
@@ -575,7 +578,7 @@ private:
     Clock clock_;
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
-    std::map<int, ToolMonitors> watched_;
+    std::map<int, ToolMonitors> monitors_;
     bool volumes_;             // the volume of every motion is measured before the next motion
     bool books_;               // the volume of every motion is read from the account at the end
     bool contacts_ = false;    // contacts of every feed motion are needed
@@ -587,7 +590,7 @@ private:
     Move move_;
     HoleCourse hole_;
     Measuring measuring_;
-    ToolMonitors* now_ = nullptr;
+    ToolMonitors* current_ = nullptr;
     struct CutAt {
         int tool = 0;
         toolpath::Pose X_WT;
@@ -612,16 +615,16 @@ void Verifier::begin(const gcode::Motion& motion, const cda::WorkpieceModel* par
     impl_->begin(motion, part);
 }
 
-void Verifier::look(const Step& step, const cda::WorkpieceModel& part) {
-    impl_->look(step, part);
+void Verifier::before_cut(const Step& step, const cda::WorkpieceModel& part) {
+    impl_->before_cut(step, part);
 }
 
 void Verifier::after_cut(const Step& step, const cda::WorkpieceModel& part, double removed) {
     impl_->after_cut(step, part, removed);
 }
 
-void Verifier::arrive(const Step& step, const cda::WorkpieceModel& part) {
-    impl_->arrive(step, part);
+void Verifier::at_end_position(const Step& step, const cda::WorkpieceModel& part) {
+    impl_->at_end_position(step, part);
 }
 
 void Verifier::end(const cda::WorkpieceModel* part) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Points on coils.
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 #include "ncsim/trig/angles.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void turn_to(const Coil& coil, double turn, CoilPlace& place) {
     place.turn = turn;
     place.centre = coil.centre + coil.reach * (t.cos * coil.ahead + t.sin * side) +
                    (coil.lead * turn) * coil.axis;
-    place.way = t.cos * side - t.sin * coil.ahead;
+    place.motion = t.cos * side - t.sin * coil.ahead;
 }
 
 Vec3 level(const Coil& coil, Vec3 v) {
@@ -36,31 +36,31 @@ CoilPlace place_at_height(const Coil& coil, Vec3 p) {
     CoilPlace place;
     turn_to(coil, dot(p - coil.centre, coil.axis) / coil.lead, place);
     place.out = normalized(level(coil, p - place.centre));
-    if (place.out == Vec3{}) place.out = place.way;
+    if (place.out == Vec3{}) place.out = place.motion;
     return place;
 }
 
-CoilPlace place_on(const Coil& coil, Vec3 p) {
+CoilPlace project_onto(const Coil& coil, Vec3 p) {
     CoilPlace place = place_at_height(coil, p);
     // Newton's method for both angles at once minimises the distance. Where the second derivatives
     // are not positive definite, the step is the one for `p` on the surface.
     constexpr int kCoilSteps = 40;
     constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-13, kLastTurn = 1e-8, kLeastApart = 1e-9;
     for (int step = 0; step < kCoilSteps; ++step) {
-        const Vec3 off = p - place.centre - coil.radius * place.out;
-        const Vec3 unit = cross(coil.axis, place.out), around = coil.radius * unit;
-        const Vec3 along = coil.reach * place.way + coil.lead * coil.axis;
-        const double ab = dot(around, along);
-        double aa = dot(around, around), bb = dot(along, along);
-        const double bent_a = aa + coil.radius * dot(off, place.out);
-        const double bent_b = bb + coil.reach * dot(off, cross(place.way, coil.axis));
+        const Vec3 deviation = p - place.centre - coil.radius * place.out;
+        const Vec3 unit = cross(coil.axis, place.out), tangent = coil.radius * unit;
+        const Vec3 along = coil.reach * place.motion + coil.lead * coil.axis;
+        const double ab = dot(tangent, along);
+        double aa = dot(tangent, tangent), bb = dot(along, along);
+        const double bent_a = aa + coil.radius * dot(deviation, place.out);
+        const double bent_b = bb + coil.reach * dot(deviation, cross(place.motion, coil.axis));
         const bool is_least = bent_a > 0.0 && bent_a * bent_b - ab * ab > kLeastApart * aa * bb;
         if (is_least) {
             aa = bent_a;
             bb = bent_b;
         }
         const double det = aa * bb - ab * ab;
-        const double a = dot(around, off), b = dot(along, off);
+        const double a = dot(tangent, deviation), b = dot(along, deviation);
         double first = a / aa, second = 0.0;
         if (is_least || det > kLeastApart * aa * bb) {
             first = (a * bb - b * ab) / det;

@@ -5,9 +5,9 @@
 
 #include "ncsim/trig/angles.h"
 
-#include "geometry/bends.h"
 #include "geometry/envelope_contact.h"
-#include "geometry/nearly.h"
+#include "geometry/path_corners.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,133 +38,140 @@ SpiralPlace looking(const Spiral& spiral, Vec3 out) {
     return place;
 }
 
-struct Touch {
+struct Tangency {
     using Answer = std::optional<Form>;
 
     Answer operator()(const Plane& a, const Cylinder& b) const {
-        if (!is_across(a.normal, b.axis) || !near(std::abs(distance(a, b.origin)), b.radius))
+        if (!is_perpendicular(a.normal, b.axis) ||
+            !is_near(std::abs(distance(a, b.origin)), b.radius))
             return {};
         return plane_at(b.origin, cross(a.normal, b.axis));
     }
     Answer operator()(const Plane& a, const Cone& b) const {
         const double sine = b.slope / std::sqrt(1.0 + b.slope * b.slope);
-        const bool is_along = std::abs(std::abs(dot(a.normal, b.axis)) - sine) <= kNearlyParallel;
-        if (!is_along || !near(distance(a, b.apex), 0.0)) return {};
+        const bool is_along = std::abs(std::abs(dot(a.normal, b.axis)) - sine) <= kParallelAngle;
+        if (!is_along || !is_near(distance(a, b.apex), 0.0)) return {};
         return plane_at(b.apex, cross(a.normal, b.axis));
     }
     Answer operator()(const Plane& a, const Torus& b) const {
-        if (!is_parallel(a.normal, b.axis) || !near(std::abs(distance(a, b.centre)), b.minor))
+        if (!is_parallel(a.normal, b.axis) || !is_near(std::abs(distance(a, b.centre)), b.minor))
             return {};
         return Cylinder{b.centre, b.axis, b.major};
     }
     // A wall along the line, tangent to the circle.
     Answer operator()(const Plane& a, const Extrusion& b) const {
-        if (!is_across(a.normal, b.along)) return {};
+        if (!is_perpendicular(a.normal, b.along)) return {};
         const Vec3 level = a.normal - dot(a.normal, b.axis) * b.axis;
-        const double support = b.radius * norm(level), off = distance(a, b.centre);
-        if (!near(std::abs(off), support)) return {};
-        const double side = off > 0.0 ? -b.radius : b.radius;
+        const double support = b.radius * norm(level), deviation = distance(a, b.centre);
+        if (!is_near(std::abs(deviation), support)) return {};
+        const double side = deviation > 0.0 ? -b.radius : b.radius;
         return plane_at(b.centre + side * normalized(level), cross(a.normal, b.along));
     }
     Answer operator()(const Plane& a, const Dome& b) const {
-        const double off = distance(a, b.centre);
+        const double deviation = distance(a, b.centre);
         // The floor where the arc is level.
-        if (is_parallel(a.normal, b.axis) && near(std::abs(off), b.reach))
+        if (is_parallel(a.normal, b.axis) && is_near(std::abs(deviation), b.reach))
             return Cylinder{b.centre, b.axis, b.radius};
         // A wall along the arc.
-        if (is_across(a.normal, b.axis) && is_across(a.normal, b.ahead) &&
-            near(std::abs(off), b.radius))
+        if (is_perpendicular(a.normal, b.axis) && is_perpendicular(a.normal, b.ahead) &&
+            is_near(std::abs(deviation), b.radius))
             return Cylinder{b.centre, a.normal, b.reach};
         return {};
     }
     // The cylinder at an end of the arc, where the arc is upright.
     Answer operator()(const Cylinder& a, const Dome& b) const {
         const Vec3 end = b.centre + b.reach * b.ahead;
-        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius) ||
-            !near(norm(away(a.origin, a.axis, end)), 0.0))
+        if (!is_parallel(a.axis, b.axis) || !is_near(a.radius, b.radius) ||
+            !is_near(norm(radial_vector(a.origin, a.axis, end)), 0.0))
             return {};
         return plane_at(end, b.axis);
     }
     // The tool at rest, at a point of the path.
     Answer operator()(const Cylinder& a, const Spiral& b) const {
-        if (!is_parallel(a.axis, b.axis) || !near(a.radius, std::abs(b.offset))) return {};
-        const SpiralPlace place = place_on(b, a.origin);
-        if (!near(norm(away(place.way, b.axis, a.origin)), 0.0)) return {};
-        return plane_at(place.way, place.along);
+        if (!is_parallel(a.axis, b.axis) || !is_near(a.radius, std::abs(b.offset))) return {};
+        const SpiralPlace place = project_onto(b, a.origin);
+        if (!is_near(norm(radial_vector(place.path_point, b.axis, a.origin)), 0.0)) return {};
+        return plane_at(place.path_point, place.along);
     }
     // A wall that continues the spiral at an end.
     Answer operator()(const Plane& a, const Spiral& b) const {
-        if (!is_across(a.normal, b.axis)) return {};
+        if (!is_perpendicular(a.normal, b.axis)) return {};
         for (const double sign : {-1.0, 1.0}) {
             const SpiralPlace place = looking(b, sign * a.normal);
-            const Vec3 at = place.way + b.offset * place.out;
-            if (is_parallel(place.out, a.normal) && near(distance(a, at), 0.0))
+            const Vec3 at = place.path_point + b.offset * place.out;
+            if (is_parallel(place.out, a.normal) && is_near(distance(a, at), 0.0))
                 return plane_at(at, place.along);
         }
         return {};
     }
     // The walls on both sides of the path.
     Answer operator()(const Cylinder& a, const Coil& b) const {
-        if (!is_parallel(a.axis, b.axis) || !near(norm(away(b.centre, b.axis, a.origin)), 0.0) ||
-            !(near(a.radius, b.reach + b.radius) || near(a.radius, std::abs(b.reach - b.radius))))
+        if (!is_parallel(a.axis, b.axis) ||
+            !is_near(norm(radial_vector(b.centre, b.axis, a.origin)), 0.0) ||
+            !(is_near(a.radius, b.reach + b.radius) ||
+              is_near(a.radius, std::abs(b.reach - b.radius))))
             return {};
         return Helicoid{b.centre, b.axis, b.ahead, b.lead};
     }
     // A line that continues the arc.
     Answer operator()(const Extrusion& a, const Dome& b) const {
-        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius)) return {};
+        if (!is_parallel(a.axis, b.axis) || !is_near(a.radius, b.radius)) return {};
         const double cosine = std::abs(dot(a.along, b.axis));
         const double sine =
             dot(a.along, b.axis) > 0.0 ? -dot(a.along, b.ahead) : dot(a.along, b.ahead);
         const Vec3 end = b.centre + b.reach * (cosine * b.ahead + sine * b.axis);
-        if (std::abs(cosine * cosine + sine * sine - 1.0) > kNearlyParallel ||
-            !near(norm(away(a.centre, a.along, end)), 0.0))
+        if (std::abs(cosine * cosine + sine * sine - 1.0) > kParallelAngle ||
+            !is_near(norm(radial_vector(a.centre, a.along, end)), 0.0))
             return {};
         return plane_at(end, b.axis);
     }
     Answer operator()(const Cylinder& a, const Cylinder& b) const {
         if (!is_parallel(a.axis, b.axis)) return {};
-        const Vec3 apart = away(a.origin, a.axis, b.origin);
-        const double d = norm(apart);
-        if (d < kApart || !(near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius))))
+        const Vec3 separation = radial_vector(a.origin, a.axis, b.origin);
+        const double d = norm(separation);
+        if (d < kLeastAxisDistance ||
+            !(is_near(d, a.radius + b.radius) || is_near(d, std::abs(a.radius - b.radius))))
             return {};
-        return plane_at(a.origin, cross(a.axis, apart));
+        return plane_at(a.origin, cross(a.axis, separation));
     }
     // Parallel paths whose distance is the sum or the difference of the radii.
     Answer operator()(const Extrusion& a, const Extrusion& b) const {
         if (!is_parallel(a.axis, b.axis) || !is_parallel(a.along, b.along)) return {};
-        const Vec3 apart = away(a.centre, a.along, b.centre);
-        const double d = norm(apart);
-        if (d < kApart || !near(dot(apart, a.axis), 0.0) ||
-            !(near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius))))
+        const Vec3 separation = radial_vector(a.centre, a.along, b.centre);
+        const double d = norm(separation);
+        if (d < kLeastAxisDistance || !is_near(dot(separation, a.axis), 0.0) ||
+            !(is_near(d, a.radius + b.radius) || is_near(d, std::abs(a.radius - b.radius))))
             return {};
-        return plane_at(a.centre, cross(a.along, apart));
+        return plane_at(a.centre, cross(a.along, separation));
     }
     Answer operator()(const Cylinder& a, const Sphere& b) const {
-        if (!near(norm(away(a.origin, a.axis, b.centre)), 0.0) || !near(a.radius, b.radius))
+        if (!is_near(norm(radial_vector(a.origin, a.axis, b.centre)), 0.0) ||
+            !is_near(a.radius, b.radius))
             return {};
         return plane_at(b.centre, a.axis);
     }
     Answer operator()(const Cylinder& a, const Torus& b) const {
         if (is_parallel(a.axis, b.axis)) {
-            const bool same = near(norm(away(a.origin, a.axis, b.centre)), 0.0);
-            if (same && (near(a.radius, b.major + b.minor) || near(a.radius, b.major - b.minor)))
+            const bool same = is_near(norm(radial_vector(a.origin, a.axis, b.centre)), 0.0);
+            if (same &&
+                (is_near(a.radius, b.major + b.minor) || is_near(a.radius, b.major - b.minor)))
                 return plane_at(b.centre, b.axis);
             return {};
         }
         // A cylinder that continues the tube of the torus.
-        if (!is_across(a.axis, b.axis) || !near(a.radius, b.minor)) return {};
-        const Vec3 apart = away(a.origin, a.axis, b.centre);
-        if (!near(norm(apart), b.major) || !near(dot(apart, b.axis), 0.0)) return {};
+        if (!is_perpendicular(a.axis, b.axis) || !is_near(a.radius, b.minor)) return {};
+        const Vec3 separation = radial_vector(a.origin, a.axis, b.centre);
+        if (!is_near(norm(separation), b.major) || !is_near(dot(separation, b.axis), 0.0))
+            return {};
         return plane_at(b.centre, a.axis);
     }
     Answer operator()(const Cone& a, const Cone& b) const {
-        if (!is_parallel(a.axis, b.axis) || std::abs(a.slope - b.slope) > kNearlyParallel)
-            return {};
-        const Vec3 apart = away(a.apex, a.axis, b.apex);
+        if (!is_parallel(a.axis, b.axis) || std::abs(a.slope - b.slope) > kParallelAngle) return {};
+        const Vec3 separation = radial_vector(a.apex, a.axis, b.apex);
         const double height = std::abs(dot(b.apex - a.apex, a.axis));
-        if (norm(apart) < kApart || !near(norm(apart), a.slope * height)) return {};
-        return plane_at(a.apex, cross(a.axis, apart));
+        if (norm(separation) < kLeastAxisDistance || !is_near(norm(separation), a.slope * height))
+            return {};
+        return plane_at(a.apex, cross(a.axis, separation));
     }
     Answer operator()(const Cone& a, const Sphere& b) const {
         return round_end(a, b.centre, 0.0, b.radius);
@@ -174,24 +181,24 @@ struct Touch {
         return round_end(a, b.centre, b.major, b.minor);
     }
     Answer operator()(const Sphere& a, const Torus& b) const {
-        const Vec3 apart = a.centre - b.centre;
-        if (!near(a.radius, b.minor) || !near(dot(apart, b.axis), 0.0) ||
-            !near(norm(apart), b.major))
+        const Vec3 separation = a.centre - b.centre;
+        if (!is_near(a.radius, b.minor) || !is_near(dot(separation, b.axis), 0.0) ||
+            !is_near(norm(separation), b.major))
             return {};
-        return plane_at(b.centre, cross(b.axis, apart));
+        return plane_at(b.centre, cross(b.axis, separation));
     }
     Answer operator()(const Torus& a, const Torus& b) const {
-        const Vec3 apart = b.centre - a.centre;
-        const double d = norm(apart);
-        if (!is_parallel(a.axis, b.axis) || !near(a.minor, b.minor) || d < kApart ||
-            !near(dot(apart, a.axis), 0.0))
+        const Vec3 separation = b.centre - a.centre;
+        const double d = norm(separation);
+        if (!is_parallel(a.axis, b.axis) || !is_near(a.minor, b.minor) || d < kLeastAxisDistance ||
+            !is_near(dot(separation, a.axis), 0.0))
             return {};
-        if (!near(d, a.major + b.major) && !near(d, std::abs(a.major - b.major))) return {};
-        return plane_at(a.centre, cross(a.axis, apart));
+        if (!is_near(d, a.major + b.major) && !is_near(d, std::abs(a.major - b.major))) return {};
+        return plane_at(a.centre, cross(a.axis, separation));
     }
     template <typename A>
     Answer operator()(const A& a, const Envelope& b) const {
-        return touch_envelope(a, b);
+        return envelope_tangency_surface(a, b);
     }
     template <typename A, typename B>
     Answer operator()(const A&, const B&) const {
@@ -201,20 +208,20 @@ struct Touch {
 private:
     // Returns the plane of tangency of a cone with a tube about the cone's axis.
     static Answer round_end(const Cone& a, Vec3 centre, double major, double minor) {
-        if (!near(norm(away(a.apex, a.axis, centre)), 0.0)) return {};
+        if (!is_near(norm(radial_vector(a.apex, a.axis, centre)), 0.0)) return {};
         const double cosine = 1.0 / std::sqrt(1.0 + a.slope * a.slope);
         const double sine = a.slope * cosine;
         const double height = dot(centre - a.apex, a.axis);
         const double d = major * cosine - height * sine;
-        if (!near(std::abs(d), minor)) return {};
+        if (!is_near(std::abs(d), minor)) return {};
         return plane_at(a.apex + (height + d * sine) * a.axis, a.axis);
     }
 };
 
 }  // namespace
 
-std::optional<Form> touch(const Form& a, const Form& b) {
-    return a.index() <= b.index() ? std::visit(Touch{}, a, b) : std::visit(Touch{}, b, a);
+std::optional<Form> tangency_surface(const Form& a, const Form& b) {
+    return a.index() <= b.index() ? std::visit(Tangency{}, a, b) : std::visit(Tangency{}, b, a);
 }
 
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
@@ -224,7 +231,7 @@ std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
         bool has_floor = false, has_wall = false;
         for (const Form* other : forms) {
             const auto* plane = std::get_if<Plane>(other);
-            if (!plane || !touch(*plane, *dome)) continue;
+            if (!plane || !tangency_surface(*plane, *dome)) continue;
             (is_parallel(plane->normal, dome->axis) ? has_floor : has_wall) = true;
         }
         if (has_floor && has_wall) return Plane{dome->centre, dome->ahead};
@@ -232,7 +239,7 @@ std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
     return std::nullopt;
 }
 
-std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
+std::vector<Form> level_tangency_planes(std::span<const Form* const> forms) {
     struct LevelCircle {
         Vec3 centre;
         double radius;
@@ -246,7 +253,7 @@ std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
         std::vector<const Plane*> walls;
         for (const Form* other : forms) {
             if (const auto* wall = std::get_if<Plane>(other)) {
-                if (is_across(wall->normal, level->normal)) walls.push_back(wall);
+                if (is_perpendicular(wall->normal, level->normal)) walls.push_back(wall);
             } else if (const auto* f = std::get_if<Dome>(other)) {
                 if (is_parallel(f->axis, level->normal))
                     circles.push_back({centre_at_height(*f, level->origin), f->radius, true});
@@ -265,15 +272,15 @@ std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
         for (std::size_t i = 0; i < circles.size(); ++i) {
             for (std::size_t j = i + 1; j < circles.size(); ++j) {
                 const LevelCircle &a = circles[i], &b = circles[j];
-                const Vec3 apart = away(a.centre, level->normal, b.centre);
-                const double d = norm(apart);
-                if ((!a.moves && !b.moves) || d < kApart) continue;
-                if (near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius)))
-                    planes.push_back(Plane{a.centre, normalized(cross(level->normal, apart))});
+                const Vec3 separation = radial_vector(a.centre, level->normal, b.centre);
+                const double d = norm(separation);
+                if ((!a.moves && !b.moves) || d < kLeastAxisDistance) continue;
+                if (is_near(d, a.radius + b.radius) || is_near(d, std::abs(a.radius - b.radius)))
+                    planes.push_back(Plane{a.centre, normalized(cross(level->normal, separation))});
             }
             for (const Plane* wall : walls) {
                 if (circles[i].moves &&
-                    near(std::abs(distance(*wall, circles[i].centre)), circles[i].radius))
+                    is_near(std::abs(distance(*wall, circles[i].centre)), circles[i].radius))
                     planes.push_back(
                         Plane{circles[i].centre, normalized(cross(level->normal, wall->normal))});
             }

@@ -29,30 +29,30 @@ std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& pl
         return normalized(cda::cross(plane.normal, outward(surface, p)));
     };
     CutWalk walk;
-    Vec3 p = begin, way = ahead(begin);
+    Vec3 p = begin, direction = ahead(begin);
     double step = 0.1 * kLongest;
     for (int i = 0; i < kMostSteps && step > kShortest; ++i) {
         const auto end = std::ranges::find_if(ends, [&](Vec3 at) {
             const double far = norm(at - p);
-            return far <= step && dot(at - p, way) >= kAhead * far;
+            return far <= step && dot(at - p, direction) >= kAhead * far;
         });
         if (end != ends.end()) {
             walk.end = static_cast<std::size_t>(end - ends.begin());
             return walk;
         }
-        Vec3 next = p + step * way;
+        Vec3 next = p + step * direction;
         const bool is_on = solve(both, next) < kOn;
         const Vec3 on = ahead(next);
         // The height of an arc over its chord is chord times turn / 8; the limit 4 leaves a margin
         // of two.
         constexpr double kEighths = 4.0;
-        if (!is_on || norm(next - p) * norm(on - way) > kEighths * chords_mm ||
-            dot(on, way) <= 0.0) {
+        if (!is_on || norm(next - p) * norm(on - direction) > kEighths * chords_mm ||
+            dot(on, direction) <= 0.0) {
             step *= 0.5;
             continue;
         }
         p = next;
-        way = on;
+        direction = on;
         walk.between.push_back(p);
         step = std::min(1.5 * step, kLongest);
     }

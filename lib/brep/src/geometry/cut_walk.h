@@ -3,7 +3,7 @@
 // Walk along the curve in which a plane cuts a surface, for curves without a name.
 #pragma once
 
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 
 #include "geometry/plane_cut.h"
 

@@ -3,14 +3,14 @@
 // Contact of envelopes with surfaces of the same tool, on its path and at rest.
 #pragma once
 
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 
 #include <optional>
 
 namespace ncsim::brep {
 
-/// Returns touch() of contact.h for an envelope as the second form.
-std::optional<Form> touch_envelope(const Form& a, const Envelope& b);
+/// Returns tangency_surface() of contact.h for an envelope as the second form.
+std::optional<Form> envelope_tangency_surface(const Form& a, const Envelope& b);
 
 /// True for an envelope of a tool whose axis turns. The facets of such envelopes come from hulls of
 /// poses, with needles between the hulls.

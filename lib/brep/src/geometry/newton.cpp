@@ -30,8 +30,8 @@ Eigen eigen(std::array<std::array<double, 3>, 3> m) {
     constexpr int kSweeps = 12;
     const double trace = m[0][0] + m[1][1] + m[2][2];
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        const double off = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
-        if (off <= 1e-18 * trace) break;
+        const double off_diagonal = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
+        if (off_diagonal <= 1e-18 * trace) break;
         for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
             if (m[p][q] == 0.0) continue;
             const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
@@ -87,11 +87,11 @@ Vec3 shortest_step(const std::array<std::array<double, 3>, 3>& m, Vec3 right) {
 }  // namespace
 
 double solve(std::span<const Form* const> forms, Vec3& p) {
-    std::vector<ProjectionSeed> beside(forms.size());
-    return solve(forms, p, beside);
+    std::vector<ProjectionSeed> seeds(forms.size());
+    return solve(forms, p, seeds);
 }
 
-double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSeed> beside) {
+double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSeed> seeds) {
     constexpr int kMostSteps = 60;
     constexpr double kLongest = 1.0;
     // Steps this short are rounding errors as soon as they do not become shorter.
@@ -101,7 +101,7 @@ double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSe
         std::array<std::array<double, 3>, 3> m{};
         Vec3 right;
         for (std::size_t k = 0; k < forms.size(); ++k) {
-            const auto [d, g] = off(*forms[k], p, beside[k]);
+            const auto [d, g] = evaluate(*forms[k], p, seeds[k]);
             right = right - d * g;
             for (int i = 0; i < 3; ++i) {
                 for (int j = 0; j < 3; ++j)
@@ -116,7 +116,7 @@ double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSe
     }
     double miss = 0.0;
     for (std::size_t k = 0; k < forms.size(); ++k)
-        miss = std::max(miss, std::abs(distance(*forms[k], p, beside[k])));
+        miss = std::max(miss, std::abs(distance(*forms[k], p, seeds[k])));
     return miss;
 }
 

@@ -3,7 +3,7 @@
 // Newton's method for points that several surfaces have in common.
 #pragma once
 
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 
 #include <span>
 
@@ -14,6 +14,6 @@ namespace ncsim::brep {
 /// Returns: the largest distance from a form, mm.
 double solve(std::span<const Form* const> forms, Vec3& p);
 /// Does the same, starting from the state of the last point on each form.
-double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSeed> beside);
+double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSeed> seeds);
 
 }  // namespace ncsim::brep

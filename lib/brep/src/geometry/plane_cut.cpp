@@ -63,7 +63,7 @@ void PlaneCut::cut(const Cylinder& f) {
     Vec3 x = f.axis - cosine * plane_.normal;
     double longer = f.radius / std::abs(cosine);
     if (norm(x) < kParallel) {
-        x = across(plane_.normal);
+        x = any_perpendicular(plane_.normal);
         longer = f.radius;
     }
     x = normalized(x);
@@ -80,7 +80,7 @@ void PlaneCut::cut(const Cone& f) {
         kind_ = Kind::Round;
         const double height = h / cosine;
         if (height <= 0.0) return;
-        const Vec3 x = across(plane_.normal);
+        const Vec3 x = any_perpendicular(plane_.normal);
         const double radius = f.slope * height;
         add({f.apex + height * f.axis, radius * x, radius * cross(plane_.normal, x)});
         return;
@@ -98,9 +98,9 @@ void PlaneCut::cut(const Cone& f) {
         const Vec3 centre = 0.5 * (a + b), x = 0.5 * (a - b);
         // Half width of the cone at the centre, perpendicular to the axis and to `side`.
         const Vec3 v = centre - f.apex;
-        const double height = dot(v, f.axis), off = dot(v, side);
+        const double height = dot(v, f.axis), deviation = dot(v, side);
         const double minor =
-            std::sqrt(std::max(0.0, f.slope * f.slope * height * height - off * off));
+            std::sqrt(std::max(0.0, f.slope * f.slope * height * height - deviation * deviation));
         add({centre, x, minor * normalized(cross(plane_.normal, x))});
         return;
     }
@@ -124,7 +124,7 @@ void PlaneCut::cut(const Sphere& f) {
     kind_ = Kind::Round;
     const double h = plane_.height(f.centre);
     if (std::abs(h) >= f.radius) return;
-    const Vec3 x = across(plane_.normal);
+    const Vec3 x = any_perpendicular(plane_.normal);
     const double radius = std::sqrt(f.radius * f.radius - h * h);
     add({f.centre - h * plane_.normal, radius * x, radius * cross(plane_.normal, x)});
 }
@@ -136,7 +136,7 @@ void PlaneCut::cut(const Torus& f) {
         kind_ = Kind::Round;
         if (std::abs(h) >= f.minor) return;
         const double half = std::sqrt(f.minor * f.minor - h * h);
-        const Vec3 centre = f.centre - h * plane_.normal, x = across(plane_.normal);
+        const Vec3 centre = f.centre - h * plane_.normal, x = any_perpendicular(plane_.normal);
         for (const double radius : {f.major + half, f.major - half}) {
             // No face of a spindle lies beyond the tip.
             if (radius > 0.0) add({centre, radius * x, radius * cross(plane_.normal, x)});
@@ -175,7 +175,7 @@ void PlaneCut::cut(const Extrusion& f) {
     }
     kind_ = Kind::Round;
     const Vec3 centre = f.centre - (plane_.height(f.centre) / lean) * f.along;
-    const Vec3 start = across(f.axis);
+    const Vec3 start = any_perpendicular(f.axis);
     const Vec3 u = dropped(f.radius * start), v = dropped(f.radius * cross(f.axis, start));
     // Half axes from conjugate diameters.
     const double difference = dot(u, u) - dot(v, v), both = 2.0 * dot(u, v);
@@ -196,7 +196,7 @@ void PlaneCut::cut(const Dome& f) {
     kind_ = Kind::Round;
     const Vec3 foot = f.centre - plane_.height(f.centre) * plane_.normal;
     if (std::abs(plane_.height(f.centre)) >= f.reach) return;
-    const Vec3 x = across(plane_.normal);
+    const Vec3 x = any_perpendicular(plane_.normal);
     add({centre_at_height(f, foot), f.radius * x, f.radius * cross(plane_.normal, x)});
 }
 
@@ -204,18 +204,18 @@ void PlaneCut::cut(const Coil& f) {
     if (norm(cross(f.axis, plane_.normal)) >= kParallel) return;
     kind_ = Kind::Round;
     const Vec3 foot = f.centre - plane_.height(f.centre) * plane_.normal;
-    const Vec3 x = across(plane_.normal);
+    const Vec3 x = any_perpendicular(plane_.normal);
     add({place_at_height(f, foot).centre, f.radius * x, f.radius * cross(plane_.normal, x)});
 }
 
 std::size_t PlaneCut::branch_of(Vec3 p) const {
     if (count_ < 2) return 0;
     if (kind_ == Kind::Spiric) return dot(p - origin_, x_) > 0.0 ? 0 : 1;
-    const auto off = [&](const CutBranch& b) {
+    const auto deviation = [&](const CutBranch& b) {
         if (kind_ == Kind::Straight) return norm(cross(p - b.centre, b.x));
         return std::abs(norm(p - b.centre) - norm(b.x));
     };
-    return off(branches_[0]) <= off(branches_[1]) ? 0 : 1;
+    return deviation(branches_[0]) <= deviation(branches_[1]) ? 0 : 1;
 }
 
 double PlaneCut::place_of(Vec3 p) const {
@@ -243,8 +243,8 @@ Vec3 PlaneCut::at(std::size_t branch, double place) const {
         return b.centre + angle.cos * b.x + angle.sin * b.y;
     }
     if (count_ == 2) {
-        const double away = major_ + minor_ * angle.cos;
-        const double out = std::sqrt(std::max(0.0, away * away - offset_ * offset_));
+        const double radial = major_ + minor_ * angle.cos;
+        const double out = std::sqrt(std::max(0.0, radial * radial - offset_ * offset_));
         return origin_ + (branch == 0 ? out : -out) * x_ + (minor_ * angle.sin) * axis_;
     }
     // Seen from the middle, there is one point in each direction; nearer points are inside the
@@ -254,8 +254,8 @@ Vec3 PlaneCut::at(std::size_t branch, double place) const {
     for (int i = 0; i < kHalvings; ++i) {
         const double s = 0.5 * (near + far);
         const double out = s * angle.cos, up = s * angle.sin;
-        const double away = std::sqrt(out * out + offset_ * offset_) - major_;
-        (away * away + up * up < minor_ * minor_ ? near : far) = s;
+        const double radial = std::sqrt(out * out + offset_ * offset_) - major_;
+        (radial * radial + up * up < minor_ * minor_ ? near : far) = s;
     }
     return origin_ + (near * angle.cos) * x_ + (near * angle.sin) * axis_;
 }

@@ -3,7 +3,7 @@
 // Curves in which a plane cuts a surface, and places on these curves.
 #pragma once
 
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 
 #include <optional>
 #include <vector>

@@ -23,13 +23,14 @@ using cda::normalized;
 namespace {
 
 // Point of the circle that is nearest to a given point, with derivatives.
-struct OnRim {
-    OnRim(const Fillet& rim, const ToolFrame& at, Vec3 p) : radius(rim.ring), axis(at.axis) {
+struct RimPoint {
+    RimPoint(const Fillet& rim, const ToolFrame& at, Vec3 p)
+        : radius(rim.centre_radius), axis(at.axis) {
         const Vec3 v = p - at.tip;
         const double height = dot(v, axis);
-        const Vec3 away = v - height * axis;
-        far = norm(away);
-        out = far > 0.0 ? (1.0 / far) * away : Vec3{};
+        const Vec3 radial = v - height * axis;
+        far = norm(radial);
+        out = far > 0.0 ? (1.0 / far) * radial : Vec3{};
         round = cross(axis, out);
         foot = at.tip + rim.height * axis + radius * out;
         centre_speed = velocity_at(at, rim.height);
@@ -57,25 +58,25 @@ struct OnRim {
 };
 
 // Returns the direction, perpendicular to the axis, to the middle of the swept part.
-Vec3 middle_way(const Sweep& sweep, const ToolFrame& passage, const Around& at) {
-    const Vec3 ahead = cross(at.side, passage.axis);
-    const double rise = dot(velocity_at(passage, sweep.fillet()->height), passage.axis);
+Vec3 middle_way(const Sweep& sweep, const ToolFrame& tool, const PathFrame& at) {
+    const Vec3 ahead = cross(at.side, tool.axis);
+    const double rise = dot(velocity_at(tool, sweep.fillet()->height), tool.axis);
     return (rise < 0.0) == (dot(ahead, at.ahead) < 0.0) ? ahead : -ahead;
 }
 
 }  // namespace
 
-ClosestPoint aspect_of_rim(const Fillet& rim, const ToolFrame& at, Vec3 p) {
-    const OnRim on(rim, at, p);
+ClosestPoint closest_point_on_rim(const Fillet& rim, const ToolFrame& at, Vec3 p) {
+    const RimPoint on(rim, at, p);
     const Vec3 d = p - on.foot, n = on.normal();
-    ClosestPoint aspect;
-    aspect.passage = at;
-    aspect.normal = n;
-    aspect.off = dot(d, n) < 0.0 ? -norm(d) : norm(d);
-    aspect.foot = p - aspect.off * n;
-    aspect.rate = -dot(d, on.speed);
+    ClosestPoint closest;
+    closest.tool = at;
+    closest.normal = n;
+    closest.deviation = dot(d, n) < 0.0 ? -norm(d) : norm(d);
+    closest.foot = p - closest.deviation * n;
+    closest.rate = -dot(d, on.speed);
     const double share = on.far > 0.0 ? on.radius / on.far : 0.0;
-    aspect.drift =
+    closest.drift =
         share * (dot(on.speed, on.round) + dot(at.turn, on.round) * dot(d, on.axis)) * on.round -
         on.speed;
     const Vec3 d_change = -on.centre_speed - on.radius * on.out_change;
@@ -83,15 +84,15 @@ ClosestPoint aspect_of_rim(const Fillet& rim, const ToolFrame& at, Vec3 p) {
         on.centre_change -
         on.radius * (dot(at.bend, on.out) + dot(at.turn, on.out_change)) * on.axis -
         (on.radius * dot(at.turn, on.out)) * at.turn;
-    aspect.bend = -dot(d_change, on.speed) - dot(d, speed_change);
-    return aspect;
+    closest.bend = -dot(d_change, on.speed) - dot(d, speed_change);
+    return closest;
 }
 
-std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p) {
+std::vector<double> rim_start_times(const Sweep& sweep, Vec3 p) {
     const std::vector<ToolFrame>& samples = sweep.samples();
     const Fillet& rim = *sweep.fillet();
     // Squared distance from the axis; on straight paths a parabola.
-    const auto away = [&](std::size_t i) {
+    const auto squared_distance = [&](std::size_t i) {
         const Vec3 v = p - samples[i].tip;
         const double height = dot(v, samples[i].axis);
         return dot(v, v) - height * height;
@@ -99,19 +100,20 @@ std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p) {
     const bool rises = dot(velocity_at(samples[0], rim.height), samples[0].axis) > 0.0;
     const std::size_t last = samples.size() - 1;
     std::vector<double> starts;
-    double before = away(0), here = away(1);
+    double before = squared_distance(0), here = squared_distance(1);
     for (std::size_t i = 1; i < last; ++i) {
-        const double after = away(i + 1);
+        const double after = squared_distance(i + 1);
         const bool is_lowest = (i == 1 || here <= before) && (i + 1 == last || here < after) &&
                                after + before > 2.0 * here;
         if (is_lowest) {
             const double slope = 0.5 * (after - before), bend = after - 2.0 * here + before;
-            const double square = slope * slope - 2.0 * bend * (here - rim.ring * rim.ring);
+            const double square =
+                slope * slope - 2.0 * bend * (here - rim.centre_radius * rim.centre_radius);
             const double out = square > 0.0 ? std::sqrt(square) : 0.0;
             const double ahead = (-slope + (rises ? -out : out)) / bend;
             const double most = static_cast<double>(last);
-            starts.push_back(std::clamp((static_cast<double>(i) + ahead) / most, -kBeyondEnds,
-                                        1.0 + kBeyondEnds));
+            starts.push_back(std::clamp((static_cast<double>(i) + ahead) / most, -kPathExtension,
+                                        1.0 + kPathExtension));
         }
         before = here;
         here = after;
@@ -120,13 +122,13 @@ std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p) {
     return starts;
 }
 
-Vec3 gradient_of_rise_of_rim(const Fillet& rim, const ClosestPoint& aspect) {
-    const ToolFrame& at = aspect.passage;
-    const OnRim on(rim, at, aspect.foot + aspect.off * aspect.normal);
+Vec3 gradient_of_rise_of_rim(const Fillet& rim, const ClosestPoint& closest) {
+    const ToolFrame& at = closest.tool;
+    const RimPoint on(rim, at, closest.foot + closest.deviation * closest.normal);
     if (!(on.far > 0.0)) return {};
     const double ahead = on.ahead(), rise = on.rise();
     const double square = ahead * ahead + rise * rise;
-    const Vec3 time = gradient_of_time(aspect);
+    const Vec3 time = gradient_of_time(closest);
     const Vec3 ahead_slope =
         (dot(on.centre_speed, on.round) / on.far) * on.round + on.ahead_change * time;
     const Vec3 rise_slope =
@@ -135,20 +137,20 @@ Vec3 gradient_of_rise_of_rim(const Fillet& rim, const ClosestPoint& aspect) {
     return (-cosine / square) * (rise * ahead_slope - ahead * rise_slope);
 }
 
-double place_on_rim(const Sweep& sweep, const ToolFrame& passage, Vec3 p) {
-    const Around at = around(sweep, passage);
+double place_on_rim(const Sweep& sweep, const ToolFrame& tool, Vec3 p) {
+    const PathFrame at = path_frame(sweep, tool);
     const Vec3 v = p - at.centre;
-    const double degrees = trig::angle_of(dot(v, middle_way(sweep, passage, at)), dot(v, at.side));
+    const double degrees = trig::angle_of(dot(v, middle_way(sweep, tool, at)), dot(v, at.side));
     constexpr double kHalf = 180.0;
     return kHalf - degrees;
 }
 
-Vec3 point_on_rim(const Sweep& sweep, const ToolFrame& passage, double place) {
-    const Around at = around(sweep, passage);
+Vec3 point_on_rim(const Sweep& sweep, const ToolFrame& tool, double place) {
+    const PathFrame at = path_frame(sweep, tool);
     constexpr double kHalf = 180.0;
     const auto angle = trig::sin_cos(kHalf - place);
-    const Vec3 out = angle.cos * middle_way(sweep, passage, at) + angle.sin * at.side;
-    return at.centre + sweep.fillet()->ring * out;
+    const Vec3 out = angle.cos * middle_way(sweep, tool, at) + angle.sin * at.side;
+    return at.centre + sweep.fillet()->centre_radius * out;
 }
 
 }  // namespace ncsim::brep

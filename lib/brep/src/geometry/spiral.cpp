@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Points on spirals.
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 #include "ncsim/trig/angles.h"
 
 #include <cmath>
@@ -28,19 +28,19 @@ SpiralPlace place_at(const Spiral& spiral, double turn) {
     const auto t = trig::sin_cos(turn / kRadiansPerDegree);
     const Vec3 side = cross(spiral.axis, spiral.ahead);
     const Vec3 up = t.cos * spiral.ahead + t.sin * side,
-               around = t.cos * side - t.sin * spiral.ahead;
+               tangent = t.cos * side - t.sin * spiral.ahead;
     const double reach = spiral.reach + spiral.lead * turn;
     const double pace = std::sqrt(reach * reach + spiral.lead * spiral.lead);
     SpiralPlace place;
     place.turn = turn;
-    place.way = spiral.centre + reach * up;
-    place.along = (1.0 / pace) * (spiral.lead * up + reach * around);
-    place.out = (1.0 / pace) * (reach * up - spiral.lead * around);
+    place.path_point = spiral.centre + reach * up;
+    place.along = (1.0 / pace) * (spiral.lead * up + reach * tangent);
+    place.out = (1.0 / pace) * (reach * up - spiral.lead * tangent);
     place.speed = pace_at(spiral, turn, spiral.offset);
     return place;
 }
 
-SpiralPlace place_on(const Spiral& spiral, Vec3 p) {
+SpiralPlace project_onto(const Spiral& spiral, Vec3 p) {
     const Vec3 v = p - spiral.centre;
     const double height = dot(v, spiral.axis);
     const Vec3 level = spiral.centre + (v - height * spiral.axis);
@@ -51,10 +51,10 @@ SpiralPlace place_on(const Spiral& spiral, Vec3 p) {
     constexpr int kMostSteps = 40;
     constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-14, kLeastPace = 1e-9;
     for (int step = 0; step < kMostSteps; ++step) {
-        const Vec3 off = level - place.way;
-        const double pace = pace_at(spiral, place.turn, dot(off, place.out));
+        const Vec3 deviation = level - place.path_point;
+        const double pace = pace_at(spiral, place.turn, dot(deviation, place.out));
         if (!(pace > kLeastPace)) break;
-        double turn = dot(off, place.along) / pace;
+        double turn = dot(deviation, place.along) / pace;
         if (std::abs(turn) > kFarthestTurn) turn = turn < 0.0 ? -kFarthestTurn : kFarthestTurn;
         place = place_at(spiral, place.turn + turn);
         if (std::abs(turn) < kNoTurn) break;

@@ -3,8 +3,8 @@
 
 #include "ncsim/brep/measure.h"
 
-#include "heal/apart.h"
-#include "heal/unreadable.h"
+#include "heal/degenerate_planes.h"
+#include "heal/vertex_distance.h"
 #include "sources/label.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ double area_of_faces(const Part& part) {
 }  // namespace
 
 bool is_sound_polyhedron(const Part& part, double volume_mm3) {
-    return is_closed(part) && unreadable_planes(part).empty() &&
+    return is_closed(part) && degenerate_planes(part).empty() &&
            std::abs(volume(part) - volume_mm3) <= kFlat * area_of_faces(part);
 }
 
@@ -62,7 +62,7 @@ FlatPart flat_part(const std::function<Facets(double times)>& facets) {
     for (const double times : {1.0, 4.0, 16.0, 64.0}) {
         const Facets joined = facets(times);
         FlatPart made{faceted(joined.boundary, joined.origins), times};
-        keep_apart(made.part);
+        enforce_min_vertex_distance(made.part);
         // Nothing is right if there was nothing; what is thinner than the tolerance has gone.
         const bool is_empty = made.part.faces.empty();
         made.is_sound =

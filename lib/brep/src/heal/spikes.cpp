@@ -24,7 +24,7 @@ public:
         }
     }
 
-    bool take_out() {
+    bool remove_all() {
         if (waiting_.empty()) return false;
         faces_of_.resize(part_.edges.size());
         for (std::uint32_t f = 0; f < part_.faces.size(); ++f) {
@@ -37,7 +37,7 @@ public:
         while (!waiting_.empty()) {
             const std::uint32_t f = waiting_.back();
             waiting_.pop_back();
-            while (take_one_out(f))
+            while (remove_one(f))
                 any = true;
         }
         return any;
@@ -45,74 +45,75 @@ public:
 
 private:
     // A straight edge as a loop runs along it.
-    struct Way {
+    struct StraightUse {
         std::uint32_t low, high;  // its ends
-        bool goes_up;             // from the one to the other
+        bool is_ascending;        // from the one to the other
         std::uint32_t edge;
         std::size_t loop, at;
         auto key() const { return std::tuple(low, high, edge, loop, at); }
     };
     struct Pair {
-        Way there, back;
+        StraightUse forth, back;
     };
 
-    bool take_one_out(std::uint32_t f) {
+    bool remove_one(std::uint32_t f) {
         const auto pair = pair_of(part_.faces[f]);
         if (!pair) return false;
-        const EdgeUse there = use_of(f, pair->there), back = use_of(f, pair->back);
-        take_out_of(part_.faces[f].loops, *pair);
-        for (const EdgeUse& use : {there, back}) {
+        const EdgeUse forth = use_of(f, pair->forth), back = use_of(f, pair->back);
+        erase_pair(part_.faces[f].loops, *pair);
+        for (const EdgeUse& use : {forth, back}) {
             Numbers& of = faces_of_[use.edge];
             of.erase(std::ranges::find(of, f));
         }
-        if (there.edge != back.edge) join(there, back);
+        if (forth.edge != back.edge) join(forth, back);
         return true;
     }
 
-    const EdgeUse& use_of(std::uint32_t f, const Way& way) const {
-        return part_.faces[f].loops[way.loop][way.at];
+    const EdgeUse& use_of(std::uint32_t f, const StraightUse& use) const {
+        return part_.faces[f].loops[use.loop][use.at];
     }
 
     // In planes wherever they are; else one after the other.
     std::optional<Pair> pair_of(const Face& face) {
         const bool is_plane = std::holds_alternative<Plane>(face.surface.form);
-        std::vector<Way>& ways = ways_;
-        ways.clear();
+        std::vector<StraightUse>& uses = straight_uses_;
+        uses.clear();
         for (std::size_t l = 0; l < face.loops.size(); ++l) {
             for (std::size_t i = 0; i < face.loops[l].size(); ++i) {
                 const EdgeUse& use = face.loops[l][i];
                 const Edge& edge = part_.edges[use.edge];
                 if (!std::holds_alternative<Line>(edge.curve) || edge.from == edge.to) continue;
                 const auto [low, high] = std::minmax(edge.from, edge.to);
-                ways.push_back({low, high, use.is_forward == (edge.from == low), use.edge, l, i});
+                uses.push_back({low, high, use.is_forward == (edge.from == low), use.edge, l, i});
             }
         }
         // Those of one edge are beside each other.
-        std::ranges::sort(ways, {}, &Way::key);
-        const auto may_go = [&](const Way& a, const Way& b) {
-            return a.goes_up != b.goes_up && (is_plane || are_neighbours(face, a, b));
+        std::ranges::sort(uses, {}, &StraightUse::key);
+        const auto may_go = [&](const StraightUse& a, const StraightUse& b) {
+            return a.is_ascending != b.is_ascending && (is_plane || are_neighbours(face, a, b));
         };
-        for (std::size_t i = 0; i < ways.size(); ++i) {
+        for (std::size_t i = 0; i < uses.size(); ++i) {
             for (std::size_t j = i + 1;
-                 j < ways.size() && ways[j].low == ways[i].low && ways[j].high == ways[i].high;
+                 j < uses.size() && uses[j].low == uses[i].low && uses[j].high == uses[i].high;
                  ++j) {
-                if (may_go(ways[i], ways[j])) return Pair{ways[i], ways[j]};
+                if (may_go(uses[i], uses[j])) return Pair{uses[i], uses[j]};
             }
         }
         return std::nullopt;
     }
 
-    static bool are_neighbours(const Face& face, const Way& a, const Way& b) {
+    static bool are_neighbours(const Face& face, const StraightUse& a, const StraightUse& b) {
         if (a.loop != b.loop) return false;
         const std::size_t size = face.loops[a.loop].size();
         return (a.at + 1) % size == b.at || (b.at + 1) % size == a.at;
     }
 
     // Of two loops that have one of them each becomes one, of one that has both two.
-    static void take_out_of(std::vector<Loop>& loops, const Pair& pair) {
-        auto [first, second] = std::minmax(pair.there, pair.back, [](const Way& a, const Way& b) {
-            return std::pair(a.loop, a.at) < std::pair(b.loop, b.at);
-        });
+    static void erase_pair(std::vector<Loop>& loops, const Pair& pair) {
+        auto [first, second] =
+            std::minmax(pair.forth, pair.back, [](const StraightUse& a, const StraightUse& b) {
+                return std::pair(a.loop, a.at) < std::pair(b.loop, b.at);
+            });
         const auto place = [](Loop& loop, std::size_t i) {
             return loop.begin() + static_cast<std::ptrdiff_t>(i);
         };
@@ -135,31 +136,31 @@ private:
         if (loops.empty()) loops.emplace_back();
     }
 
-    // Who had `back` has `there`, against whom had that.
-    void join(const EdgeUse& there, const EdgeUse& back) {
+    // Who had `back` has `forth`, against whom had that.
+    void join(const EdgeUse& forth, const EdgeUse& back) {
         for (const std::uint32_t other : faces_of_[back.edge]) {
             for (Loop& loop : part_.faces[other].loops) {
                 for (EdgeUse& use : loop) {
-                    if (use.edge == back.edge) use = there;
+                    if (use.edge == back.edge) use = forth;
                 }
             }
-            faces_of_[there.edge].push_back(other);
+            faces_of_[forth.edge].push_back(other);
         }
         faces_of_[back.edge].clear();
-        const Numbers& beside = faces_of_[there.edge];
-        waiting_.insert(waiting_.end(), beside.begin(), beside.end());
+        const Numbers& adjacent = faces_of_[forth.edge];
+        waiting_.insert(waiting_.end(), adjacent.begin(), adjacent.end());
     }
 
     Part& part_;
     std::vector<Numbers> faces_of_;  // of each edge
     Numbers waiting_;
-    std::vector<Way> ways_;  // of the face that is looked at
+    std::vector<StraightUse> straight_uses_;  // of the face that is looked at
 };
 
 }  // namespace
 
-bool take_out_spikes(Part& part) {
-    return Spikes(part).take_out();
+bool remove_spikes(Part& part) {
+    return Spikes(part).remove_all();
 }
 
 }  // namespace ncsim::brep

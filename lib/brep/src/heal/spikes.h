@@ -13,6 +13,6 @@ namespace ncsim::brep {
 /// is not always the outline any more. Faces of which nothing is left keep an empty loop. True:
 /// something has gone. O(n log n) for n edges, and as much for a face each time that something
 /// goes.
-bool take_out_spikes(Part& part);
+bool remove_spikes(Part& part);
 
 }  // namespace ncsim::brep

@@ -6,7 +6,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "geometry/arc_ends.h"
-#include "geometry/nearly.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,8 @@ bool is_inside(const PlaneEdge& e, Vec3 p) {
         return at > 0.0 && at < dot(along, along);
     }
     if (e.edge->from == e.edge->to) return true;
-    const Vec3 x = away(e.circle->centre, e.circle->axis, e.from), y = cross(e.circle->axis, x);
+    const Vec3 x = radial_vector(e.circle->centre, e.circle->axis, e.from),
+               y = cross(e.circle->axis, x);
     const auto angle = [&](Vec3 q) {
         const double degrees =
             trig::angle_of(dot(q - e.circle->centre, x), dot(q - e.circle->centre, y));
@@ -54,7 +55,7 @@ bool is_inside(const PlaneEdge& e, Vec3 p) {
 // positive to the side of `side`.
 double depth_of(const PlaneEdge& e, Vec3 middle, Vec3 side) {
     if (!e.circle) return 0.0;
-    const Vec3 out = away(e.circle->centre, e.circle->axis, middle);
+    const Vec3 out = radial_vector(e.circle->centre, e.circle->axis, middle);
     const double depth = e.circle->radius - norm(out);
     return dot(out, side) < 0.0 ? -depth : depth;
 }
@@ -64,28 +65,28 @@ std::vector<Vec3> crossings_of(const PlaneEdge& a, const PlaneEdge& b) {
     if (!a.circle) return crossings_of(b, a);
     const Circle& circle = *a.circle;
     if (b.circle) {
-        const Vec3 apart = away(circle.centre, circle.axis, b.circle->centre);
-        const double d = norm(apart), r = circle.radius, s = b.circle->radius;
+        const Vec3 separation = radial_vector(circle.centre, circle.axis, b.circle->centre);
+        const double d = norm(separation), r = circle.radius, s = b.circle->radius;
         if (d < kInCorner) return {};
         const double ahead = 0.5 * (d + (r - s) * (r + s) / d);
         const double square = (r - ahead) * (r + ahead);
         if (square < 0.0) return {};
-        const Vec3 foot = circle.centre + (ahead / d) * apart;
-        const Vec3 aside = (std::sqrt(square) / d) * cross(circle.axis, apart);
+        const Vec3 foot = circle.centre + (ahead / d) * separation;
+        const Vec3 aside = (std::sqrt(square) / d) * cross(circle.axis, separation);
         return {foot + aside, foot - aside};
     }
     const double length = norm(b.to - b.from);
     if (length == 0.0) return {};
     const Vec3 along = (1.0 / length) * (b.to - b.from);
-    const Vec3 out = away(circle.centre, circle.axis, b.from);
+    const Vec3 out = radial_vector(circle.centre, circle.axis, b.from);
     const Vec3 foot = b.from - dot(out, along) * along;
-    const double off = norm(away(circle.centre, circle.axis, foot));
-    const double square = (circle.radius - off) * (circle.radius + off);
+    const double deviation = norm(radial_vector(circle.centre, circle.axis, foot));
+    const double square = (circle.radius - deviation) * (circle.radius + deviation);
     if (square < 0.0) return {};
     return {foot + std::sqrt(square) * along, foot - std::sqrt(square) * along};
 }
 
-bool cross_beside_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& b) {
+bool cross_near_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& b) {
     if (!a.circle && !b.circle) return false;
     for (const Vec3 p : crossings_of(a, b)) {
         if (!is_inside(a, p) || !is_inside(b, p)) continue;
@@ -93,9 +94,9 @@ bool cross_beside_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& 
         Vec3 corner;
         for (const std::uint32_t v : {a.edge->from, a.edge->to}) {
             if (v != b.edge->from && v != b.edge->to) continue;
-            const double off = norm(p - part.vertices[v]);
-            if (nearest >= 0.0 && off >= nearest) continue;
-            nearest = off;
+            const double deviation = norm(p - part.vertices[v]);
+            if (nearest >= 0.0 && deviation >= nearest) continue;
+            nearest = deviation;
             corner = part.vertices[v];
         }
         if (nearest <= kInCorner) continue;
@@ -109,8 +110,8 @@ bool cross_beside_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& 
 
 }  // namespace
 
-std::optional<std::array<std::uint32_t, 2>> arcs_that_cross_beside_corner(const Part& part,
-                                                                          const Face& face) {
+std::optional<std::array<std::uint32_t, 2>> arcs_crossing_near_corner(const Part& part,
+                                                                      const Face& face) {
     std::map<std::uint32_t, std::vector<PlaneEdge>> at;  // by vertex
     for (const Loop& loop : face.loops) {
         for (const EdgeUse& use : loop) {
@@ -127,7 +128,7 @@ std::optional<std::array<std::uint32_t, 2>> arcs_that_cross_beside_corner(const 
         for (std::size_t i = 0; i < edges.size(); ++i) {
             for (std::size_t j = i + 1; j < edges.size(); ++j) {
                 if (edges[i].number != edges[j].number &&
-                    cross_beside_corner(part, edges[i], edges[j]))
+                    cross_near_corner(part, edges[i], edges[j]))
                     return {{edges[i].number, edges[j].number}};
             }
         }

@@ -17,7 +17,7 @@ namespace ncsim::brep {
 /// rounding, and readers report crossed loops. The test is exact except for rounding; chords of the
 /// arcs would not show the crossing.
 /// Cost: linear in the number of edges, if corners have few edges.
-std::optional<std::array<std::uint32_t, 2>> arcs_that_cross_beside_corner(const Part& part,
-                                                                          const Face& face);
+std::optional<std::array<std::uint32_t, 2>> arcs_crossing_near_corner(const Part& part,
+                                                                      const Face& face);
 
 }  // namespace ncsim::brep

@@ -7,8 +7,8 @@
 #include "ncsim/brep/measure.h"
 #include "ncsim/trig/angles.h"
 
-#include "geometry/none.h"
-#include "topology/around.h"
+#include "geometry/no_index.h"
+#include "topology/angular_extent.h"
 
 #include <algorithm>
 #include <array>
@@ -139,8 +139,8 @@ private:
             for (const Vec3& p : points)
                 along.add(dot(p - form.origin, up));
         }
-        const Round round = round_of(loops, form.origin, up, across(up));
-        const double covers = round.goes_round ? 360.0 : 360.0 - round.gap;
+        const AngularExtent round = angular_extent(loops, form.origin, up, any_perpendicular(up));
+        const double covers = round.is_full_turn ? 360.0 : 360.0 - round.gap;
         if (covers <= 180.0 + kSame) {
             features_.corners.push_back({form.radius, face.surface.is_hollow, covers,
                                          form.origin + 0.5 * (along.low + along.high) * up, up,
@@ -248,13 +248,13 @@ private:
                 floor.box.add(p);
         }
         floor.is_closed = std::ranges::all_of(face.loops.front(), [&](const EdgeUse& use) {
-            return rises_beside(use, {0, 0, 1});
+            return rises_next_to(use, {0, 0, 1});
         });
         features_.floors.push_back(std::move(floor));
     }
 
     // True if the face beyond the edge rises from the edge.
-    bool rises_beside(const EdgeUse& use, Vec3 up) const {
+    bool rises_next_to(const EdgeUse& use, Vec3 up) const {
         const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
         if (beyond == kNone) return false;
         const Edge& edge = part_.edges[use.edge];
@@ -289,7 +289,7 @@ private:
             auto found = std::ranges::find_if(
                 directions, [&](const Direction& d) { return norm(d.n - n) < kAligned; });
             if (found == directions.end()) {
-                const Vec3 u = across(n);
+                const Vec3 u = any_perpendicular(n);
                 directions.push_back({n, u, cross(n, u), {}, {}});
                 found = directions.end() - 1;
                 // A part whose walls all have different directions cannot be measured.
@@ -356,15 +356,15 @@ private:
             nearest(wall, d.ahead, false);
         // Material between the same two planes is listed once: a plate has a single thickness, even
         // if its faces are split.
-        std::vector<Distance*> specified;
+        std::vector<Distance*> listed;
         for (auto& [key, distance] : found) {
-            const auto same = std::ranges::find_if(specified, [&](const Distance* other) {
+            const auto same = std::ranges::find_if(listed, [&](const Distance* other) {
                 return !is_void && std::abs(other->mm - distance.mm) < kSame &&
                        std::abs(dot(other->from + other->to - distance.from - distance.to, d.n)) <
                            kSame;
             });
-            if (same == specified.end()) {
-                specified.push_back(&distance);
+            if (same == listed.end()) {
+                listed.push_back(&distance);
                 continue;
             }
             auto& origins = (*same)->origins;
@@ -372,7 +372,7 @@ private:
             std::sort(origins.begin(), origins.end());
             origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
         }
-        for (Distance* distance : specified)
+        for (Distance* distance : listed)
             features_.distances.push_back(std::move(*distance));
     }
 

@@ -5,7 +5,7 @@
 
 #include "ncsim/trig/angles.h"
 
-#include "geometry/below_moved.h"
+#include "geometry/swept_integrals.h"
 #include "topology/axes.h"
 
 #include <algorithm>
@@ -96,35 +96,35 @@ void integrate_around(const Track& track, const Axes& axes, const F& f) {
     integrate(track, f);
 }
 
-struct BelowCylinder {
+struct CylinderIntegrals {
     double radius;
     Vec3 w;
-    Below operator()(const Local& p) const {
-        const double side = radius + (w.x * p.x + w.y * p.y) / p.away;
+    AreaAndVolume operator()(const Local& p) const {
+        const double side = radius + (w.x * p.x + w.y * p.y) / p.radius;
         return {radius * p.z, radius * side * p.z};
     }
 };
 
-struct BelowCone {
+struct ConeIntegrals {
     double slope;
     Vec3 w;
-    Below operator()(const Local& p) const {
+    AreaAndVolume operator()(const Local& p) const {
         const double half = 0.5 * p.z * p.z * slope;
-        if (p.away <= 0.0) return {};
+        if (p.radius <= 0.0) return {};
         return {half * std::sqrt(1.0 + slope * slope),
-                half * ((w.x * p.x + w.y * p.y) / p.away - w.z * slope)};
+                half * ((w.x * p.x + w.y * p.y) / p.radius - w.z * slope)};
     }
 };
 
-struct BelowSphere {
+struct SphereIntegrals {
     double radius;
     Vec3 w;
     double pole;  // 1 or -1: pole from which the integral starts
-    Below operator()(const Local& p) const {
-        if (p.away <= 0.0) return {};
-        const double s = p.z / radius, c = p.away / radius;
+    AreaAndVolume operator()(const Local& p) const {
+        if (p.radius <= 0.0) return {};
+        const double s = p.z / radius, c = p.radius / radius;
         const double angle = trig::angle_of(c, s) * kRadiansPerDegree;
-        const double side = (w.x * p.x + w.y * p.y) / p.away;
+        const double side = (w.x * p.x + w.y * p.y) / p.radius;
         const double half_pi = pole * 0.5 * std::numbers::pi;
         const double r2 = radius * radius;
         return {r2 * (s - pole),
@@ -133,26 +133,27 @@ struct BelowSphere {
     }
 };
 
-struct BelowTorus {
-    BelowTorus(const Torus& torus, Vec3 apex, double from)
-        : ring(torus), major(torus.major), minor(torus.minor), w(apex), cut(from) {}
-    Torus ring;
+struct TorusIntegrals {
+    TorusIntegrals(const Torus& torus, Vec3 apex, double from)
+        : surface(torus), major(torus.major), minor(torus.minor), w(apex), cut(from) {}
+    Torus surface;
     double major, minor;
     Vec3 w;
     double cut;  // degrees, where the angle around the tube jumps
     // A spindle is integrated from its tip, which may be a corner.
-    Below operator()(const Local& p) const {
-        const double out = p.away - major;
+    AreaAndVolume operator()(const Local& p) const {
+        const double out = p.radius - major;
         const double length = std::sqrt(out * out + p.z * p.z);
-        const double a = (w.x * p.x + w.y * p.y) / p.away;
-        const double degrees = cut + degrees_from(cut, ring, p);
-        const Below all = below(degrees * kRadiansPerDegree, p.z / length, out / length, a);
-        if (!is_spindle(ring)) return all;
+        const double a = (w.x * p.x + w.y * p.y) / p.radius;
+        const double degrees = cut + degrees_from(cut, surface, p);
+        const AreaAndVolume all =
+            area_and_volume(degrees * kRadiansPerDegree, p.z / length, out / length, a);
+        if (!is_spindle(surface)) return all;
         const auto tip = trig::sin_cos(cut);
-        const Below before = below(cut * kRadiansPerDegree, tip.sin, tip.cos, a);
+        const AreaAndVolume before = area_and_volume(cut * kRadiansPerDegree, tip.sin, tip.cos, a);
         return {all.area - before.area, all.volume - before.volume};
     }
-    Below below(double f, double s, double c, double a) const {
+    AreaAndVolume area_and_volume(double f, double s, double c, double a) const {
         return {minor * (major * f + minor * s),
                 minor * (major * minor * f + major * (major + a) * s - major * w.z * c +
                          minor * minor * s + minor * (major + a) * 0.5 * (f + s * c) +
@@ -161,27 +162,27 @@ struct BelowTorus {
 };
 
 // Per angle: area and volume along a mm of the line.
-struct BelowExtrusion {
+struct ExtrusionIntegrals {
     double radius;
     Vec3 w, lean;
-    Below per_mm(const Local& p) const {
-        const Vec3 out{p.x / p.away, p.y / p.away, 0.0};
+    AreaAndVolume per_mm(const Local& p) const {
+        const Vec3 out{p.x / p.radius, p.y / p.radius, 0.0};
         const Vec3 normal = cross(Vec3{-radius * out.y, radius * out.x, 0.0}, lean);
         return {norm(normal), dot(w + radius * out, normal)};
     }
-    Below operator()(const Local& p) const {
-        const Below b = per_mm(p);
+    AreaAndVolume operator()(const Local& p) const {
+        const AreaAndVolume b = per_mm(p);
         return {b.area * p.z, b.volume * p.z};
     }
 };
 
 // Returns the change of the angle around the axis by a step, per unit of the parameter.
 double turn(const Local& p, Vec3 step) {
-    return (p.x * step.y - p.y * step.x) / (p.away * p.away);
+    return (p.x * step.y - p.y * step.x) / (p.radius * p.radius);
 }
 
 template <typename B>
-Measure around(const Part& part, const Face& face, const Axes& axes, const B& below) {
+Measure measure_revolved(const Part& part, const Face& face, const Axes& axes, const B& below) {
     Measure sum;
     constexpr double kAtTip = 1e-12;
     double turns = 0.0;
@@ -190,17 +191,17 @@ Measure around(const Part& part, const Face& face, const Axes& axes, const B& be
         for_edges(part, face, [&](const Track& track, double sign) {
             integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
                 const Local p = axes(at);
-                const bool is_tip = p.away <= kAtTip;
-                take(p, is_tip ? 0.0 : sign * weight * turn(p, axes.turned(derivative)),
+                const bool is_tip = p.radius <= kAtTip;
+                take(p, is_tip ? 0.0 : sign * weight * turn(p, axes.oblique_components(derivative)),
                      weight * norm(derivative));
             });
         });
     };
     for_angles([&](const Local& p, double turned, double length) {
         sum.length += length;
-        nearest = std::min(nearest, p.away);
+        nearest = std::min(nearest, p.radius);
         if (turned == 0.0) return;
-        const Below b = below(p);
+        const AreaAndVolume b = below(p);
         turns += turned;
         sum.area -= turned * b.area;
         sum.volume -= turned * b.volume / 3.0;
@@ -220,8 +221,8 @@ Measure around(const Part& part, const Face& face, const Axes& axes, const B& be
             axes(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.0));
         for_angles([&](const Local& p, double turned, double) {
             if (turned == 0.0) return;
-            const double scale = start.away / p.away;
-            const Below level = below({scale * p.x, scale * p.y, start.z, start.away});
+            const double scale = start.radius / p.radius;
+            const AreaAndVolume level = below({scale * p.x, scale * p.y, start.z, start.radius});
             sum.area += turned * level.area;
             sum.volume += turned * level.volume / 3.0;
         });
@@ -235,7 +236,7 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
     for_edges(part, face, [&](const Track& track, double sign) {
         integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
             const Local p = axes(at);
-            if (p.away > 0.0) sum += sign * weight * turn(p, axes.turned(derivative));
+            if (p.radius > 0.0) sum += sign * weight * turn(p, axes.oblique_components(derivative));
         });
     });
     return sum / (2.0 * std::numbers::pi);
@@ -246,11 +247,12 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
 // Integrates over the time along an edge of an envelope. Near a fold of the envelope, times along
 // edges change like square roots, and points that are off by rounding give inaccurate times. Pieces
 // are halved there, and the time that remains missing is distributed evenly.
-class OverTimes {
+class TimeIntegral {
 public:
-    OverTimes(const Track& track, const Envelope& envelope) : track_(track), envelope_(envelope) {}
+    TimeIntegral(const Track& track, const Envelope& envelope)
+        : track_(track), envelope_(envelope) {}
 
-    // Calls `take` with the length, the time with opposite sign, and the aspect.
+    // Calls `take` with the length, the time with opposite sign, and the closest point.
     template <typename Take>
     void operator()(Exactness exactness, const Take& take) {
         for_pieces(track_, exactness,
@@ -277,9 +279,9 @@ private:
         std::size_t i = 0;
         integrate_piece(track_, begin, width, abscissae, weights,
                         [&](double weight, Vec3 at, Vec3 derivative) {
-                            const ClosestPoint place = place_on(envelope_, at, beside_);
+                            const ClosestPoint place = project_onto(envelope_, at, seed_);
                             all[i++] = {weight * norm(derivative),
-                                        weight * OnEnvelope::turn(place, derivative), place};
+                                        weight * EnvelopeIntegrals::turn(place, derivative), place};
                         });
         return all;
     }
@@ -317,26 +319,26 @@ private:
             take(step.length, step.time + left / static_cast<double>(N), step.place);
     }
 
-    double time_at(double t) { return place_on(envelope_, track_.at(t), beside_).t; }
+    double time_at(double t) { return project_onto(envelope_, track_.at(t), seed_).t; }
 
     static constexpr int kMostHalves = 12;
     const Track& track_;
     const Envelope& envelope_;
-    ProjectionSeed beside_;
+    ProjectionSeed seed_;
 };
 
 template <typename Form, typename On, typename Take>
-void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
-               Exactness exactness, const Take& take) {
+void integrate_swept(const Part& part, const Face& face, const Form& form, const On& on,
+                     Exactness exactness, const Take& take) {
     for_edges(part, face, [&](const Track& track, double sign) {
         if constexpr (std::is_same_v<Form, Envelope>) {
-            OverTimes over_times(track, form);
+            TimeIntegral over_times(track, form);
             over_times(exactness, [&](double length, double time, const ClosestPoint& place) {
                 take(length, sign * time, place);
             });
         } else {
             integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-                const auto place = place_on(form, at);
+                const auto place = project_onto(form, at);
                 take(weight * norm(derivative), sign * weight * on.turn(place, derivative), place);
             });
         }
@@ -344,26 +346,26 @@ void for_moved(const Part& part, const Face& face, const Form& form, const On& o
 }
 
 template <typename Form, typename On>
-Measure measure_moved(const Part& part, const Face& face, const Form& form, const On& on,
+Measure measure_swept(const Part& part, const Face& face, const Form& form, const On& on,
                       Exactness exactness = Exactness::Full) {
     Measure sum;
-    for_moved(part, face, form, on, exactness,
-              [&](double length, double turned, const auto& place) {
-                  const auto b = on.below(place);
-                  sum.length += length;
-                  sum.area -= turned * b.area;
-                  sum.volume -= turned * b.volume / 3.0;
-              });
+    integrate_swept(part, face, form, on, exactness,
+                    [&](double length, double turned, const auto& place) {
+                        const auto b = on.area_and_volume(place);
+                        sum.length += length;
+                        sum.area -= turned * b.area;
+                        sum.volume -= turned * b.volume / 3.0;
+                    });
     if (face.surface.is_hollow) sum.area = -sum.area;
     return sum;
 }
 
 template <typename Form, typename On>
-Vec3 moment_of_moved(const Part& part, const Face& face, const Form& form, const On& on) {
+Vec3 swept_moment(const Part& part, const Face& face, const Form& form, const On& on) {
     Vec3 sum;
-    for_moved(part, face, form, on, Exactness::Full, [&](double, double turned, const auto& place) {
-        sum = sum - turned * on.moment(place);
-    });
+    integrate_swept(
+        part, face, form, on, Exactness::Full,
+        [&](double, double turned, const auto& place) { sum = sum - turned * on.moment(place); });
     return sum;
 }
 
@@ -393,9 +395,9 @@ struct Profile {
 };
 
 Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) {
-    const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
-    const Vec3 w = axes.origin - apex + f.radius * away + f.height * axes.z;
-    const Vec3 n = f.out * away + f.up * axes.z;
+    const Vec3 radial = (1.0 / p.radius) * (p.x * axes.x + p.y * axes.y);
+    const Vec3 w = axes.origin - apex + f.radius * radial + f.height * axes.z;
+    const Vec3 n = f.out * radial + f.up * axes.z;
     return (f.per * dot(w, n)) * w;
 }
 
@@ -411,8 +413,8 @@ Vec3 up_face(const Axes& axes, Vec3 apex, const Local& p, const At& at) {
 }
 
 template <typename At>
-Vec3 around_face(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
-                 const At& at) {
+Vec3 surface_moment(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
+                    const At& at) {
     Vec3 sum;
     const double width = (to - from) / pieces;
     for (int i = 0; i < pieces; ++i) {
@@ -428,14 +430,14 @@ Vec3 around_face(const Axes& axes, Vec3 apex, const Local& p, double from, doubl
 }
 
 template <typename Inner>
-Vec3 around_axis(const Part& part, const Face& face, const Axes& axes, const Inner& inner) {
+Vec3 edge_moment(const Part& part, const Face& face, const Axes& axes, const Inner& inner) {
     Vec3 sum;
     constexpr double kAtTip = 1e-12;
     for_edges(part, face, [&](const Track& track, double sign) {
         integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
             const Local p = axes(at);
-            if (p.away <= kAtTip) return;
-            sum = sum - (sign * weight * turn(p, axes.turned(derivative))) * inner(p);
+            if (p.radius <= kAtTip) return;
+            sum = sum - (sign * weight * turn(p, axes.oblique_components(derivative))) * inner(p);
         });
     });
     return sum;
@@ -459,7 +461,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     const auto quarter = [](Vec3 v) { return 0.25 * v; };
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
         const Axes axes(f->origin, face.frame);
-        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+        return quarter(edge_moment(part, face, axes, [&](const Local& p) {
             return up_face(axes, apex, p, [&](double h) {
                 return Profile{f->radius, h, 1.0, 0.0, f->radius};
             });
@@ -468,7 +470,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
         const Axes axes(f->apex, face.frame);
         const double slant = std::sqrt(1.0 + f->slope * f->slope);
-        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+        return quarter(edge_moment(part, face, axes, [&](const Local& p) {
             return up_face(axes, apex, p, [&](double h) {
                 return Profile{f->slope * h, h, 1.0 / slant, -f->slope / slant,
                                f->slope * h * slant};
@@ -484,33 +486,34 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         const Axes axes(f->centre, face.frame);
         const double turns = turns_about(part, face, axes);
         const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
-        return quarter(around_axis(part, face, axes, [&](const Local& p) {
-            const double to = trig::angle_of(p.away, p.z);
-            return around_face(axes, apex, p, 0.5 * pole * kHalfTurn, to, 2,
-                               [&](double angle) { return round(0.0, f->radius, angle); });
+        return quarter(edge_moment(part, face, axes, [&](const Local& p) {
+            const double to = trig::angle_of(p.radius, p.z);
+            return surface_moment(axes, apex, p, 0.5 * pole * kHalfTurn, to, 2,
+                                  [&](double angle) { return round(0.0, f->radius, angle); });
         }));
     }
     if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
         const Axes axes(*f, face.frame);
-        const BelowExtrusion below{f->radius, axes.upright(f->centre - apex), axes.lean};
-        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+        const ExtrusionIntegrals below{f->radius, axes.rectangular_components(f->centre - apex),
+                                       axes.lean};
+        return quarter(edge_moment(part, face, axes, [&](const Local& p) {
             const Vec3 start =
-                f->centre - apex + (f->radius / p.away) * (p.x * axes.x + p.y * axes.y);
+                f->centre - apex + (f->radius / p.radius) * (p.x * axes.x + p.y * axes.y);
             return (below.per_mm(p).volume * p.z) * (start + (0.5 * p.z) * f->along);
         }));
     }
     if (const auto* f = std::get_if<Dome>(&face.surface.form))
-        return quarter(moment_of_moved(part, face, *f, OnDome(*f, apex)));
+        return quarter(swept_moment(part, face, *f, DomeIntegrals(*f, apex)));
     if (const auto* f = std::get_if<Coil>(&face.surface.form))
-        return quarter(moment_of_moved(part, face, *f, OnCoil(*f, apex)));
+        return quarter(swept_moment(part, face, *f, CoilIntegrals(*f, apex)));
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
-        return quarter(moment_of_moved(part, face, *f, OnSpiral(*f, apex)));
+        return quarter(swept_moment(part, face, *f, SpiralIntegrals(*f, apex)));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f);
-    return quarter(around_axis(part, face, axes, [&](const Local& p) {
-        return around_face(axes, apex, p, cut, cut + degrees_from(cut, f, p), 4,
-                           [&](double angle) { return round(f.major, f.minor, angle); });
+    return quarter(edge_moment(part, face, axes, [&](const Local& p) {
+        return surface_moment(axes, apex, p, cut, cut + degrees_from(cut, f, p), 4,
+                              [&](double angle) { return round(f.major, f.minor, angle); });
     }));
 }
 
@@ -528,14 +531,14 @@ Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
     }
     // Integrals across an envelope take long, and serve all three sums.
     Sums sums;
-    const OnEnvelope on(*envelope, apex, false);
-    for_moved(part, face, *envelope, on, Exactness::Full,
-              [&](double, double turned, const ClosestPoint& place) {
-                  const OnEnvelope::Sum below = on.below(place);
-                  sums.volume -= turned * below.volume / 3.0;
-                  sums.area -= turned * below.area;
-                  sums.moment = sums.moment - 0.25 * turned * below.moment;
-              });
+    const EnvelopeIntegrals on(*envelope, apex, false);
+    integrate_swept(part, face, *envelope, on, Exactness::Full,
+                    [&](double, double turned, const ClosestPoint& place) {
+                        const EnvelopeIntegrals::Sum below = on.area_and_volume(place);
+                        sums.volume -= turned * below.volume / 3.0;
+                        sums.area -= turned * below.area;
+                        sums.moment = sums.moment - 0.25 * turned * below.moment;
+                    });
     if (face.surface.is_hollow) sums.area = -sums.area;
     return sums;
 }
@@ -573,37 +576,44 @@ Measure measure(const Part& part, const Face& face, Vec3 apex, Exactness exactne
         return measure_plane(part, face, *f, apex);
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
         const Axes axes(f->origin, face.frame);
-        return around(part, face, axes, BelowCylinder{f->radius, axes.turned(f->origin - apex)});
+        return measure_revolved(
+            part, face, axes,
+            CylinderIntegrals{f->radius, axes.oblique_components(f->origin - apex)});
     }
     if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
         const Axes axes(f->apex, face.frame);
-        return around(part, face, axes, BelowCone{f->slope, axes.turned(f->apex - apex)});
+        return measure_revolved(part, face, axes,
+                                ConeIntegrals{f->slope, axes.oblique_components(f->apex - apex)});
     }
     if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
         const Axes axes(f->centre, face.frame);
         const double turns = turns_about(part, face, axes);
         const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
-        return around(part, face, axes,
-                      BelowSphere{f->radius, axes.turned(f->centre - apex), pole});
+        return measure_revolved(
+            part, face, axes,
+            SphereIntegrals{f->radius, axes.oblique_components(f->centre - apex), pole});
     }
     if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
         const Axes axes(*f, face.frame);
-        return around(part, face, axes,
-                      BelowExtrusion{f->radius, axes.upright(f->centre - apex), axes.lean});
+        return measure_revolved(
+            part, face, axes,
+            ExtrusionIntegrals{f->radius, axes.rectangular_components(f->centre - apex),
+                               axes.lean});
     }
     if (const auto* f = std::get_if<Dome>(&face.surface.form))
-        return measure_moved(part, face, *f, OnDome(*f, apex));
+        return measure_swept(part, face, *f, DomeIntegrals(*f, apex));
     if (const auto* f = std::get_if<Coil>(&face.surface.form))
-        return measure_moved(part, face, *f, OnCoil(*f, apex));
+        return measure_swept(part, face, *f, CoilIntegrals(*f, apex));
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
-        return measure_moved(part, face, *f, OnSpiral(*f, apex));
+        return measure_swept(part, face, *f, SpiralIntegrals(*f, apex));
     if (const auto* f = std::get_if<Envelope>(&face.surface.form))
-        return measure_moved(part, face, *f, OnEnvelope(*f, apex, exactness == Exactness::Rough),
-                             exactness);
+        return measure_swept(part, face, *f,
+                             EnvelopeIntegrals(*f, apex, exactness == Exactness::Rough), exactness);
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
-    return around(part, face, axes,
-                  BelowTorus(f, axes.turned(f.centre - apex), cut_of(part, face, axes, f)));
+    return measure_revolved(
+        part, face, axes,
+        TorusIntegrals(f, axes.oblique_components(f.centre - apex), cut_of(part, face, axes, f)));
 }
 
 double volume(const Part& part) {

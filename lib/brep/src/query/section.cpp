@@ -9,7 +9,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "geometry/cut_walk.h"
-#include "geometry/none.h"
+#include "geometry/no_index.h"
 #include "geometry/plane_cut.h"
 #include "topology/crossings.h"
 
@@ -248,8 +248,8 @@ private:
     // True if the pieces of the cut that are away from the axis cannot be identified.
     bool is_spindle_cut_upright(const Form& form) const {
         constexpr double kLevel = 1e-9;
-        const auto* ring = std::get_if<Torus>(&form);
-        return ring && is_spindle(*ring) && norm(cross(ring->axis, plane_.normal)) > kLevel;
+        const auto* torus = std::get_if<Torus>(&form);
+        return torus && is_spindle(*torus) && norm(cross(torus->axis, plane_.normal)) > kLevel;
     }
 
     // True if the plane may cut a form whose cut is unknown: a torus, a dome, a coil or a spiral.
@@ -296,8 +296,8 @@ private:
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
                 const Vec3 p = part_.vertices[part_.edges[use.edge].from];
-                const ClosestPoint place = place_on(envelope, p);
-                const double across = place_across(sweep, place.passage, place.foot);
+                const ClosestPoint place = project_onto(envelope, p);
+                const double across = place_across(sweep, place.tool, place.foot);
                 begin = std::min(begin, place.t);
                 end = std::max(end, place.t);
                 first = std::min(first, across);
@@ -307,10 +307,10 @@ private:
         constexpr int kPieces = 32;
         bool is_below = false, is_above = false;
         for (int i = 0; i <= kPieces; ++i) {
-            const ToolFrame passage = sweep.at(begin + (end - begin) * i / kPieces);
+            const ToolFrame tool = sweep.at(begin + (end - begin) * i / kPieces);
             for (int k = 0; k <= kPieces; ++k) {
                 const double across = first + (last - first) * k / kPieces;
-                const double height = lifted_.height(point_across(sweep, passage, across));
+                const double height = lifted_.height(point_across(sweep, tool, across));
                 (height > 0.0 ? is_above : is_below) = true;
             }
         }
@@ -360,8 +360,8 @@ private:
     std::optional<bool> has(const Face& face, const PlaneCut& cut, std::size_t branch) const {
         if (face.loops.empty()) return true;
         // A face with its tip as a corner does not go round.
-        const auto* ring = std::get_if<Torus>(&face.surface.form);
-        if (ring && is_spindle(*ring) && face.loops.size() == 1) return false;
+        const auto* torus = std::get_if<Torus>(&face.surface.form);
+        if (torus && is_spindle(*torus) && face.loops.size() == 1) return false;
         constexpr int kTries = 16;
         for (int i = 0; i < kTries; ++i) {
             const Vec3 q = cut.at(branch, 360.0 * (i + 0.371) / kTries);
@@ -439,22 +439,22 @@ private:
         const auto* f = std::get_if<Sphere>(&form);
         if (!f) return std::nullopt;
         const Vec3 out = normalized(q - f->centre);
-        const Vec3 x = across(out);
+        const Vec3 x = any_perpendicular(out);
         const auto angle = trig::sin_cos(180.0 * (turn + 0.129) / 16.0);
         return normalized(angle.cos * x + angle.sin * cross(out, x));
     }
 
-    bool add(const Face& face, const PlaneCut& exact, std::size_t branch, const Trace& way) {
+    bool add(const Face& face, const PlaneCut& exact, std::size_t branch, const Trace& trace) {
         Made made;
-        made.begin = way.begin->crossing;
-        made.end = way.end->crossing;
+        made.begin = trace.begin->crossing;
+        made.end = trace.end->crossing;
         made.piece.origin = face.origin;
         made.piece.is_facet = face.is_facet;
-        made.piece.from = sheet_(way.begin->at);
-        made.piece.to = sheet_(way.end->at);
-        const bool is_short = norm(way.begin->at - way.end->at) <= kNoLength;
+        made.piece.from = sheet_(trace.begin->at);
+        made.piece.to = sheet_(trace.end->at);
+        const bool is_short = norm(trace.begin->at - trace.end->at) <= kNoLength;
         if (const auto apex = exact.apex()) {
-            const Vec3 in = way.begin->at - *apex, out = way.end->at - *apex;
+            const Vec3 in = trace.begin->at - *apex, out = trace.end->at - *apex;
             const double far = std::min(norm(in), norm(out));
             // The cut descends on a ruling and rises on another.
             if (far > kNoLength && norm(cross(in, out)) > kNoLength * far) {
@@ -463,27 +463,27 @@ private:
                 down.piece.to = made.piece.from = sheet_(*apex);
                 keep(face, down);
             }
-        } else if (way.is_whole() && exact.branches() <= branch) {
+        } else if (trace.is_whole() && exact.branches() <= branch) {
             return true;  // the plane touches the face
         } else if (!exact.is_straight() &&
-                   !(is_short && (way.turn < 180.0 || exact.branches() <= branch))) {
+                   !(is_short && (trace.turn < 180.0 || exact.branches() <= branch))) {
             if (exact.branches() <= branch) return false;
-            if (!curve(made.piece, exact, branch, way)) return false;
+            if (!curve(made.piece, exact, branch, trace)) return false;
         }
         keep(face, made);
         return true;
     }
 
     bool curve(SectionPiece& piece, const PlaneCut& exact, std::size_t branch,
-               const Trace& way) const {
-        const double from = exact.place_of(way.begin->at);
+               const Trace& trace) const {
+        const double from = exact.place_of(trace.begin->at);
         double turn = 360.0;
-        if (!way.is_whole()) turn = turn_of(from, exact.place_of(way.end->at), way.grows);
+        if (!trace.is_whole()) turn = turn_of(from, exact.place_of(trace.end->at), trace.grows);
         // The ends have passed each other, so the piece does not exist.
-        if (std::abs(turn - way.turn) > 180.0) return false;
+        if (std::abs(turn - trace.turn) > 180.0) return false;
         if (const auto b = exact.exact(branch)) {
             const double x = norm(b->x), y = norm(b->y);
-            const bool is_ccw = (dot(cross(b->x, b->y), sheet_.normal) > 0.0) == way.grows;
+            const bool is_ccw = (dot(cross(b->x, b->y), sheet_.normal) > 0.0) == trace.grows;
             constexpr double kRound = 1e-9;
             if (std::abs(x - y) <= kRound * x) {
                 piece.curve = FlatArc{sheet_(b->centre), x, is_ccw};
@@ -495,7 +495,7 @@ private:
             return true;
         }
         FlatChords chords;
-        const double sign = way.grows ? 1.0 : -1.0;
+        const double sign = trace.grows ? 1.0 : -1.0;
         constexpr int kFirst = 8;
         for (int i = 0; i < kFirst; ++i) {
             const double a = turn * i / kFirst, b = turn * (i + 1) / kFirst;
@@ -513,11 +513,11 @@ private:
         const FlatPoint p = at(a), q = at(b), m = at(middle);
         const FlatPoint chord = minus(q, p);
         const double length = length_of(chord);
-        const double off = length > 0.0 ? std::abs(across_of(chord, minus(m, p))) / length
-                                        : length_of(minus(m, p));
+        const double deviation = length > 0.0 ? std::abs(across_of(chord, minus(m, p))) / length
+                                              : length_of(minus(m, p));
         // The curve may bulge more between a and b than in the middle.
         constexpr int kDeepest = 12;
-        if (off <= 0.5 * kChordsMm || depth == kDeepest) return;
+        if (deviation <= 0.5 * kChordsMm || depth == kDeepest) return;
         refine(chords, exact, branch, from, sign, a, middle, depth + 1);
         chords.between.push_back(m);
         refine(chords, exact, branch, from, sign, middle, b, depth + 1);

@@ -4,12 +4,12 @@
 #include "ncsim/trig/angles.h"
 
 #include "geometry/arc_ends.h"
-#include "geometry/bends.h"
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
-#include "geometry/nearly.h"
-#include "geometry/spline.h"
-#include "topology/around.h"
+#include "geometry/intersection_spline.h"
+#include "geometry/path_corners.h"
+#include "geometry/tolerances.h"
+#include "topology/angular_extent.h"
 
 #include <algorithm>
 #include <array>
@@ -41,14 +41,14 @@ constexpr int kTip = -1;  // no number of edges
 // Where two forms touch in a circle, corners may be on both within what programs round, but off the
 // circle by far more: as near as that are the forms to each other there. The curve goes from the
 // one corner to the other beside the circle.
-std::optional<Spline> beside_circle(const Form& a, const Form& b, Vec3 from, Vec3 to,
-                                    std::vector<Vec3> points) {
-    const auto touching = touch(a, b);
+std::optional<Spline> spline_along_circle(const Form& a, const Form& b, Vec3 from, Vec3 to,
+                                          std::vector<Vec3> points) {
+    const auto touching = tangency_surface(a, b);
     if (!touching) return std::nullopt;
     points.front() = from;
     points.back() = to;
-    auto spline = spline_between(a, *touching, points);
-    if (!spline) spline = spline_between(a, *touching, {from, to});
+    auto spline = intersection_spline(a, *touching, points);
+    if (!spline) spline = intersection_spline(a, *touching, {from, to});
     return spline;
 }
 
@@ -63,8 +63,8 @@ bool is_new(const Key& key, std::set<Key>& all, std::set<Key>& now) {
 
 void Chains::trace() {
     chains_.clear();
-    joined_now_.clear();
-    crossed_now_.clear();
+    joined_since_trace_.clear();
+    crossed_since_trace_.clear();
     vertices_.clear();
     mitred_mm_ = 0.0;
     vertex_of_.assign(mesh_.corners(), kNone);
@@ -77,7 +77,7 @@ void Chains::trace() {
     }
     for (const std::uint32_t h : boundary) {
         const std::uint32_t v = mesh_.edges()[h].from;
-        if (degree[v] == 2 && (is_tip(h) || is_bend(h, degree) || is_beside_facet(h)))
+        if (degree[v] == 2 && (is_tip(h) || is_bend(h, degree) || is_next_to_facet(h)))
             degree[v] = kTip;
         if (degree[v] == 2) continue;
         // What is beyond one is at the next one.
@@ -91,7 +91,7 @@ void Chains::trace() {
     const auto follow = [&](std::uint32_t first, bool is_closed) {
         Chain chain;
         chain.left = groups_.group_at(first);
-        chain.right = groups_.group_beyond(first);
+        chain.right = groups_.opposite_group(first);
         chain.is_closed = is_closed;
         const auto number = static_cast<std::uint32_t>(chains_.size());
         std::uint32_t h = first;
@@ -123,13 +123,13 @@ void Chains::trace() {
     }
 }
 
-bool Chains::is_beside_facet(std::uint32_t h) const {
-    return groups_.is_facet(groups_.group_at(h)) || groups_.is_facet(groups_.group_beyond(h));
+bool Chains::is_next_to_facet(std::uint32_t h) const {
+    return groups_.is_facet(groups_.group_at(h)) || groups_.is_facet(groups_.opposite_group(h));
 }
 
 // Where a surface passes through the apex of a cone, their edge has a corner.
 bool Chains::is_tip(std::uint32_t h) const {
-    const std::uint32_t one = groups_.group_at(h), other = groups_.group_beyond(h);
+    const std::uint32_t one = groups_.group_at(h), other = groups_.opposite_group(h);
     for (const auto& [g, n] : {std::pair(one, other), std::pair(other, one)}) {
         const auto* cone = std::get_if<Cone>(&groups_.form_of(g));
         if (!cone) continue;
@@ -144,13 +144,13 @@ bool Chains::is_tip(std::uint32_t h) const {
 // Where the edge of two ramps that meet has a corner: the one of its points that is nearest to it,
 // its ends left out.
 bool Chains::is_bend(std::uint32_t h, const std::vector<int>& degree) const {
-    const std::uint32_t one = groups_.group_at(h), other = groups_.group_beyond(h);
+    const std::uint32_t one = groups_.group_at(h), other = groups_.opposite_group(h);
     const Vec3 p = mesh_.point(mesh_.edges()[h].from);
     const auto corner = corner_of_bend(groups_.form_of(one), groups_.form_of(other), p);
     if (!corner || norm(p - *corner) >= reach({one, other})) return false;
-    const auto is_farther = [&](std::uint32_t beside) {
-        const Vec3 q = mesh_.point(beside);
-        if (degree[beside] != 2) return dot(*corner - q, p - q) > 0.0;
+    const auto is_farther = [&](std::uint32_t neighbour) {
+        const Vec3 q = mesh_.point(neighbour);
+        if (degree[neighbour] != 2) return dot(*corner - q, p - q) > 0.0;
         return norm(p - *corner) <= norm(q - *corner);
     };
     return is_farther(mesh_.to(h)) &&
@@ -168,7 +168,7 @@ std::uint32_t Chains::vertex_at(std::uint32_t v) {
 }
 
 std::vector<Vec3> Chains::points_of(const Chain& chain) const {
-    if (chain.is_flipped || chain.is_specified)
+    if (chain.is_flipped || chain.is_direction_fixed)
         return {vertices_[chain.from].at, vertices_[chain.to].at};
     std::vector<Vec3> points;
     for (const std::uint32_t h : chain.edges)
@@ -179,7 +179,7 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
 
 // Of its points the one in the middle.
 Vec3 Chains::middle_of(const Chain& chain) const {
-    if (chain.is_flipped || chain.is_specified) return vertices_[chain.to].at;
+    if (chain.is_flipped || chain.is_direction_fixed) return vertices_[chain.to].at;
     const std::size_t i = (chain.edges.size() + 1) / 2;
     return mesh_.point(i < chain.edges.size() ? mesh_.edges()[chain.edges[i]].from
                                               : mesh_.to(chain.edges.back()));
@@ -199,7 +199,7 @@ void Chains::solve() {
         Vertex& v = vertices_[i];
         v.has_failed = has_failed;
         if (!v.has_failed) continue;
-        if (between_touching(v)) {
+        if (tangent_sides(v)) {
             narrow.push_back(i);
         } else {
             failures_.push_back({v.groups, true, false, v.edge});
@@ -217,15 +217,15 @@ void Chains::solve() {
     for (std::uint32_t c = 0, before = static_cast<std::uint32_t>(chains_.size()); c < before; ++c)
         bend(c);
     for (std::uint32_t c = 0; c < chains_.size(); ++c)
-        pass_to_wall(c);
+        move_to_wall(c);
     for (const Chain& chain : chains_) {
         if (!chain.edges.empty() && chain.from != chain.to && joined_.contains(corners_of(chain)) &&
             is_rounded_off(chain))
             join_ends(chain);
     }
-    put_on_generators();
+    align_on_generators();
     for (Vertex& v : vertices_)
-        v.at = laid(v, v.at);
+        v.at = snapped(v, v.at);
     for (Chain& chain : chains_)
         solve_chain(chain);
     if (failures_.empty()) join_vanished();
@@ -235,7 +235,7 @@ void Chains::solve() {
 // Where walls touch but for rounding, corners above each other are beside each other by as much:
 // readers find wires open there. All that hang together by such edges are on the line through the
 // one that misses what is around it least, if they miss that no more than others may.
-void Chains::put_on_generators() {
+void Chains::align_on_generators() {
     std::vector<std::uint32_t> above(vertices_.size());
     std::iota(above.begin(), above.end(), 0U);
     const auto root = [&](std::uint32_t v) {
@@ -251,9 +251,9 @@ void Chains::put_on_generators() {
         if (!wall) wall = std::get_if<Cylinder>(&b);
         if (!wall || groups_.is_facet(chain.left) || groups_.is_facet(chain.right)) continue;
         const Vec3 along = vertices_[chain.to].at - vertices_[chain.from].at;
-        const double beside = norm(cross(along, wall->axis));
-        if (beside <= kPoint || beside > kMostRounded ||
-            std::abs(dot(along, wall->axis)) <= beside || !touch(a, b))
+        const double lateral = norm(cross(along, wall->axis));
+        if (lateral <= kPoint || lateral > kMostRounded ||
+            std::abs(dot(along, wall->axis)) <= lateral || !tangency_surface(a, b))
             continue;
         const std::uint32_t one = root(chain.from), other = root(chain.to);
         above[std::max(one, other)] = std::min(one, other);
@@ -275,7 +275,7 @@ void Chains::put_on_generators() {
             std::vector<std::uint32_t> surfaces;
             for (const std::uint32_t g : v.groups)
                 surfaces.push_back(groups_[g].surface);
-            if (farthest(surfaces, p) <= kTouchMm) v.at = p;
+            if (largest_distance(surfaces, p) <= kTangencyGapMm) v.at = p;
         }
     }
 }
@@ -320,14 +320,14 @@ void Chains::join_ends(const Chain& chain) {
         if (const auto* plane = std::get_if<Plane>(form))
             at = at - distance(*plane, at) * plane->normal;
     }
-    from.at = to.at = laid(to, laid(from, at));
+    from.at = to.at = snapped(to, snapped(from, at));
 }
 
 // On the planes that a corner is to lie in.
-Vec3 Chains::laid(const Vertex& v, Vec3 p) const {
+Vec3 Chains::snapped(const Vertex& v, Vec3 p) const {
     if (v.edge == kNone) return p;
     const std::uint32_t corner = mesh_.edges()[v.edge].from;
-    for (auto one = laid_.lower_bound({corner, 0}); one != laid_.end(); ++one) {
+    for (auto one = snap_circles_.lower_bound({corner, 0}); one != snap_circles_.end(); ++one) {
         if (one->first != corner) break;
         if (const auto* plane = std::get_if<Plane>(&mesh_.surface(one->second).form))
             p = p - distance(*plane, p) * plane->normal;
@@ -356,23 +356,23 @@ bool Chains::is_rounded_off(const Chain& chain) const {
                    std::abs(distance(form, p)) <= kMostRounded;
         });
     };
-    return norm(to.at - from.at) <= kTouchMm && is_on(from, to.at) && is_on(to, from.at);
+    return norm(to.at - from.at) <= kTangencyGapMm && is_on(from, to.at) && is_on(to, from.at);
 }
 
-bool Chains::cross_at(std::uint32_t one, std::uint32_t other) {
+bool Chains::add_crossing(std::uint32_t one, std::uint32_t other) {
     bool any = false;
     for (const std::uint32_t i : {chains_[one].from, chains_[one].to}) {
         if (i != chains_[other].from && i != chains_[other].to) continue;
-        if (!vertices_[i].is_touch || vertices_[i].edge == kNone) continue;
+        if (!vertices_[i].is_tangency || vertices_[i].edge == kNone) continue;
         const std::uint32_t corner = mesh_.edges()[vertices_[i].edge].from;
-        if (!is_new(corner, crossed_, crossed_now_)) continue;
-        known_corners_[corner].clear();
+        if (!is_new(corner, crossed_, crossed_since_trace_)) continue;
+        cached_corners_[corner].clear();
         any = true;
     }
     return any;
 }
 
-bool Chains::lay_on_circle(std::uint32_t of_circle, std::uint32_t vertex) {
+bool Chains::snap_to_circle(std::uint32_t of_circle, std::uint32_t vertex) {
     const auto circle = std::ranges::find_if(
         chains_, [&](const Chain& chain) { return chain.is_closed && chain.from == of_circle; });
     const Vertex& v = vertices_[vertex];
@@ -381,7 +381,7 @@ bool Chains::lay_on_circle(std::uint32_t of_circle, std::uint32_t vertex) {
     for (const std::uint32_t g : {circle->left, circle->right}) {
         const auto* plane = std::get_if<Plane>(&groups_.form_of(g));
         if (!plane || std::abs(distance(*plane, v.at)) <= kPoint) continue;
-        any = laid_.insert({mesh_.edges()[v.edge].from, groups_[g].surface}).second || any;
+        any = snap_circles_.insert({mesh_.edges()[v.edge].from, groups_[g].surface}).second || any;
     }
     return any;
 }
@@ -393,28 +393,28 @@ bool Chains::join_corners(std::uint32_t group) {
             chain.is_flipped || chain.has_failed || chain.has_vanished || chain.from == chain.to ||
             !is_rounded_off(chain))
             continue;
-        any = is_new(corners_of(chain), joined_, joined_now_) || any;
+        any = is_new(corners_of(chain), joined_, joined_since_trace_) || any;
     }
     return any;
 }
 
 std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, const Form& second,
                                         const std::vector<Vec3>& points) {
-    if (chain.edges.empty()) return spline_between(first, second, points);
+    if (chain.edges.empty()) return intersection_spline(first, second, points);
     const std::uint32_t left = groups_[chain.left].surface, right = groups_[chain.right].surface;
     // Between the two faces themselves, or one of them and what they touch in.
     const bool is_itself = &second == &groups_.form_of(chain.right);
-    KnownSpline& known = known_splines_[2 * chain.edges.front() + (is_itself ? 0 : 1)];
-    if (known.left != left || known.right != right || known.points != points)
-        known = {left, right, points, spline_between(first, second, points)};
-    return known.spline;
+    CachedSpline& cached = cached_splines_[2 * chain.edges.front() + (is_itself ? 0 : 1)];
+    if (cached.left != left || cached.right != right || cached.points != points)
+        cached = {left, right, points, intersection_spline(first, second, points)};
+    return cached.spline;
 }
 
 // Is it no longer than what programs round, and was not in the polyhedron? Then there is no telling
 // which way it goes.
 bool Chains::is_of_rounding(const Chain& chain) const {
     const Vec3 from = vertices_[chain.from].at;
-    return norm(vertices_[chain.to].at - from) <= kTouchMm &&
+    return norm(vertices_[chain.to].at - from) <= kTangencyGapMm &&
            norm(middle_of(chain) - from) < reach({chain.left, chain.right});
 }
 
@@ -444,7 +444,7 @@ void Chains::end_arcs_in_corners() {
     constexpr double kAlong = 1e-3;                             // rad
     std::vector<std::array<bool, 2>> runs_out(chains_.size());  // at its start, at its end
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        if (vertices_[v].miss <= kTangentMm || vertices_[v].miss > kReaders) continue;
+        if (vertices_[v].miss <= kTangentMm || vertices_[v].miss > kReaderResolution) continue;
         for (std::size_t i = 0; i < ends[v].size(); ++i) {
             for (std::size_t j = i + 1; j < ends[v].size(); ++j) {
                 if (norm(ends[v][i].direction - ends[v][j].direction) > kAlong) continue;
@@ -470,8 +470,8 @@ void Chains::end_arcs_in_corners() {
         std::vector<Vec3> points = points_of(chains_[c]);
         points.front() = from;
         points.back() = to;
-        if (auto spline = spline_between(groups_.form_of(chains_[c].left),
-                                         groups_.form_of(chains_[c].right), points))
+        if (auto spline = intersection_spline(groups_.form_of(chains_[c].left),
+                                              groups_.form_of(chains_[c].right), points))
             chains_[c].curve = std::move(*spline);
     }
 }
@@ -506,7 +506,7 @@ void Chains::solve_chain(Chain& chain) {
     }
     std::vector<Vec3> points = points_of(chain);
     const Vec3 middle = points.size() > 2 ? points[points.size() / 2] : 0.5 * (from.at + to.at);
-    std::optional<Curve> curve = meet(a, b, from.at, to.at, middle);
+    std::optional<Curve> curve = intersection_curve(a, b, from.at, to.at, middle);
     const bool is_straight = curve && std::holds_alternative<Line>(*curve);
     if (is_straight) {
         // A line that comes back is none; nor is one the other way.
@@ -521,15 +521,16 @@ void Chains::solve_chain(Chain& chain) {
         points.front() = from.at;
         points.back() = to.at;
         // Where they touch, what crosses both tells where.
-        const std::optional<Form> touching = touch(a, b);
+        const std::optional<Form> touching = tangency_surface(a, b);
         const Form& second = touching ? *touching : b;
         const bool is_moved =
             std::holds_alternative<Coil>(a) || std::holds_alternative<Envelope>(a);
         const Form& first = is_moved && touching ? b : a;
         auto spline = spline_of(chain, first, second, points);
         // Where facets are large, corners of the polygon may lie beyond its true ends.
-        if (!spline && !is_loop && (chain.is_flipped || dot(to.at - from.at, way_of(chain)) > 0.0))
-            spline = spline_between(first, second, {from.at, to.at});
+        if (!spline && !is_loop &&
+            (chain.is_flipped || dot(to.at - from.at, path_direction(chain)) > 0.0))
+            spline = intersection_spline(first, second, {from.at, to.at});
         if (!spline) return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         chain.curve = std::move(*spline);
         return;
@@ -538,12 +539,12 @@ void Chains::solve_chain(Chain& chain) {
     auto* ellipse = circle ? nullptr : &std::get<Ellipse>(*curve);
     const Vec3 centre = circle ? circle->centre : ellipse->centre;
     Vec3& axis = circle ? circle->axis : ellipse->axis;
-    const double rough = turned(points, centre, axis);
+    const double rough = winding_angle(points, centre, axis);
     if (is_loop && std::abs(rough) < 180.0) return fail(chain);
     if (rough < 0.0) axis = -axis;
     if (chain.is_closed) {
         // Anywhere: where CAD begins to unroll.
-        const Vec3 x = across(axis);
+        const Vec3 x = any_perpendicular(axis);
         from.at =
             circle ? centre + circle->radius * x : centre + ellipse->major_radius * ellipse->major;
         from.miss = std::max(std::abs(distance(a, from.at)), std::abs(distance(b, from.at)));
@@ -559,8 +560,8 @@ void Chains::solve_chain(Chain& chain) {
     if (!is_loop) {
         const Track track(*curve, from.at, to.at);
         // Of the two circles in which a plane meets a ring, each end may be on one.
-        if (norm(track.at(1.0) - to.at) > kTouchMm) {
-            auto spline = beside_circle(a, b, from.at, to.at, points);
+        if (norm(track.at(1.0) - to.at) > kTangencyGapMm) {
+            auto spline = spline_along_circle(a, b, from.at, to.at, points);
             if (!spline) return fail(chain);
             chain.curve = std::move(*spline);
             return;
@@ -576,12 +577,12 @@ void Chains::solve_chain(Chain& chain) {
     // have their ends there, and one direction.
     // Three faces that miss their corner touch there, whatever is known of their forms.
     const auto is_rounded = [](const Vertex& v) {
-        return (v.is_touch || v.groups.size() == 3) && v.miss > kReaders;
+        return (v.is_tangency || v.groups.size() == 3) && v.miss > kReaderResolution;
     };
     if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
         points.front() = from.at;
         points.back() = to.at;
-        if (auto spline = spline_between(a, b, points)) *curve = std::move(*spline);
+        if (auto spline = intersection_spline(a, b, points)) *curve = std::move(*spline);
     }
     chain.curve = std::move(*curve);
 }

@@ -7,7 +7,7 @@
 #include "ncsim/brep/curve.h"
 #include "ncsim/brep/part.h"
 
-#include "recognise/groups.h"
+#include "recognise/face_groups.h"
 
 #include <array>
 #include <cstdint>
@@ -25,13 +25,13 @@ struct Chain {
     bool is_closed = false;                  ///< Without a vertex.
     std::uint32_t from = kNone, to = kNone;  ///< Vertices.
     bool has_vanished = false;
-    bool has_failed = false;    ///< Itself, or one of its ends.
-    bool is_flipped = false;    ///< No longer between the groups beside its half-edges.
-    Vec3 way{};                 ///< Which way it went when it was flipped, if that is known.
-    bool is_specified = false;  ///< Contacts of the adjacent faces determine its direction.
-    bool is_made = false;       ///< Flipped, and has no half-edges: both its ends were one corner.
+    bool has_failed = false;          ///< Itself, or one of its ends.
+    bool is_flipped = false;          ///< No longer between the groups beside its half-edges.
+    Vec3 direction{};                 ///< Which way it went when it was flipped, if that is known.
+    bool is_direction_fixed = false;  ///< Contacts of the adjacent faces determine its direction.
+    bool is_inserted = false;  ///< Flipped, and has no half-edges: both its ends were one corner.
     /// Made: the chain before which it goes, or that it goes on from.
-    std::uint32_t beside = kNone;
+    std::uint32_t neighbour = kNone;
     bool is_before = false;
     Curve curve;
 };
@@ -40,7 +40,7 @@ struct Vertex {
     Vec3 at;
     std::vector<std::uint32_t> groups;
     double miss = 0.0;
-    bool is_touch = false;           ///< Of surfaces that touch.
+    bool is_tangency = false;        ///< Of surfaces that touch.
     bool is_bend_elsewhere = false;  ///< Beside the corner of a bend, which is to be another one.
     bool has_failed = false;
     std::uint32_t edge = kNone;  ///< A half-edge between two groups that starts there.
@@ -51,7 +51,7 @@ struct Vertex {
 inline constexpr double kPoint = 1e-7;
 
 /// In errors of theirs: how far edges of facets may be off the faces beside them.
-inline constexpr double kBesideFacets = 1.6;
+inline constexpr double kFacetSlack = 1.6;
 
 class Chains {
 public:
@@ -70,11 +70,11 @@ public:
     bool join_corners(std::uint32_t group);
     /// Two edges that meet again beside a corner in which surfaces touch: these cross there from
     /// now on, if they do so well beside it. True: there are more of such corners.
-    bool cross_at(std::uint32_t one, std::uint32_t other);
+    bool add_crossing(std::uint32_t one, std::uint32_t other);
 
     /// A corner in which a whole circle begins lies in the plane of that from now on: edges that
     /// end beyond it by what programs round would cross it beside the corner. True: it did not.
-    bool lay_on_circle(std::uint32_t of_circle, std::uint32_t vertex);
+    bool snap_to_circle(std::uint32_t of_circle, std::uint32_t vertex);
 
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -86,13 +86,13 @@ public:
 
 private:
     std::uint32_t vertex_at(std::uint32_t v);
-    bool is_beside_facet(std::uint32_t h) const;
+    bool is_next_to_facet(std::uint32_t h) const;
     bool is_tip(std::uint32_t h) const;
     bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
-    double reach(const std::vector<std::uint32_t>& around) const;
-    /// It may be as far from where it was, or from one of the ways `beside`, as corners of polygons
+    double reach(const std::vector<std::uint32_t>& groups) const;
+    /// It may be as far from where it was, or from one of the ways `lines`, as corners of polygons
     /// are from true ones.
-    bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& beside = {}) const;
+    bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines = {}) const;
     bool solve_corner(Vertex& v);
     bool is_above(std::uint32_t ramp, Vec3 p) const;
     void move_to_crossing(Vertex& v, Vec3 start, const std::vector<std::uint32_t>& numbers) const;
@@ -111,11 +111,11 @@ private:
     bool is_bend_elsewhere(const Vertex& v) const;
     bool is_of_turning_tools(const Vertex& v) const;
     bool is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const;
-    void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
+    void add_chain(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);
     void bend(std::uint32_t number);
-    void part_at(std::uint32_t number, Vec3 corner, bool is_at_start);
-    void pass_to_wall(std::uint32_t number);
+    void split_at(std::uint32_t number, Vec3 corner, bool is_at_start);
+    void move_to_wall(std::uint32_t number);
     Vec3 direction_of(std::uint32_t h) const;
     /// Of each vertex, those that meet there, where they are not more than three.
     using ChainsAt = std::vector<std::array<std::uint32_t, 3>>;
@@ -127,34 +127,34 @@ private:
     std::optional<Crossing> crossing_at(std::uint32_t number, const ChainsAt& at) const;
     bool are_walls(const std::vector<std::uint32_t>& groups) const;
     void join_same_corners();
-    void join(std::uint32_t gone, std::uint32_t stays);
+    void join(std::uint32_t removed, std::uint32_t kept);
     std::optional<std::uint32_t> close_pinch(std::uint32_t v);
     ChainsAt chains_at() const;
     bool flip_reversed();
-    std::optional<std::array<std::uint32_t, 2>> between_touching(const Vertex& v) const;
+    std::optional<std::array<std::uint32_t, 2>> tangent_sides(const Vertex& v) const;
     void widen(const std::vector<std::uint32_t>& narrow);
     bool is_reversed(Chain& chain) const;
-    std::optional<bool> is_beyond_touch(const std::array<std::uint32_t, 2>& beside,
-                                        std::uint32_t behind, std::uint32_t ahead, Vec3 from,
-                                        Vec3 to) const;
+    std::optional<bool> is_past_tangency(const std::array<std::uint32_t, 2>& sides,
+                                         std::uint32_t behind, std::uint32_t ahead, Vec3 from,
+                                         Vec3 to) const;
     bool flip(std::uint32_t number, ChainsAt& at, int most);
-    Vec3 way_of(const Chain& chain) const;
+    Vec3 path_direction(const Chain& chain) const;
     /// A use that has no place yet.
-    struct Left {
+    struct PendingUse {
         std::uint32_t group;
         EdgeUse use;
     };
-    void take_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const;
-    void put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
-                     std::vector<Left>& left) const;
-    bool put(const Left& one, std::vector<Loop>& loops, bool has_both) const;
-    bool solve_beside_facets(Vertex& v) const;
-    double farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
+    void remove_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const;
+    void insert_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
+                        std::vector<PendingUse>& left) const;
+    bool insert_use(const PendingUse& one, std::vector<Loop>& loops, bool has_both) const;
+    bool solve_next_to_facets(Vertex& v) const;
+    double largest_distance(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
     bool is_rounded_off(const Chain& chain) const;
     void join_ends(const Chain& chain);
     void join_vanished();
-    void put_on_generators();
-    Vec3 laid(const Vertex& v, Vec3 p) const;
+    void align_on_generators();
+    Vec3 snapped(const Vertex& v, Vec3 p) const;
     std::pair<std::uint32_t, std::uint32_t> corners_of(const Chain& chain) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
     Vec3 middle_of(const Chain& chain) const;
@@ -180,24 +180,25 @@ private:
     /// Round by round most corners and edges stay what they are: of each corner of the mesh, which
     /// may become several, and of each half-edge with which a chain begins, what was found, and of
     /// what. (Of an edge two splines: on both faces, and on one and what they touch in.)
-    struct KnownCorner {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> around;  ///< Surfaces, first facets.
+    struct CachedCorner {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> surfaces;  ///< Surfaces, first facets.
         Vec3 at{};
         double miss = 0.0;
-        bool is_touch = false, is_bend_elsewhere = false, is_solved = false;
+        bool is_tangency = false, is_bend_elsewhere = false, is_solved = false;
     };
-    struct KnownSpline {
+    struct CachedSpline {
         std::uint32_t left = kNone, right = kNone;  ///< Surfaces.
         std::vector<Vec3> points;
         std::optional<Spline> spline;
     };
-    std::vector<std::vector<KnownCorner>> known_corners_;
-    std::unordered_map<std::uint32_t, KnownSpline> known_splines_;
+    std::vector<std::vector<CachedCorner>> cached_corners_;
+    std::unordered_map<std::uint32_t, CachedSpline> cached_splines_;
     /// Corners of the mesh, and those of them that came in since the last trace: several faces may
     /// fail in one.
-    std::set<std::pair<std::uint32_t, std::uint32_t>> joined_, joined_now_;
-    std::set<std::uint32_t> crossed_, crossed_now_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> laid_;  // corners of the mesh, surfaces
+    std::set<std::pair<std::uint32_t, std::uint32_t>> joined_, joined_since_trace_;
+    std::set<std::uint32_t> crossed_, crossed_since_trace_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>>
+        snap_circles_;  // corners of the mesh, surfaces
 };
 
 }  // namespace ncsim::brep

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where the vertices of chains are: on all surfaces around them.
-#include "geometry/bends.h"
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
-#include "geometry/nearly.h"
 #include "geometry/newton.h"
+#include "geometry/path_corners.h"
+#include "geometry/tolerances.h"
 #include "recognise/chains.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using cda::norm;
 constexpr double kApexReach = 0.3;  // mm
 
 // Newton's method does not find an apex, where a cone has no normal.
-bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
+bool move_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
     for (const Form* form : forms) {
         const auto* cone = std::get_if<Cone>(form);
         if (!cone || norm(p - cone->apex) > kApexReach) continue;
@@ -46,20 +46,20 @@ bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
 void snap_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
     for (const Form* form : forms) {
         const auto* cone = std::get_if<Cone>(form);
-        if (cone && norm(p - cone->apex) <= kTouchMm) p = cone->apex;
+        if (cone && norm(p - cone->apex) <= kTangencyGapMm) p = cone->apex;
     }
 }
 
 // By how far the place of a point is beyond an end of the way, of whichever envelope that is most;
 // along that way, mm.
-Vec3 beyond_ends(const std::vector<const Form*>& forms, Vec3 p) {
+Vec3 overshoot(const std::vector<const Form*>& forms, Vec3 p) {
     Vec3 most;
     for (const Form* form : forms) {
         if (!is_of_turning_tool(*form)) continue;
         const auto* envelope = std::get_if<Envelope>(form);
-        const ClosestPoint place = place_on(*envelope, p);
+        const ClosestPoint place = project_onto(*envelope, p);
         const Vec3 beyond = (place.t - std::clamp(place.t, 0.0, 1.0)) *
-                            velocity_at(place.passage, height_of_centre(*envelope->sweep, place));
+                            velocity_at(place.tool, height_of_centre(*envelope->sweep, place));
         if (norm(beyond) > norm(most)) most = beyond;
     }
     return most;
@@ -67,12 +67,13 @@ Vec3 beyond_ends(const std::vector<const Form*>& forms, Vec3 p) {
 
 // Where what crosses an envelope nearly goes along it, it does twice, and one of both places may be
 // beyond the end of the way: the other one is the corner.
-void move_onto_way(const std::vector<const Form*>& forms, Vec3& p) {
-    const Vec3 beyond = beyond_ends(forms, p);
-    if (norm(beyond) <= kTouchMm) return;
+void move_onto_path(const std::vector<const Form*>& forms, Vec3& p) {
+    const Vec3 beyond = overshoot(forms, p);
+    if (norm(beyond) <= kTangencyGapMm) return;
     for (const double times : {2.0, 4.0}) {
         Vec3 other = p - times * beyond;
-        if (brep::solve(forms, other) > kTouchMm || norm(beyond_ends(forms, other)) > kTouchMm)
+        if (brep::solve(forms, other) > kTangencyGapMm ||
+            norm(overshoot(forms, other)) > kTangencyGapMm)
             continue;
         p = other;
         return;
@@ -107,9 +108,9 @@ double distance_from(const std::vector<Vec3>& points, Vec3 p) {
 }  // namespace
 
 // How far a corner of the polygon may be from the true one.
-double Chains::reach(const std::vector<std::uint32_t>& around) const {
+double Chains::reach(const std::vector<std::uint32_t>& groups) const {
     double radius = kLargeRadius, error = 0.0;
-    for (const std::uint32_t g : around) {
+    for (const std::uint32_t g : groups) {
         radius = std::max(radius, radius_of(groups_.form_of(g)));
         error = std::max(error, groups_.error_of(g));
     }
@@ -139,18 +140,19 @@ std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
             const bool has_circle = std::ranges::any_of(v.groups, [&](std::uint32_t g) {
                 return g != v.groups[i] && g != v.groups[j] && has_bend(g, *corner, v.at);
             });
-            if (has_circle && farthest({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
-                                       *corner) <= kTouchMm)
+            if (has_circle &&
+                largest_distance({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
+                                 *corner) <= kTangencyGapMm)
                 return corner;
         }
     }
     return std::nullopt;
 }
 
-bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& beside) const {
+bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines) const {
     const Vec3 start = v.at;
     if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); }))
-        return solve_beside_facets(v);
+        return solve_next_to_facets(v);
     std::vector<std::uint32_t> numbers;
     bool all_flat = true;
     for (const std::uint32_t g : v.groups) {
@@ -164,28 +166,28 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
         forms.push_back(&mesh_.surface(n).form);
     if (const auto corner = bend_at(v); corner && forms.size() <= 3) {
         v.at = *corner;
-        v.miss = farthest(numbers, v.at);
+        v.miss = largest_distance(numbers, v.at);
         return true;
     }
     const std::size_t count = forms.size();
     std::vector<Form> touching;
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
-            if (auto t = touch(*forms[i], *forms[j])) {
+            if (auto t = tangency_surface(*forms[i], *forms[j])) {
                 touching.push_back(*t);
-                v.is_touch = true;
+                v.is_tangency = true;
             }
-            if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
+            if (auto t = mitre_plane(*forms[i], *forms[j], v.at)) touching.push_back(*t);
         }
     }
     if (auto across = corner_of_dome(forms)) touching.push_back(*across);
-    for (Form& across : touches_in_level(forms))
+    for (Form& across : level_tangency_planes(forms))
         touching.push_back(std::move(across));
     for (const Form& t : touching)
         forms.push_back(&t);
-    if (!at_apex(forms, v.at)) {
+    if (!move_to_apex(forms, v.at)) {
         brep::solve(forms, v.at);
-        move_onto_way(forms, v.at);
+        move_onto_path(forms, v.at);
         snap_to_apex(forms, v.at);
         // Where curved ones touch, rounding is left over: not off the planes.
         for (const std::uint32_t n : numbers) {
@@ -195,20 +197,20 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
     }
     move_to_ellipse(v, start);
     move_to_crossing(v, start, numbers);
-    v.miss = farthest(numbers, v.at);
-    double off = norm(v.at - start);
-    for (const std::vector<Vec3>& way : beside)
-        off = std::min(off, distance_from(way, v.at));
+    v.miss = largest_distance(numbers, v.at);
+    double deviation = norm(v.at - start);
+    for (const std::vector<Vec3>& line : lines)
+        deviation = std::min(deviation, distance_from(line, v.at));
     // Planes at small angles meet far away for little; not those that are parallel but for
     // rounding.
     constexpr double kFlatReach = 2.0;
     const bool is_far = all_flat && are_askew(std::span(forms).first(count));
     const bool is_lost =
-        !(v.miss <= kTouchMm) || off > (is_far ? kFlatReach : 1.0) * reach(v.groups);
+        !(v.miss <= kTangencyGapMm) || deviation > (is_far ? kFlatReach : 1.0) * reach(v.groups);
     if (!is_lost) return true;
     // Planes that were made to meet within less than anybody sees.
     v.at = start;
-    v.miss = farthest(numbers, v.at);
+    v.miss = largest_distance(numbers, v.at);
     return all_flat && v.miss <= kFlat;
 }
 
@@ -220,32 +222,32 @@ bool Chains::solve_corner(Vertex& v) {
         v.is_bend_elsewhere = is_bend_elsewhere(v);
         return is_solved;
     }
-    known_corners_.resize(mesh_.corners());
-    std::vector<KnownCorner>& all = known_corners_[mesh_.edges()[v.edge].from];
+    cached_corners_.resize(mesh_.corners());
+    std::vector<CachedCorner>& all = cached_corners_[mesh_.edges()[v.edge].from];
     const auto key = [&](std::uint32_t g) {
         return std::pair(groups_[g].surface, groups_[g].facets.front());
     };
-    auto known = std::ranges::find_if(all, [&](const KnownCorner& corner) {
-        return std::ranges::equal(v.groups, corner.around, {}, key);
+    auto cached = std::ranges::find_if(all, [&](const CachedCorner& corner) {
+        return std::ranges::equal(v.groups, corner.surfaces, {}, key);
     });
-    const bool was_touch = std::exchange(v.is_touch, false);
-    if (known == all.end()) {
+    const bool was_tangency = std::exchange(v.is_tangency, false);
+    if (cached == all.end()) {
         constexpr std::size_t kMostKnown = 32;
         if (all.size() == kMostKnown) all.clear();
-        KnownCorner found;
+        CachedCorner found;
         found.is_solved = solve_vertex(v);
-        std::ranges::transform(v.groups, std::back_inserter(found.around), key);
+        std::ranges::transform(v.groups, std::back_inserter(found.surfaces), key);
         found.at = v.at;
         found.miss = v.miss;
-        found.is_touch = v.is_touch;
+        found.is_tangency = v.is_tangency;
         found.is_bend_elsewhere = is_bend_elsewhere(v);
-        known = all.insert(all.end(), std::move(found));
+        cached = all.insert(all.end(), std::move(found));
     }
-    v.at = known->at;
-    v.miss = known->miss;
-    v.is_touch = was_touch || known->is_touch;
-    v.is_bend_elsewhere = known->is_bend_elsewhere;
-    return known->is_solved;
+    v.at = cached->at;
+    v.miss = cached->miss;
+    v.is_tangency = was_tangency || cached->is_tangency;
+    v.is_bend_elsewhere = cached->is_bend_elsewhere;
+    return cached->is_solved;
 }
 
 // Of a ramp, beside `p`.
@@ -266,7 +268,7 @@ void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
         if (!std::holds_alternative<Plane>(wall) || !std::holds_alternative<Extrusion>(one) ||
             !std::holds_alternative<Extrusion>(other))
             continue;
-        const auto first = touch(wall, one), second = touch(wall, other);
+        const auto first = tangency_surface(wall, one), second = tangency_surface(wall, other);
         if (first.has_value() == second.has_value()) continue;
         const auto ellipse = ellipse_of_bend(one, other, v.at);
         if (!ellipse ||
@@ -274,8 +276,9 @@ void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
             continue;
         const std::array<const Form*, 3> planes{&wall, first ? &*first : &*second, &*ellipse};
         Vec3 p = v.at;
-        if (brep::solve(planes, p) > kTouchMm || norm(p - start) > reach(v.groups) ||
-            std::abs(distance(one, p)) > kTouchMm || std::abs(distance(other, p)) > kTouchMm)
+        if (brep::solve(planes, p) > kTangencyGapMm || norm(p - start) > reach(v.groups) ||
+            std::abs(distance(one, p)) > kTangencyGapMm ||
+            std::abs(distance(other, p)) > kTangencyGapMm)
             continue;
         v.at = p;
         return;
@@ -291,12 +294,12 @@ void Chains::move_to_crossing(Vertex& v, Vec3 start,
         forms.push_back(&mesh_.surface(n).form);
     Vec3 p = start;
     brep::solve(forms, p);
-    if (farthest(numbers, p) <= kFlat && norm(p - v.at) > kApart) v.at = p;
+    if (largest_distance(numbers, p) <= kFlat && norm(p - v.at) > kLeastAxisDistance) v.at = p;
 }
 
 // A corner of facets stays where it is, or goes to where the faces beside them meet: within
 // their error it is a corner of all.
-bool Chains::solve_beside_facets(Vertex& v) const {
+bool Chains::solve_next_to_facets(Vertex& v) const {
     std::vector<const Form*> forms;
     double error = 0.0;
     bool is_flat = true;
@@ -306,33 +309,33 @@ bool Chains::solve_beside_facets(Vertex& v) const {
         if (!groups_.is_facet(g)) forms.push_back(&groups_.form_of(g));
     }
     if (is_flat) return true;
-    const auto off = [&](Vec3 p) {
+    const auto deviation = [&](Vec3 p) {
         double most = 0.0;
         for (const std::uint32_t g : v.groups)
             most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
         return most;
     };
-    if (forms.size() > 1 || (forms.size() == 1 && off(v.at) > kBesideFacets * error)) {
+    if (forms.size() > 1 || (forms.size() == 1 && deviation(v.at) > kFacetSlack * error)) {
         std::vector<Form> touching;
         for (std::size_t i = 0; i < forms.size(); ++i) {
             for (std::size_t j = i + 1; j < forms.size(); ++j) {
-                if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
-                if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
+                if (auto t = tangency_surface(*forms[i], *forms[j])) touching.push_back(*t);
+                if (auto t = mitre_plane(*forms[i], *forms[j], v.at)) touching.push_back(*t);
             }
         }
         for (const Form& t : touching)
             forms.push_back(&t);
         Vec3 p = v.at;
-        if (brep::solve(forms, p) <= kTouchMm && norm(p - v.at) <= reach(v.groups) &&
-            off(p) <= kBesideFacets * error) {
+        if (brep::solve(forms, p) <= kTangencyGapMm && norm(p - v.at) <= reach(v.groups) &&
+            deviation(p) <= kFacetSlack * error) {
             v.at = p;
             return true;
         }
     }
-    return off(v.at) <= kBesideFacets * error;
+    return deviation(v.at) <= kFacetSlack * error;
 }
 
-double Chains::farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const {
+double Chains::largest_distance(const std::vector<std::uint32_t>& surfaces, Vec3 p) const {
     double most = 0.0;
     for (const std::uint32_t n : surfaces)
         most = std::max(most, std::abs(distance(mesh_.surface(n).form, p)));

@@ -18,20 +18,20 @@ constexpr double kMaxFacetTurn = 0.45;
 
 }  // namespace
 
-FacetMesh::FacetMesh(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+FacetMesh::FacetMesh(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
                      std::span<const std::uint32_t> faces)
     : source_(facets) {
     for (const std::uint32_t f : faces)
-        facets_.push_back(labelled(f, sources));
+        facets_.push_back(make_facet(f, sources));
     link();
     if (broken_) return;
     label_needles();
-    part_fans();
+    split_fans();
 }
 
 // Where facets meet that do not hang together around their common corner, each fan of them has one
 // of its own, if there are some of tools that turn: hulls of poses come near themselves.
-void FacetMesh::part_fans() {
+void FacetMesh::split_fans() {
     std::vector<bool> is_seen(edges_.size(), false), has_fan(points_.size(), false);
     for (std::uint32_t first = 0; first < edges_.size(); ++first) {
         if (is_seen[first]) continue;
@@ -56,21 +56,21 @@ void FacetMesh::part_fans() {
 // What has no width may look anywhere, and folds what it is a piece of: it is of what it is beside.
 void FacetMesh::label_needles() {
     constexpr double kNeedle = 1e-4;  // mm
-    std::vector<double> around(facets_.size(), 0.0);
+    std::vector<double> perimeter(facets_.size(), 0.0);
     for (std::uint32_t h = 0; h < edges_.size(); ++h)
-        around[edges_[h].facet] += lengths_[h];
+        perimeter[edges_[h].facet] += lengths_[h];
     const auto is_needle = [&](std::uint32_t i) {
-        return 2.0 * facets_[i].area < kNeedle * around[i];
+        return 2.0 * facets_[i].area < kNeedle * perimeter[i];
     };
     std::vector<double> longest(facets_.size(), 0.0);
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {
-        const std::uint32_t i = edges_[h].facet, beside = edges_[edges_[h].twin].facet;
-        const bool is_its = is_of_turning_tool(surfaces_[facets_[beside].label].form) &&
-                            facets_[i].was_labelled && is_needle(i) && !is_needle(beside);
+        const std::uint32_t i = edges_[h].facet, neighbour = edges_[edges_[h].twin].facet;
+        const bool is_its = is_of_turning_tool(surfaces_[facets_[neighbour].label].form) &&
+                            facets_[i].was_labelled && is_needle(i) && !is_needle(neighbour);
         if (!is_its || lengths_[h] <= longest[i]) continue;
         longest[i] = lengths_[h];
-        facets_[i].label = facets_[beside].label;
-        facets_[i].plain = facets_[beside].plain;
+        facets_[i].label = facets_[neighbour].label;
+        facets_[i].plain = facets_[neighbour].plain;
     }
 }
 
@@ -93,7 +93,7 @@ FlatFace FacetMesh::shape_of(const Facet& facet) const {
             source_.boundary.vertices};
 }
 
-Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources) {
+Facet FacetMesh::make_facet(std::uint32_t f, const std::map<cda::Origin, SweptSurfaces>& sources) {
     const cda::BoundaryFace& face = source_.boundary.faces[f];
     Facet facet;
     facet.face = f;
@@ -103,15 +103,15 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
     facet.label = facet.own;
     facet.may_be_true = true;
     double best = std::numeric_limits<double>::infinity();
-    const Candidate* chosen = nullptr;
+    const CandidateSurface* chosen = nullptr;
     for (const cda::Origin origin : source_.origins[f]) {
         const auto source = sources.find(origin);
         if (source == sources.end()) continue;
         if (!source->second.candidates.empty()) facet.may_be_true = false;
         if (source->second.may_leave_other_surfaces) facet.is_unknown = true;
         facet.error_mm = std::max(facet.error_mm, source->second.error_mm);
-        const Candidate* better = best_of(shape_of(facet), source->second.candidates,
-                                          source->second.error_mm, kMaxFacetTurn, best);
+        const CandidateSurface* better = best_of(shape_of(facet), source->second.candidates,
+                                                 source->second.error_mm, kMaxFacetTurn, best);
         if (better) chosen = better;
     }
     if (chosen) facet.label = surfaces_.add(chosen->surface);
@@ -124,20 +124,21 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
 }
 
 std::uint32_t FacetMesh::plain_label(std::uint32_t f, const Facet& facet,
-                                     const std::map<cda::Origin, Source>& sources) {
+                                     const std::map<cda::Origin, SweptSurfaces>& sources) {
     double best = std::numeric_limits<double>::infinity();
     std::uint32_t label = facet.own;
     for (const cda::Origin origin : source_.origins[f]) {
         const auto source = sources.find(origin);
         if (source == sources.end()) continue;
-        const Candidate* better = best_of(shape_of(facet), source->second.candidates,
-                                          source->second.error_mm, kMaxFacetTurn, best, false);
+        const CandidateSurface* better =
+            best_of(shape_of(facet), source->second.candidates, source->second.error_mm,
+                    kMaxFacetTurn, best, false);
         if (better) label = surfaces_.add(better->surface);
     }
     return label;
 }
 
-cda::DisjointSets FacetMesh::patches_of_kept() const {
+cda::DisjointSets FacetMesh::kept_patches() const {
     cda::DisjointSets patches(facets_.size());
     for (const HalfEdge& h : edges_) {
         if (h.twin == kNone) continue;
@@ -147,10 +148,10 @@ cda::DisjointSets FacetMesh::patches_of_kept() const {
     return patches;
 }
 
-std::size_t FacetMesh::given_up() const {
-    cda::DisjointSets patches = patches_of_kept();
+std::size_t FacetMesh::demoted_count() const {
+    cda::DisjointSets patches = kept_patches();
     struct Counts {
-        std::size_t given_up = 0, unknown = 0;
+        std::size_t demoted_count = 0, unknown = 0;
     };
     std::vector<Counts> all(facets_.size());
     for (std::uint32_t i = 0; i < facets_.size(); ++i) {
@@ -158,11 +159,11 @@ std::size_t FacetMesh::given_up() const {
         if (!is_kept(facet)) continue;
         Counts& patch = all[patches.find(i)];
         if (facet.is_unknown) ++patch.unknown;
-        if (facet.was_labelled) ++patch.given_up;
+        if (facet.was_labelled) ++patch.demoted_count;
     }
     std::size_t count = 0;
     for (const Counts& patch : all) {
-        if (patch.given_up > patch.unknown) count += patch.given_up;
+        if (patch.demoted_count > patch.unknown) count += patch.demoted_count;
     }
     return count;
 }
@@ -191,7 +192,7 @@ std::uint32_t FacetMesh::add_edge(const HalfEdge& edge) {
     return static_cast<std::uint32_t>(edges_.size() - 1);
 }
 
-void FacetMesh::pair(std::uint32_t h, std::uint32_t twin) {
+void FacetMesh::pair_edges(std::uint32_t h, std::uint32_t twin) {
     edges_[h].twin = twin;
     edges_[twin].twin = h;
     lengths_[twin] = lengths_[h];
@@ -199,7 +200,7 @@ void FacetMesh::pair(std::uint32_t h, std::uint32_t twin) {
 
 // The corner where `h` ends becomes another one, in the same place, for all that is between it and
 // `last`, of the same label.
-std::uint32_t FacetMesh::part_from(std::uint32_t h, std::uint32_t last) {
+std::uint32_t FacetMesh::split_corner(std::uint32_t h, std::uint32_t last) {
     const std::uint32_t corner = edges_[last].from,
                         own = static_cast<std::uint32_t>(points_.size());
     points_.push_back(points_[corner]);
@@ -215,7 +216,7 @@ std::uint32_t FacetMesh::part_from(std::uint32_t h, std::uint32_t last) {
 // Along the chain the strip has one half-edge beside each of it, and one back beside each of its
 // twins. At both ends, where these have a common corner, there is one more, beside the facet that
 // is beyond the label there.
-void FacetMesh::lay_strip(std::span<const std::uint32_t> chain, std::uint32_t surface) {
+void FacetMesh::insert_strip(std::span<const std::uint32_t> chain, std::uint32_t surface) {
     const std::uint32_t first = chain.front(), before = boundary_before(first);
     const std::uint32_t after = next_boundary(chain.back());
     const auto number = static_cast<std::uint32_t>(facets_.size());
@@ -227,14 +228,14 @@ void FacetMesh::lay_strip(std::span<const std::uint32_t> chain, std::uint32_t su
     strip.was_labelled = false;
     strip.is_strip = true;
 
-    std::vector<std::uint32_t> corners, parted;
+    std::vector<std::uint32_t> corners, split_corners;
     corners.push_back(edges_[first].from);
     for (const std::uint32_t h : chain)
         corners.push_back(to(h));
     std::uint32_t from = before;
     for (std::size_t i = 0; i <= chain.size(); ++i) {
         const std::uint32_t last = i < chain.size() ? chain[i] : after;
-        parted.push_back(part_from(from, last));
+        split_corners.push_back(split_corner(from, last));
         from = last;
     }
     // Between corner and corner at both ends, in the facets beyond.
@@ -242,24 +243,24 @@ void FacetMesh::lay_strip(std::span<const std::uint32_t> chain, std::uint32_t su
     std::uint32_t previous = begin;
     while (edges_[previous].next != begin)
         previous = edges_[previous].next;
-    edges_[begin].from = parted.front();
+    edges_[begin].from = split_corners.front();
     const std::uint32_t at_begin = add_edge({corners.front(), edges_[begin].facet, begin, kNone});
     edges_[previous].next = at_begin;
     const std::uint32_t at_end =
-        add_edge({parted.back(), edges_[end].facet, edges_[end].next, kNone});
+        add_edge({split_corners.back(), edges_[end].facet, edges_[end].next, kNone});
     edges_[end].next = at_end;
 
     std::vector<std::uint32_t> loop;
     const auto add = [&](std::uint32_t corner, std::uint32_t twin) {
         loop.push_back(add_edge({corner, number, kNone, kNone}));
-        pair(twin, loop.back());
+        pair_edges(twin, loop.back());
     };
     for (std::size_t i = 0; i < chain.size(); ++i)
         add(corners[i], edges_[chain[i]].twin);
     add(corners.back(), at_end);
     for (std::size_t i = chain.size(); i-- > 0;)
-        add(parted[i + 1], chain[i]);
-    add(parted.front(), at_begin);
+        add(split_corners[i + 1], chain[i]);
+    add(split_corners.front(), at_begin);
     for (std::size_t i = 0; i < loop.size(); ++i)
         edges_[loop[i]].next = loop[(i + 1) % loop.size()];
     facets_.push_back(strip);

@@ -5,11 +5,11 @@
 #pragma once
 
 #include "ncsim/brep/facets.h"
-#include "ncsim/brep/surface.h"
-#include "ncsim/brep/swept.h"
+#include "ncsim/brep/surface_forms.h"
+#include "ncsim/brep/swept_surfaces.h"
 #include "ncsim/cda/disjoint_sets.h"
 
-#include "geometry/none.h"
+#include "geometry/no_index.h"
 #include "sources/label.h"
 #include "sources/surface_set.h"
 
@@ -33,9 +33,9 @@ struct Facet {
     bool was_labelled = false;  ///< With a surface of its motion.
     bool is_unknown = false;    ///< With none, for its motion leaves others, too.
     bool is_final = false;      ///< It stays a facet.
-    bool was_given_up = false;
-    bool was_ceded = false;  ///< To a neighbour, for a corner that was none.
-    bool is_strip = false;   ///< Without width: no polyhedron has it.
+    bool was_demoted = false;
+    bool was_reassigned = false;  ///< To a neighbour, for a corner that was none.
+    bool is_strip = false;        ///< Without width: no polyhedron has it.
 };
 
 struct HalfEdge {
@@ -45,7 +45,7 @@ struct HalfEdge {
 class FacetMesh {
 public:
     /// Of the shell with these faces. All of them must outlive it.
-    FacetMesh(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+    FacetMesh(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
               std::span<const std::uint32_t> faces);
 
     /// Faces do not meet two at an edge: nothing can be made of it.
@@ -53,32 +53,32 @@ public:
     /// Facets that had a surface and have none any more. Not those that hang together with at least
     /// as many that nobody knows a surface for: finer ones are there, too, and keep theirs from
     /// having one.
-    std::size_t given_up() const;
+    std::size_t demoted_count() const;
 
     std::size_t size() const { return facets_.size(); }
     const Facet& operator[](std::uint32_t i) const { return facets_[i]; }
     void label(std::uint32_t i, std::uint32_t surface) { facets_[i].label = surface; }
-    void cede(std::uint32_t i, std::uint32_t surface) {
+    void reassign_label(std::uint32_t i, std::uint32_t surface) {
         facets_[i].label = facets_[i].plain = surface;
-        facets_[i].was_ceded = true;
+        facets_[i].was_reassigned = true;
     }
     /// A facet for good.
-    void settle(std::uint32_t i) {
+    void fix_as_facet(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
         facets_[i].is_final = true;
     }
     /// A facet until a neighbour takes it in; for good where that has failed before.
-    void give_up(std::uint32_t i) {
+    void demote_to_facets(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
-        facets_[i].is_final = std::exchange(facets_[i].was_given_up, true);
+        facets_[i].is_final = std::exchange(facets_[i].was_demoted, true);
     }
     /// Off an envelope, onto another surface of its motion. False: it has no other one, or had it.
-    bool leave_envelope(std::uint32_t i) {
+    bool replace_envelope_label(std::uint32_t i) {
         facets_[i].label = std::exchange(facets_[i].plain, facets_[i].own);
         return facets_[i].label != facets_[i].own;
     }
     /// Beside one that nobody knows a surface for it cannot have its own: as if it had none.
-    void leave_unknown(std::uint32_t i) {
+    void mark_unknown(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
         facets_[i].is_unknown = true;
         facets_[i].was_labelled = false;
@@ -87,7 +87,7 @@ public:
     /// of one label, each of which goes on where the one before ends, and the last of which does
     /// not end where the first starts. Given up, it is of their label. It is beside what ends
     /// there.
-    void lay_strip(std::span<const std::uint32_t> chain, std::uint32_t surface);
+    void insert_strip(std::span<const std::uint32_t> chain, std::uint32_t surface);
     /// The half-edge after that one around what has its label, and the one before.
     std::uint32_t next_boundary(std::uint32_t h) const;
     std::uint32_t boundary_before(std::uint32_t h) const;
@@ -111,21 +111,21 @@ public:
 
 private:
     FlatFace shape_of(const Facet& facet) const;
-    Facet labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources);
+    Facet make_facet(std::uint32_t f, const std::map<cda::Origin, SweptSurfaces>& sources);
     std::uint32_t plain_label(std::uint32_t f, const Facet& facet,
-                              const std::map<cda::Origin, Source>& sources);
+                              const std::map<cda::Origin, SweptSurfaces>& sources);
     void link();
     bool is_boundary(std::uint32_t h) const;
-    std::uint32_t part_from(std::uint32_t h, std::uint32_t last);
+    std::uint32_t split_corner(std::uint32_t h, std::uint32_t last);
     std::uint32_t add_edge(const HalfEdge& edge);
-    void pair(std::uint32_t h, std::uint32_t twin);
+    void pair_edges(std::uint32_t h, std::uint32_t twin);
     void label_needles();
-    void part_fans();
+    void split_fans();
     // Of a round tool, and not a piece of any of its surfaces.
     bool is_kept(const Facet& facet) const {
         return facet.label == facet.own && !facet.may_be_true;
     }
-    cda::DisjointSets patches_of_kept() const;
+    cda::DisjointSets kept_patches() const;
 
     const Facets& source_;
     SurfaceSet surfaces_;

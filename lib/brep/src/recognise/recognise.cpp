@@ -3,8 +3,8 @@
 // Outline, for each shell:
 //  1. Label (facet_mesh.h): each facet with the surface of its own motion that it turns away from
 //  least.
-//  2. Group (groups.h): neighbours with the same surface are a face; where the boundaries of faces
-//  meet is a vertex, what runs between two vertices a chain of edges.
+//  2. Group (face_groups.h): neighbours with the same surface are a face; where the boundaries of
+//  faces meet is a vertex, what runs between two vertices a chain of edges.
 //  3. Solve (chains.h): vertices on all surfaces around them, then the curves between them.
 //  4. Absorb: what has no width on the true surfaces joins a neighbour; where nothing fits, labels
 //  come off the smallest group. From 2 again.
@@ -14,18 +14,18 @@
 #include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/measure.h"
 
-#include "geometry/nearly.h"
-#include "heal/apart.h"
-#include "heal/horns.h"
-#include "heal/pinches.h"
-#include "heal/readable.h"
-#include "heal/warped.h"
-#include "query/check.h"
+#include "geometry/tolerances.h"
+#include "heal/non_simple_faces.h"
+#include "heal/nonplanar_faces.h"
+#include "heal/reader_compatibility.h"
+#include "heal/tangent_holes.h"
+#include "heal/vertex_distance.h"
+#include "query/part_check.h"
 #include "recognise/chains.h"
+#include "recognise/face_check_cache.h"
+#include "recognise/face_groups.h"
+#include "recognise/face_loops.h"
 #include "recognise/facet_mesh.h"
-#include "recognise/groups.h"
-#include "recognise/known_faces.h"
-#include "recognise/outlines.h"
 #include "topology/chords.h"
 #include "topology/nesting.h"
 
@@ -45,7 +45,7 @@ namespace {
 using cda::dot;
 
 // So often with corners, with edges and with faces.
-constexpr int kPatientRounds = 8, kLastPatience = 16, kMostRounds = 100;
+constexpr int kLenientRounds = 8, kStrictRounds = 16, kMostRounds = 100;
 // Of so many facets a round takes long: there are fewer, and where corners alone have kept failing
 // in the first ones, strips are narrower than facets, and there would be no end to it.
 constexpr std::size_t kManyFacets = 20'000, kTooManyFacets = 200'000;
@@ -54,11 +54,11 @@ constexpr double kNoWidth = 1e-3;  // mm
 
 class ShellRecogniser {
 public:
-    ShellRecogniser(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+    ShellRecogniser(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
                     std::span<const std::uint32_t> faces)
         : mesh_(facets, sources, faces),
           apex_(mesh_.point(mesh_.edges().front().from)),
-          known_(apex_) {}
+          face_checks_(apex_) {}
 
     // The shell as a part without solids; nothing if it cannot be had.
     std::optional<Part> operator()() {
@@ -79,27 +79,27 @@ public:
             const int spent = spent_[stage]++;
             Part part;
             if (stage == kFaces) part = build();
-            const Patience patience = spent < kPatientRounds  ? Patience::Much
-                                      : spent < kLastPatience ? Patience::Little
-                                                              : Patience::None;
-            if (groups_.relabel(failures_, patience) || has_joined_) continue;
+            const Strictness strictness = spent < kLenientRounds  ? Strictness::Low
+                                          : spent < kStrictRounds ? Strictness::High
+                                                                  : Strictness::Full;
+            if (groups_.relabel(failures_, strictness) || has_joined_) continue;
             if (!failures_.empty() || !has_the_volume()) return std::nullopt;
             std::vector<bool> is_as_it_was = unmoved(part);
-            for (const std::uint32_t f : flatten_warped_facets(part)) {
+            for (const std::uint32_t f : triangulate_nonplanar_faces(part)) {
                 is_as_it_was.push_back(false);
                 group_of_face_.push_back(group_of_face_[f]);
             }
-            const std::vector<std::uint32_t> was = keep_apart(part);
+            const std::vector<std::uint32_t> was = enforce_min_vertex_distance(part);
             find_unsound_facets(part, was, is_as_it_was);
             find_crossed_planes(part, was);
             if (failures_.empty()) return part;
-            if (!groups_.relabel(failures_, Patience::None)) return std::nullopt;
+            if (!groups_.relabel(failures_, Strictness::Full)) return std::nullopt;
         }
         return std::nullopt;
     }
 
     // As the last attempt left it.
-    std::size_t given_up() const { return mesh_.given_up(); }
+    std::size_t demoted_count() const { return mesh_.demoted_count(); }
     double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
 
 private:
@@ -108,137 +108,143 @@ private:
         constexpr int kMostPasses = 1000;
         for (int pass = 0; pass < kMostPasses; ++pass) {
             groups_.gather();
-            if (!groups_.unify() && !groups_.give_up_rings() && !groups_.lay_strips()) return true;
+            if (!groups_.unify() && !groups_.demote_neighbours_of_tori() &&
+                !groups_.insert_strips())
+                return true;
         }
         return false;
     }
 
     Part build() {
         Part part;
-        Outlines outlines(groups_, chains_);
+        FaceLoops face_loops(groups_, chains_);
         for (const Vertex& v : chains_.vertices())
             part.vertices.push_back(v.at);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
             if (groups_.is_facet(g)) continue;
-            for (const Corners& corners : outlines.touching_corners(g, outlines[g], near_on(g))) {
+            for (const Corners& corners :
+                 face_loops.touching_corners(g, face_loops[g], near_on(g))) {
                 part.vertices[corners.first] = part.vertices[corners.second];
-                outlines.unite(corners);
-                if (chains_.lay_on_circle(corners.first, corners.second)) has_joined_ = true;
+                face_loops.unite(corners);
+                if (chains_.snap_to_circle(corners.first, corners.second)) has_joined_ = true;
             }
         }
-        outlines.join_touching_loops();
+        face_loops.join_touching_loops();
         for (std::uint32_t c = 0; c < chains_.all().size(); ++c) {
-            const auto [from, to] = outlines.ends_of(c);
+            const auto [from, to] = face_loops.ends_of(c);
             part.edges.push_back({from, to, chains_.all()[c].curve});
         }
         const auto is_sound = [&](std::uint32_t g) {
-            return std::ranges::none_of(outlines[g], [&](const Loop& loop) {
+            return std::ranges::none_of(face_loops[g], [&](const Loop& loop) {
                 return std::ranges::any_of(
                     loop, [&](const EdgeUse& use) { return chains_.all()[use.edge].has_failed; });
             });
         };
         group_of_face_.clear();
         volume_ = 0.0;
-        std::vector<KnownFaces::Known*> known;  // of each face
-        std::vector<bool> has_gone(groups_.size(), false);
+        std::vector<FaceCheckCache::Entry*> checks;  // of each face
+        std::vector<bool> is_removed(groups_.size(), false);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-            if (outlines[g].empty()) {
-                has_gone[g] = true;
+            if (face_loops[g].empty()) {
+                is_removed[g] = true;
                 vanish(g, true);
                 continue;
             }
             if (!is_sound(g)) continue;
             Face face;
             face.surface = groups_.surface_of(g);
-            face.loops = std::move(outlines[g]);
+            face.loops = std::move(face_loops[g]);
             name(face, g);
             face.is_facet = groups_.is_facet(g);
-            auto& found = known_.look_at(part, face, groups_[g].facets.front());
+            auto& found = face_checks_.lookup(part, face, groups_[g].facets.front());
             // Facets may be as thin as they are. Beside them readers make edges as wide as they are
             // off.
-            const double width = std::max(is_sickle(face) ? kTouchMm : kNoWidth, error_beside(g));
-            has_gone[g] = groups_[g].is_analytic &&
-                          2.0 * std::abs(found.measure.area) <= width * found.measure.length;
-            if (has_gone[g]) vanish(g, true);
+            const double width =
+                std::max(is_sickle(face) ? kTangencyGapMm : kNoWidth, neighbour_error(g));
+            is_removed[g] = groups_[g].is_analytic &&
+                            2.0 * std::abs(found.measure.area) <= width * found.measure.length;
+            if (is_removed[g]) vanish(g, true);
             volume_ += found.measure.volume;
             part.faces.push_back(std::move(face));
             group_of_face_.push_back(g);
-            known.push_back(&found);
+            checks.push_back(&found);
         }
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             const std::uint32_t g = group_of_face_[f];
             // Before they have gone, they are folds of their neighbours.
-            const bool is_beside_gone =
-                has_gone[g] || std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
-                    return has_gone[beside.first];
+            const bool is_next_to_removed =
+                is_removed[g] ||
+                std::ranges::any_of(groups_.neighbours(g), [&](const auto& neighbour) {
+                    return is_removed[neighbour.first];
                 });
-            if (is_beside_gone) continue;
-            if (auto gaps = beside_gaps(part, part.faces[f]); !gaps.empty()) {
+            if (is_next_to_removed) continue;
+            if (auto gaps = groups_next_to_gaps(part, part.faces[f]); !gaps.empty()) {
                 failures_.push_back({std::move(gaps)});
                 continue;
             }
             if (!is_wanted(g)) continue;
-            const double error = error_beside(g);
-            const double tolerance = error > 0.0 ? 1.5 * kBesideFacets * error : kTouchMm;
+            const double error = neighbour_error(g);
+            const double tolerance = error > 0.0 ? 1.5 * kFacetSlack * error : kTangencyGapMm;
             // Readers lay edges that are off a curved surface down on it, each in its own way.
             const bool is_flat = std::holds_alternative<Plane>(groups_.form_of(g));
-            const double clear = error > 0.0 && !is_flat ? 0.05 * tolerance : kClear;
+            const double clear = error > 0.0 && !is_flat ? 0.05 * tolerance : kReaderClearance;
             double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
-            if (!is_too_large(g, known[f]->measure.area) && !has_tiny_corner(part, part.faces[f]) &&
-                !KnownFaces::is_faulty(*known[f], part, f, tolerance, clear, miss))
+            if (!is_too_large(g, checks[f]->measure.area) &&
+                !has_tiny_corner(part, part.faces[f]) &&
+                !FaceCheckCache::is_faulty(*checks[f], part, f, tolerance, clear, miss))
                 continue;
             if (chains_.join_corners(g)) {
                 has_joined_ = true;
                 continue;
             }
-            if (cross_at(part.faces[f], known[f]->fault_at)) {
+            if (add_crossing(part.faces[f], checks[f]->fault_at)) {
                 has_joined_ = true;
                 continue;
             }
             if (!groups_.is_facet(g) && touching_.insert(groups_[g].surface).second &&
-                !outlines.touching_corners(g, part.faces[f].loops, near_on(g)).empty()) {
+                !face_loops.touching_corners(g, part.faces[f].loops, near_on(g)).empty()) {
                 has_joined_ = true;
                 continue;
             }
-            std::vector<std::uint32_t> around{g};
-            if (!known[f]->fault_at.empty()) {
-                for (const auto& [loop, place] : known[f]->fault_at) {
+            std::vector<std::uint32_t> groups{g};
+            if (!checks[f]->fault_at.empty()) {
+                for (const auto& [loop, place] : checks[f]->fault_at) {
                     const Chain& chain = chains_.all()[part.faces[f].loops[loop][place].edge];
-                    around.push_back(chain.left);
-                    around.push_back(chain.right);
+                    groups.push_back(chain.left);
+                    groups.push_back(chain.right);
                 }
-                failures_.push_back({std::move(around)});
+                failures_.push_back({std::move(groups)});
                 continue;
             }
             // A plane is right as a rule; what meets it is not.
             if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
                 for (const auto& [n, shared] : groups_.neighbours(g))
-                    around.push_back(n);
+                    groups.push_back(n);
             }
-            failures_.push_back({std::move(around)});
+            failures_.push_back({std::move(groups)});
         }
         return part;
     }
 
     // How near corners in one place are, mm.
     double near_on(std::uint32_t g) const {
-        return touching_.contains(groups_[g].surface) ? kTouchMm : kPoint;
+        return touching_.contains(groups_[g].surface) ? kTangencyGapMm : kPoint;
     }
 
     // Edges of one corner that meet once more: the surfaces beside them do not touch there.
-    bool cross_at(const Face& face,
-                  const std::vector<std::pair<std::size_t, std::size_t>>& faults) {
+    bool add_crossing(const Face& face,
+                      const std::vector<std::pair<std::size_t, std::size_t>>& faults) {
         const auto edge = [&](const auto& at) { return face.loops[at.first][at.second].edge; };
         bool any = false;
         for (std::size_t i = 0; i < faults.size(); ++i) {
             for (std::size_t j = i + 1; j < faults.size(); ++j)
-                any = chains_.cross_at(edge(faults[i]), edge(faults[j])) || any;
+                any = chains_.add_crossing(edge(faults[i]), edge(faults[j])) || any;
         }
         return any;
     }
 
     // Of it and the facets beside it; zero if there are none.
-    double error_beside(std::uint32_t g) const {
+    double neighbour_error(std::uint32_t g) const {
         double error = groups_.is_facet(g) ? groups_.error_of(g) : 0.0;
         for (const auto& [n, shared] : groups_.neighbours(g)) {
             if (groups_.is_facet(n)) error = std::max(error, groups_.error_of(n));
@@ -249,8 +255,8 @@ private:
     // What the polyhedron had, with its corners where they were, is as good as it was.
     bool is_wanted(std::uint32_t g) const {
         return groups_[g].is_analytic ||
-               std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
-                   return groups_[beside.first].is_analytic;
+               std::ranges::any_of(groups_.neighbours(g), [&](const auto& neighbour) {
+                   return groups_[neighbour.first].is_analytic;
                });
     }
 
@@ -282,7 +288,7 @@ private:
             constexpr double kAnywhere = 1.0;  // mm; where they are is known
             double miss = 0.0;
             if (part.faces[f].is_facet &&
-                (is_warped(part, part.faces[f]) || !faults_of(part, f, kAnywhere, miss).empty()))
+                (is_nonplanar(part, part.faces[f]) || !faults_of(part, f, kAnywhere, miss).empty()))
                 failures_.push_back({{group_of_face_[was[f]]}});
         }
     }
@@ -291,12 +297,12 @@ private:
     void find_crossed_planes(const Part& part, const std::vector<std::uint32_t>& was) {
         for (const std::uint32_t f : crossed_planes(part)) {
             const std::uint32_t g = group_of_face_[was[f]];
-            std::vector<std::uint32_t> around{g};
+            std::vector<std::uint32_t> groups{g};
             for (const auto& [n, shared] : groups_.neighbours(g))
-                around.push_back(n);
-            const bool may_go = std::ranges::any_of(
-                around, [&](std::uint32_t n) { return groups_[n].is_analytic; });
-            if (may_go) failures_.push_back({std::move(around)});
+                groups.push_back(n);
+            const bool is_removable = std::ranges::any_of(
+                groups, [&](std::uint32_t n) { return groups_[n].is_analytic; });
+            if (is_removable) failures_.push_back({std::move(groups)});
         }
     }
 
@@ -322,7 +328,7 @@ private:
     }
 
     // Where its loops are open: the groups on both sides of the edges there.
-    std::vector<std::uint32_t> beside_gaps(const Part& part, const Face& face) const {
+    std::vector<std::uint32_t> groups_next_to_gaps(const Part& part, const Face& face) const {
         const auto begin_of = [&](const EdgeUse& use) {
             return use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to;
         };
@@ -351,12 +357,12 @@ private:
 
     // A group without a width on the true surfaces.
     void vanish(std::uint32_t g, bool is_thin = false) {
-        std::vector<std::uint32_t> around{g};
+        std::vector<std::uint32_t> groups{g};
         if (!groups_[g].is_analytic) {
             for (const auto& [n, shared] : groups_.neighbours(g))
-                around.push_back(n);
+                groups.push_back(n);
         }
-        failures_.push_back({std::move(around), false, is_thin});
+        failures_.push_back({std::move(groups), false, is_thin});
     }
 
     void name(Face& face, std::uint32_t g) const {
@@ -390,7 +396,7 @@ private:
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
-    KnownFaces known_;  // from the apex
+    FaceCheckCache face_checks_;  // from the apex
     // Surfaces on which corners that are no farther apart than programs round are one.
     std::set<std::uint32_t> touching_;
     bool has_joined_ = false;  // corners, in this round: no face was given up for them
@@ -444,7 +450,7 @@ Facets only_shell(const Facets& facets, const std::vector<std::uint32_t>& faces)
 }
 
 // Of round tools.
-void tell_facets(Part& part, const std::map<cda::Origin, Source>& sources) {
+void mark_facets(Part& part, const std::map<cda::Origin, SweptSurfaces>& sources) {
     for (Face& face : part.faces) {
         face.is_facet = std::ranges::any_of(face.origins, [&](cda::Origin origin) {
             const auto source = sources.find(origin);
@@ -460,7 +466,7 @@ bool is_mostly_facets(const Part& part) {
 
 }  // namespace
 
-Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
                      const std::function<Facets(double times)>& kept) {
     Recognised result;
     const auto shells = shells_of(facets.boundary);
@@ -469,7 +475,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     const auto add = [&](std::uint32_t s) {
         ShellRecogniser recogniser(facets, sources, shells[s]);
         const auto part = recogniser();
-        result.facets_given_up += recogniser.given_up();
+        result.facets_demoted += recogniser.demoted_count();
         if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
         if (part && !is_mostly_facets(*part)) return append(result.part, *part);
         if (!flat) {
@@ -489,9 +495,9 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
             const auto coarse_shells = shells_of(coarse.boundary);
             return s < coarse_shells.size() ? only_shell(coarse, coarse_shells[s]) : Facets{};
         });
-        result.coarser = std::max(result.coarser, alone.coarser);
+        result.tolerance_factor = std::max(result.tolerance_factor, alone.tolerance_factor);
         result.is_sound = result.is_sound && alone.is_sound;
-        tell_facets(alone.part, sources);
+        mark_facets(alone.part, sources);
         return append(result.part, alone.part);
     };
     for (const Nesting& nesting : nesting_of(facets.boundary)) {
@@ -500,12 +506,12 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
             solid.voids.push_back(add(s));
         result.part.solids.push_back(std::move(solid));
     }
-    halve_wide_edges(result.part);
-    part_at_horns(result.part);
-    part_cones_at_points(result.part);
-    divide_arcs_beside_corners(result.part);
-    divide_arcs_at_cusps(result.part);
-    draw_in_ellipses(result.part);
+    split_wide_edges(result.part);
+    split_faces_at_tangent_holes(result.part);
+    split_cones_at_base_circle(result.part);
+    split_arcs_near_corners(result.part);
+    split_arcs_at_cusps(result.part);
+    shrink_touching_ellipses(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;

@@ -4,7 +4,7 @@
 #include "sources/label.h"
 
 #include "geometry/envelope_contact.h"
-#include "geometry/nearly.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,14 +62,14 @@ bool is_flank(const Form& form) {
 // True if the face is above the centre of a spindle. Lollipop cutters leave such facets, and no
 // face of a spindle lies there.
 bool is_above_spindle(const FlatFace& face, const Surface& surface) {
-    const auto* ring = std::get_if<Torus>(&surface.form);
-    return ring && is_spindle(*ring) && dot(face.centroid - ring->centre, ring->axis) >= 0.0;
+    const auto* torus = std::get_if<Torus>(&surface.form);
+    return torus && is_spindle(*torus) && dot(face.centroid - torus->centre, torus->axis) >= 0.0;
 }
 
 // True if the surface comes to a tip in the material.
 bool is_peak(const Surface& surface) {
-    const auto* ring = std::get_if<Torus>(&surface.form);
-    return (ring && is_spindle(*ring)) ||
+    const auto* torus = std::get_if<Torus>(&surface.form);
+    return (torus && is_spindle(*torus)) ||
            (!surface.is_hollow && std::holds_alternative<Cone>(surface.form));
 }
 
@@ -79,7 +79,7 @@ double blunt_of(const FlatFace& face, const Cone& cone, double most) {
     double widest = 0.0;
     for (const auto& loop : face.loops) {
         for (const std::uint32_t v : loop)
-            widest = std::max(widest, norm(away(cone.apex, cone.axis, face.points[v])));
+            widest = std::max(widest, norm(radial_vector(cone.apex, cone.axis, face.points[v])));
     }
     return 0.5 * std::sqrt(8.0 * widest * most / kSlackOfPeaks);
 }
@@ -89,11 +89,11 @@ double blunt_of(const FlatFace& face, const Cone& cone, double most) {
 // or no motion, follows.
 double beyond_end(const Form& form, Vec3 p) {
     const auto* envelope = std::get_if<Envelope>(&form);
-    if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return 0.0;
-    const ClosestPoint aspect = place_on(*envelope, p);
-    if (is_at_pivot(*envelope->sweep, aspect)) return std::numeric_limits<double>::infinity();
-    const Vec3 velocity = velocity_at(aspect.passage, height_of_centre(*envelope->sweep, aspect));
-    return std::abs(aspect.t - std::clamp(aspect.t, 0.0, 1.0)) * norm(velocity);
+    if (!envelope || std::holds_alternative<StraightPath>(envelope->sweep->path())) return 0.0;
+    const ClosestPoint closest = project_onto(*envelope, p);
+    if (is_at_pivot(*envelope->sweep, closest)) return std::numeric_limits<double>::infinity();
+    const Vec3 velocity = velocity_at(closest.tool, height_of_centre(*envelope->sweep, closest));
+    return std::abs(closest.t - std::clamp(closest.t, 0.0, 1.0)) * norm(velocity);
 }
 
 // Returns the largest distance beyond an end at which facets still belong to the surface. Facets
@@ -103,7 +103,7 @@ double farthest_beyond(const Form& form, double error) {
     if (!is_of_turning_tool(form)) return error;
     const Sweep& sweep = *std::get<Envelope>(form).sweep;
     const Fillet* fillet = sweep.fillet();
-    const double radius = fillet ? fillet->ring + fillet->radius : sweep.flank()->radius;
+    const double radius = fillet ? fillet->centre_radius + fillet->radius : sweep.flank()->radius;
     return std::sqrt(8.0 * radius * error);
 }
 
@@ -134,8 +134,8 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
     // The direction is compared at the centroid. If the centroid is off the surface (for a torus:
     // the bottom of a round groove), the direction is compared at the corners. The distance of the
     // corners is tested first, because a floor between walls may have thousands of corners.
-    const auto [off_by, gradient] = off(surface.form, face.centroid);
-    const bool is_on = std::abs(off_by) <= most;
+    const auto [deviation, gradient] = evaluate(surface.form, face.centroid);
+    const bool is_on = std::abs(deviation) <= most;
     double turn =
         is_on ? norm(face.normal - (surface.is_hollow ? -gradient : gradient)) : most_turn;
     if (turn > most_turn) return false;
@@ -145,7 +145,8 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
     for (const auto& loop : face.loops) {
         for (const std::uint32_t v : loop) {
             const Vec3 p = face.points[v];
-            const bool is_at_tip = blunt > 0.0 && norm(away(cone->apex, cone->axis, p)) < blunt;
+            const bool is_at_tip =
+                blunt > 0.0 && norm(radial_vector(cone->apex, cone->axis, p)) < blunt;
             const double here = is_at_tip ? std::max(most, blunt) : most;
             const double off_here = std::abs(distance(surface.form, p));
             farthest = std::max(farthest, std::min(off_here, most));
@@ -159,20 +160,20 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
     return true;
 }
 
-const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
-                         double most_turn, double& best, bool with_envelopes) {
+const CandidateSurface* best_of(const FlatFace& face, std::span<const CandidateSurface> candidates,
+                                double error, double most_turn, double& best, bool with_envelopes) {
     // A facet on a plane of the tool belongs to the plane, because ramps may be flatter than
     // errors. Surfaces along which the tool moved are preferred to those at rest, except beyond the
     // ends of paths.
     constexpr double kExact = -1.0, kAtRest = 0.05, kBeyond = 0.1, kNoLess = 1e-9;
-    const Candidate* chosen = nullptr;
-    const auto take = [&](const Candidate& candidate, double score) {
+    const CandidateSurface* chosen = nullptr;
+    const auto take = [&](const CandidateSurface& candidate, double score) {
         if (candidate.is_at_rest) score += kAtRest;
         if (score >= best - kNoLess) return;
         best = score;
         chosen = &candidate;
     };
-    for (const Candidate& candidate : candidates) {
+    for (const CandidateSurface& candidate : candidates) {
         if (std::holds_alternative<Plane>(candidate.surface.form) &&
             fits(face, candidate.surface, kFlat, kLevel))
             take(candidate, kExact);
@@ -181,7 +182,7 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
     // The score is at least the deviation of the normal, so larger deviations are not examined.
     // Forms on which the nearest point must be searched come last.
     for (const bool are_moved : {false, true}) {
-        for (const Candidate& candidate : candidates) {
+        for (const CandidateSurface& candidate : candidates) {
             const Form& form = candidate.surface.form;
             const bool is_coil = std::holds_alternative<Coil>(form);
             const bool is_envelope = std::holds_alternative<Envelope>(form);

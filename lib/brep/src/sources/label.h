@@ -3,8 +3,8 @@
 // Assignment of planar facets to the surfaces that a motion can leave.
 #pragma once
 
-#include "ncsim/brep/surface.h"
-#include "ncsim/brep/swept.h"
+#include "ncsim/brep/surface_forms.h"
+#include "ncsim/brep/swept_surfaces.h"
 #include "ncsim/cda/boundary.h"
 
 #include <cstdint>
@@ -37,7 +37,8 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
 /// a better score than `best`. Candidates must fit within 1.5 times `error` (mm; 2 times for coils,
 /// 3 times for flanks and peaks) and `most_turn` (as a chord). Sets `best` to the score of the
 /// result. Without `with_envelopes`, envelopes are left out.
-const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
-                         double most_turn, double& best, bool with_envelopes = true);
+const CandidateSurface* best_of(const FlatFace& face, std::span<const CandidateSurface> candidates,
+                                double error, double most_turn, double& best,
+                                bool with_envelopes = true);
 
 }  // namespace ncsim::brep

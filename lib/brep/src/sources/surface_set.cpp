@@ -56,10 +56,11 @@ struct Key {
     // Independent of the piece of a line, and of the direction of all other paths.
     double operator()(const Envelope& f) const {
         const Sweep& sweep = *f.sweep;
-        const Around first = around(sweep, sweep.at(0.0)), last = around(sweep, sweep.at(1.0));
+        const PathFrame first = path_frame(sweep, sweep.at(0.0)),
+                        last = path_frame(sweep, sweep.at(1.0));
         const Fillet* fillet = sweep.fillet();
-        const double own = fillet ? 0.7 * fillet->radius + 0.3 * fillet->ring : 0.0;
-        if (std::holds_alternative<StraightWay>(sweep.way()))
+        const double own = fillet ? 0.7 * fillet->radius + 0.3 * fillet->centre_radius : 0.0;
+        if (std::holds_alternative<StraightPath>(sweep.path()))
             return place(first.centre, first.ahead) + own + along(first.ahead);
         return own + 0.5 * dot(first.centre + last.centre, kAskew);
     }

@@ -4,7 +4,7 @@
 // cut in the same place leave a single face.
 #pragma once
 
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 
 #include <cstdint>
 #include <map>

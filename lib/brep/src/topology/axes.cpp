@@ -16,7 +16,7 @@ using cda::dot;
 using cda::normalized;
 
 Local local_on(const Dome& dome, const Axes& axes, Vec3 p) {
-    const DomePlace place = place_on(dome, p);
+    const DomePlace place = project_onto(dome, p);
     Local local = axes(axes.origin + (p - dome.centre - dome.reach * place.up));
     local.z = dome.reach * place.degrees() * trig::kRadiansPerDegree;
     return local;
@@ -40,14 +40,14 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
             const Vec3 at = track.at(t);
             const Local p = axes(at);
             const Vec3 n = outward(face.surface, at);
-            const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
-            const Vec3 around = p.z * away - (p.away - major) * axes.z;
+            const Vec3 radial = (1.0 / p.radius) * (p.x * axes.x + p.y * axes.y);
+            const Vec3 tangent = p.z * radial - (p.radius - major) * axes.z;
             const double inwards =
-                -dot(normalized(around), normalized(sign * cross(n, track.derivative(t))));
+                -dot(normalized(tangent), normalized(sign * cross(n, track.derivative(t))));
             constexpr double kAcross = 0.9;
-            angles.push_back({trig::angle_of(p.away - major, p.z), inwards > kAcross    ? 1
-                                                                   : inwards < -kAcross ? -1
-                                                                                        : 0});
+            angles.push_back({trig::angle_of(p.radius - major, p.z), inwards > kAcross    ? 1
+                                                                     : inwards < -kAcross ? -1
+                                                                                          : 0});
         }
     });
     std::sort(angles.begin(), angles.end());
@@ -65,7 +65,7 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
 
 double degrees_from(double cut, const Torus& torus, const Local& p) {
     constexpr double kTurn = 360.0, kQuarter = 90.0;
-    const double degrees = trig::angle_of(p.away - torus.major, p.z) - cut;
+    const double degrees = trig::angle_of(p.radius - torus.major, p.z) - cut;
     if (!is_spindle(torus)) return degrees < 0.0 ? degrees + kTurn : degrees;
     return std::max(0.0, degrees < -kQuarter ? degrees + kTurn : degrees);
 }

@@ -12,7 +12,7 @@ namespace ncsim::brep {
 
 /// A point in the frame of a surface of revolution.
 struct Local {
-    double x, y, z, away;  // away: distance from the axis
+    double x, y, z, radius;  // radius: distance from the axis
 };
 
 /// Coordinates about an axis, possibly oblique. Oblique z is the distance from the plane of x and y
@@ -29,18 +29,20 @@ struct Axes {
           lean{0.0, 0.0, 1.0} {}
     /// Axes in which an extrusion is a cylinder.
     Axes(const Extrusion& of, const Frame& frame) : Axes(of.centre, frame) {
-        lean = upright(of.along);
+        lean = rectangular_components(of.along);
     }
 
     /// Returns the rectangular components along x, y and z.
-    Vec3 upright(Vec3 v) const { return {cda::dot(v, x), cda::dot(v, y), cda::dot(v, z)}; }
-    Vec3 turned(Vec3 v) const {
-        const Vec3 u = upright(v);
+    Vec3 rectangular_components(Vec3 v) const {
+        return {cda::dot(v, x), cda::dot(v, y), cda::dot(v, z)};
+    }
+    Vec3 oblique_components(Vec3 v) const {
+        const Vec3 u = rectangular_components(v);
         const double far = u.z / lean.z;
         return {u.x - far * lean.x, u.y - far * lean.y, far};
     }
     Local operator()(Vec3 p) const {
-        const Vec3 v = turned(p - origin);
+        const Vec3 v = oblique_components(p - origin);
         return {v.x, v.y, v.z, std::sqrt(v.x * v.x + v.y * v.y)};
     }
 };

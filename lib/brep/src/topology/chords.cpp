@@ -3,7 +3,7 @@
 // Splitting of arcs next to corners of the same face.
 #include "topology/chords.h"
 
-#include "topology/halves.h"
+#include "topology/edge_splitter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +53,10 @@ std::optional<double> nearest_inside(const Track& track, Vec3 p) {
             const double middle = 0.5 * (low + high);
             (ahead(middle) > 0.0 ? low : high) = middle;
         }
-        const double off = norm(track.at(low) - p);
-        if (best && off >= least) continue;
+        const double deviation = norm(track.at(low) - p);
+        if (best && deviation >= least) continue;
         best = low;
-        least = off;
+        least = deviation;
     }
     return best;
 }
@@ -75,7 +75,7 @@ public:
     }
 
     // Returns the fraction of the arc at which to split, next to a corner.
-    std::optional<double> place_on(const Edge& edge, const Arc& arc) const {
+    std::optional<double> split_position(const Edge& edge, const Arc& arc) const {
         const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
         const double reach = arc.reach + kChordDepth;
         const auto first =
@@ -85,7 +85,7 @@ public:
             const Vec3 p = part_.vertices[*v];
             if (p.x > arc.centre.x + reach) break;
             if (*v == edge.from || *v == edge.to) continue;
-            if (const auto at = place_beside(track, arc, p)) return at;
+            if (const auto at = split_position_near(track, arc, p)) return at;
         }
         return std::nullopt;
     }
@@ -93,7 +93,8 @@ public:
 private:
     // Returns the fraction nearest to `corner` if a chord of the arc may pass on the wrong side of
     // the corner.
-    static std::optional<double> place_beside(const Track& track, const Arc& arc, Vec3 corner) {
+    static std::optional<double> split_position_near(const Track& track, const Arc& arc,
+                                                     Vec3 corner) {
         if (norm(corner - arc.centre) > arc.reach) return std::nullopt;
         const auto at = nearest_inside(track, corner);
         if (!at) return std::nullopt;
@@ -102,14 +103,14 @@ private:
         // A corner nearer to an end than kEnd coincides with the end.
         constexpr double kEnd = 1e-3, kAsDeep = 0.5;
         const double nearer = std::min(norm(before), norm(after));
-        const double off = norm(in);
-        if (off > kChordDepth || nearer < kEnd || dot(in, arc.centre - foot) <= 0.0)
+        const double deviation = norm(in);
+        if (deviation > kChordDepth || nearer < kEnd || dot(in, arc.centre - foot) <= 0.0)
             return std::nullopt;
         // Depth of the whole arc's chord below the foot.
         const Vec3 along = cda::normalized(after - before);
         const double depth = norm(before - dot(before, along) * along);
         const bool is_long = track.sweep_degrees() > 90.0;
-        if (!is_long && depth < kAsDeep * off) return std::nullopt;
+        if (!is_long && depth < kAsDeep * deviation) return std::nullopt;
         return at;
     }
 
@@ -129,7 +130,7 @@ bool divide_once(Part& part) {
                 const auto arc = arc_of(part.edges[use.edge].curve);
                 if (!arc) continue;
                 if (!corners) corners.emplace(part, face);
-                const auto at = corners->place_on(part.edges[use.edge], *arc);
+                const auto at = corners->split_position(part.edges[use.edge], *arc);
                 any = (at && halving.halve(use.edge, *at)) || any;
             }
         }
@@ -140,7 +141,7 @@ bool divide_once(Part& part) {
 
 }  // namespace
 
-void divide_arcs_beside_corners(Part& part) {
+void split_arcs_near_corners(Part& part) {
     // An arc may need a split for each of several corners.
     constexpr int kMostTimes = 100;
     for (int i = 0; i < kMostTimes && divide_once(part); ++i) {

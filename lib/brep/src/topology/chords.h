@@ -13,6 +13,6 @@ namespace ncsim::brep {
 /// chord passes on the wrong side of a corner, readers draw nothing of the face. Splines are not
 /// split. New vertices and edges are appended.
 /// Cost: O(n log n) for n evenly distributed edges.
-void divide_arcs_beside_corners(Part& part);
+void split_arcs_near_corners(Part& part);
 
 }  // namespace ncsim::brep

@@ -6,7 +6,7 @@
 // 4. Where the patch is too far off between knots, add a knot around or along, and repeat from 2.
 #include "topology/envelope_patch.h"
 
-#include "topology/around.h"
+#include "topology/angular_extent.h"
 
 #include <algorithm>
 #include <array>
@@ -56,34 +56,34 @@ public:
 
 private:
     // Tool positions at a time, and at steps before and after.
-    using Passages = std::array<ToolFrame, 2 * kStepsAway + 1>;
-    Passages passages_at(double t) const {
-        Passages passages;
+    using ToolFrames = std::array<ToolFrame, 2 * kStepsAway + 1>;
+    ToolFrames tool_frames_at(double t) const {
+        ToolFrames tool_frames;
         for (int i = -kStepsAway; i <= kStepsAway; ++i)
-            passages[static_cast<std::size_t>(i + kStepsAway)] = sweep_.at(t + i * step_along_);
-        return passages;
+            tool_frames[static_cast<std::size_t>(i + kStepsAway)] = sweep_.at(t + i * step_along_);
+        return tool_frames;
     }
 
-    Bent bent(double across, const Passages& passages) const {
-        const auto point = [&](int ahead, int beside) {
-            return point_across(sweep_, passages[static_cast<std::size_t>(ahead + kStepsAway)],
-                                across + beside * step_around_);
+    Bent bent(double across, const ToolFrames& tool_frames) const {
+        const auto point = [&](int ahead, int cross_step) {
+            return point_across(sweep_, tool_frames[static_cast<std::size_t>(ahead + kStepsAway)],
+                                across + cross_step * step_around_);
         };
         const auto on_way = [&](int ahead) { return point(ahead, 0); };
         const auto slope_around = [&](int ahead) {
-            return slope_of([&](int beside) { return point(ahead, beside); }, step_around_);
+            return slope_of([&](int cross_step) { return point(ahead, cross_step); }, step_around_);
         };
         return {point(0, 0), slope_around(0), slope_of(on_way, step_along_),
                 slope_of(slope_around, step_along_)};
     }
 
     void bend() {
-        std::vector<Passages> passages;
+        std::vector<ToolFrames> tool_frames;
         for (const double t : along_)
-            passages.push_back(passages_at(t));
+            tool_frames.push_back(tool_frames_at(t));
         knots_.clear();
         for (const double across : around_) {
-            for (const Passages& here : passages)
+            for (const ToolFrames& here : tool_frames)
                 knots_.push_back(bent(across, here));
         }
         share_around_.assign(around_.size() - 1, 1.0);
@@ -92,7 +92,7 @@ private:
             Middle middle;
             for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
                 const Vec3 bow = knot(i, j).around - knot(i + 1, j).around;
-                middle.take(aspect(i, j, 0.5, 0.0), (0.125 * (around_[i + 1] - around_[i])) * bow);
+                middle.take(closest(i, j, 0.5, 0.0), (0.125 * (around_[i + 1] - around_[i])) * bow);
             }
             share_around_[i] = middle.share();
         }
@@ -100,7 +100,7 @@ private:
             Middle middle;
             for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
                 const Vec3 bow = knot(i, j).along - knot(i, j + 1).along;
-                middle.take(aspect(i, j, 0.0, 0.5), (0.125 * (along_[j + 1] - along_[j])) * bow);
+                middle.take(closest(i, j, 0.0, 0.5), (0.125 * (along_[j + 1] - along_[j])) * bow);
             }
             share_along_[j] = middle.share();
         }
@@ -108,16 +108,16 @@ private:
 
     // Factor by which pieces are scaled to meet the surface in their middles, by least squares.
     struct Middle {
-        void take(const ClosestPoint& aspect, Vec3 bow) {
-            const double out = dot(aspect.normal, bow);
-            off += aspect.off * out;
+        void take(const ClosestPoint& closest, Vec3 bow) {
+            const double out = dot(closest.normal, bow);
+            deviation += closest.deviation * out;
             square += out * out;
         }
         double share() const {
             constexpr double kStraight = 1e-12, kMost = 0.2;
-            return square > kStraight ? 1.0 - std::clamp(off / square, -kMost, kMost) : 1.0;
+            return square > kStraight ? 1.0 - std::clamp(deviation / square, -kMost, kMost) : 1.0;
         }
-        double off = 0.0, square = 0.0;
+        double deviation = 0.0, square = 0.0;
     };
     double width(std::size_t i) const { return share_around_[i] * (around_[i + 1] - around_[i]); }
     double length(std::size_t j) const { return share_along_[j] * (along_[j + 1] - along_[j]); }
@@ -143,13 +143,13 @@ private:
         return sum;
     }
 
-    // Returns the aspect of the patch's point, near the time of the adjacent knots.
-    ClosestPoint aspect(std::size_t i, std::size_t j, double u, double v) const {
+    // Returns the closest point of the patch's point, near the time of the adjacent knots.
+    ClosestPoint closest(std::size_t i, std::size_t j, double u, double v) const {
         const double time = along_[j] + v * (along_[j + 1] - along_[j]);
-        return place_on(envelope_, at(i, j, u, v), time);
+        return project_onto(envelope_, at(i, j, u, v), time);
     }
-    double off(std::size_t i, std::size_t j, double u, double v) const {
-        return std::abs(aspect(i, j, u, v).off);
+    double deviation(std::size_t i, std::size_t j, double u, double v) const {
+        return std::abs(closest(i, j, u, v).deviation);
     }
 
     // Adds a knot in the middle of pieces that are too far off, in both directions. Returns true if
@@ -160,9 +160,9 @@ private:
             for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
                 double across = 0.0, ahead = 0.0, inside = 0.0;
                 for (const double x : {0.25, 0.5, 0.75}) {
-                    across = std::max({across, off(i, j, x, 0.0), off(i, j, x, 1.0)});
-                    ahead = std::max({ahead, off(i, j, 0.0, x), off(i, j, 1.0, x)});
-                    inside = std::max({inside, off(i, j, x, 0.5), off(i, j, 0.5, x)});
+                    across = std::max({across, deviation(i, j, x, 0.0), deviation(i, j, x, 1.0)});
+                    ahead = std::max({ahead, deviation(i, j, 0.0, x), deviation(i, j, 1.0, x)});
+                    inside = std::max({inside, deviation(i, j, x, 0.5), deviation(i, j, 0.5, x)});
                 }
                 if (std::max({across, ahead, inside}) <= kNearEnough) continue;
                 wide[i] = wide[i] || across > kNearEnough || across >= ahead;
@@ -243,24 +243,24 @@ Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& enve
     const Sweep& sweep = *envelope.sweep;
     double first = 1e9, last = -1e9, begin = 1e9, end = -1e9;
     for (const auto& points : points_along(part, face)) {
-        ProjectionSeed beside;
+        ProjectionSeed seed;
         for (const Vec3& p : points) {
-            const ClosestPoint aspect = place_on(envelope, p, beside);
-            const double across = place_across(sweep, aspect.passage, p);
+            const ClosestPoint closest = project_onto(envelope, p, seed);
+            const double across = place_across(sweep, closest.tool, p);
             first = std::min(first, across);
             last = std::max(last, across);
-            begin = std::min(begin, aspect.t);
-            end = std::max(end, aspect.t);
+            begin = std::min(begin, closest.t);
+            end = std::max(end, closest.t);
         }
     }
     const double beyond = kShare * std::max(end - begin, kShare);
     const double from = begin - beyond, to = end + beyond;
-    const bool is_straight = std::holds_alternative<StraightWay>(sweep.way());
+    const bool is_straight = std::holds_alternative<StraightPath>(sweep.path());
     const double piece = 4.0 / static_cast<double>(sweep.samples().size() - 1);
     const auto along = evenly(from, to, is_straight ? to - from : piece);
     if (sweep.flank()) {
-        const double beside = kShare * (last - first) + kShare;
-        const double low = first - beside, high = last + beside;
+        const double margin = kShare * (last - first) + kShare;
+        const double low = first - margin, high = last + margin;
         return PatchMaker(envelope, evenly(low, high, high - low), along).make();
     }
     const double low = std::max(0.0, first - kBeyondAround);

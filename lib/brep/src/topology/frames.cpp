@@ -5,7 +5,7 @@
 
 #include "ncsim/trig/angles.h"
 
-#include "topology/around.h"
+#include "topology/angular_extent.h"
 
 #include <algorithm>
 #include <array>
@@ -25,10 +25,10 @@ using cda::normalized;
 
 // Returns the x axis for a face with these loops.
 Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
-    const Vec3 x = across(axis);
-    const Round round = round_of(loops, origin, axis, x);
+    const Vec3 x = any_perpendicular(axis);
+    const AngularExtent round = angular_extent(loops, origin, axis, x);
     constexpr double kLeastGap = 0.01;
-    if (round.goes_round || round.gap < kLeastGap) {
+    if (round.is_full_turn || round.gap < kLeastGap) {
         const Vec3 v = loops.front().front() - origin;
         const Vec3 out = v - dot(v, axis) * axis;
         return norm(out) > 1e-6 ? normalized(out) : x;
@@ -80,7 +80,8 @@ Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
     double farthest = 0.0;
     for (const Vec3& axis : axes) {
         const double nearest = nearest_to(loops, centre, axis);
-        if (nearest <= farthest + 1e-3 || round_of(loops, centre, axis, across(axis)).goes_round)
+        if (nearest <= farthest + 1e-3 ||
+            angular_extent(loops, centre, axis, any_perpendicular(axis)).is_full_turn)
             continue;
         farthest = nearest;
         best = axis;
@@ -131,7 +132,7 @@ std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const
     const auto loops = points_along(part, face);
     for (const Vec3& axis : axes) {
         if (std::ranges::all_of(edges, [&](const Edge* e) { return is_line_of(*e, axis); }) &&
-            !round_of(loops, sphere.centre, axis, across(axis)).goes_round)
+            !angular_extent(loops, sphere.centre, axis, any_perpendicular(axis)).is_full_turn)
             return axis;
     }
     return std::nullopt;
@@ -142,7 +143,7 @@ Frame frame_of_plane(const Part& part, const Face& face, const Plane& plane) {
     const EdgeUse& use = face.loops.front().front();
     const Edge& edge = part.edges[use.edge];
     const Vec3 start = part.vertices[use.is_forward ? edge.from : edge.to];
-    Vec3 along = across(plane.normal);
+    Vec3 along = any_perpendicular(plane.normal);
     if (std::holds_alternative<Line>(edge.curve) && edge.from != edge.to) {
         const Vec3 v = part.vertices[edge.to] - part.vertices[edge.from];
         along = normalized(v - dot(v, plane.normal) * plane.normal);
@@ -155,8 +156,8 @@ Frame frame_of_plane(const Part& part, const Face& face, const Plane& plane) {
 bool has_tip(const Part& part, const Face& face) {
     const auto* cone = std::get_if<Cone>(&face.surface.form);
     if (!cone) return false;
-    const Round round =
-        round_of(points_along(part, face), cone->apex, cone->axis, across(cone->axis));
+    const AngularExtent round = angular_extent(points_along(part, face), cone->apex, cone->axis,
+                                               any_perpendicular(cone->axis));
     return std::abs(round.sum) > 180.0;
 }
 
@@ -169,7 +170,7 @@ Frame frame_for(const Part& part, const Face& face) {
         return {f->centre, f->axis, f->ahead};
     if (const auto* f = std::get_if<Envelope>(&face.surface.form)) {
         const ToolFrame start = f->sweep->at(0.0);
-        return {start.tip, start.axis, across(start.axis)};
+        return {start.tip, start.axis, any_perpendicular(start.axis)};
     }
     const auto loops = points_along(part, face);
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form))
@@ -213,7 +214,7 @@ Frame frame_for(const Part& part, const Face& face) {
     auto seen = loops;
     for (auto& points : seen) {
         for (Vec3& p : points)
-            p = p - f.reach * place_on(f, p).up;
+            p = p - f.reach * project_onto(f, p).up;
     }
     return {f.centre, f.axis, x_axis(seen, f.centre, f.axis)};
 }

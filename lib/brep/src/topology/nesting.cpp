@@ -81,11 +81,12 @@ std::vector<Nesting> nesting_of(const cda::Boundary& boundary) {
     for (const std::uint32_t s : voids) {
         const Vec3 point = boundary.vertices[boundary.faces[shells[s][0]].loops[0][0]];
         // A single solid, the usual case, needs no test.
-        const auto around = std::find_if(solids.begin(), solids.end(), [&](const Nesting& solid) {
-            return solids.size() == 1 ||
-                   winding_number(boundary, shells[solid.outside], point) > 0.5;
-        });
-        if (around != solids.end()) around->voids.push_back(s);
+        const auto enclosing =
+            std::find_if(solids.begin(), solids.end(), [&](const Nesting& solid) {
+                return solids.size() == 1 ||
+                       winding_number(boundary, shells[solid.outside], point) > 0.5;
+            });
+        if (enclosing != solids.end()) enclosing->voids.push_back(s);
     }
     return solids;
 }

@@ -5,8 +5,8 @@
 
 #include "ncsim/trig/angles.h"
 
-#include "geometry/nearly.h"
-#include "topology/around.h"
+#include "geometry/tolerances.h"
+#include "topology/angular_extent.h"
 #include "topology/envelope_patch.h"
 
 #include <algorithm>
@@ -102,7 +102,7 @@ Reach reach_of_patch(const Part& part, const Face& face, const Reach& reach,
                     farthest[k] = std::max(farthest[k], std::abs(places[i][k] - places[0][k]));
             }
             const auto is_at = [&](std::size_t k, double end, double radius) {
-                const double most = kTouchMm / (radius * trig::kRadiansPerDegree);
+                const double most = kTangencyGapMm / (radius * trig::kRadiansPerDegree);
                 return farthest[k] <= most && std::abs(places[0][k] - end) <= most;
             };
             ends[0] = ends[0] || is_at(0, reach.first, radius_around);
@@ -120,7 +120,7 @@ Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
     const Vec3 x = face.frame.x, y = cross(dome.axis, x);
     Reach reach;
     const auto place_of = [&](Vec3 p) {
-        const DomePlace place = place_on(dome, p);
+        const DomePlace place = project_onto(dome, p);
         const double angle = trig::angle_of(dot(place.out, x), dot(place.out, y));
         return std::array{angle < 0.0 ? angle + 360.0 : angle, place.degrees()};
     };
@@ -168,8 +168,8 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     Reach reach;
     for (const auto& points : points_along(part, face)) {
         for (const Vec3& p : points) {
-            const CoilPlace place = place_on(coil, p);
-            ahead += dot(place.out, place.way);
+            const CoilPlace place = project_onto(coil, p);
+            ahead += dot(place.out, place.motion);
             reach.take(0.0, place.turn / trig::kRadiansPerDegree);
         }
     }
@@ -183,14 +183,14 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     const Quintic circle = quintic_of_arc(
         {}, (sign * coil.radius) * side, (-sign * coil.radius) * coil.ahead, -kHalf, kHalf, kPiece);
     const Quintic turn = quintic_of_arc({}, {1, 0, 0}, {0, 1, 0}, low, high, kPiece);
-    const Quintic way = quintic_of_arc(coil.centre, coil.reach * coil.ahead, coil.reach * side, low,
-                                       high, kPiece, coil.lead * coil.axis);
+    const Quintic path = quintic_of_arc(coil.centre, coil.reach * coil.ahead, coil.reach * side,
+                                        low, high, kPiece, coil.lead * coil.axis);
     Patch patch{{}, circle.knots, turn.knots, 5};
     for (const Vec3& p : circle.points) {
         auto& row = patch.net.emplace_back();
         const Vec3 across = cross(coil.axis, p);
-        for (std::size_t i = 0; i < way.points.size(); ++i)
-            row.push_back(way.points[i] + turn.points[i].x * p + turn.points[i].y * across);
+        for (std::size_t i = 0; i < path.points.size(); ++i)
+            row.push_back(path.points[i] + turn.points[i].x * p + turn.points[i].y * across);
     }
     return patch;
 }
@@ -201,7 +201,7 @@ Patch patch_of_spiral(const Part& part, const Face& face, const Spiral& spiral) 
     Reach reach;
     for (const auto& points : points_along(part, face)) {
         for (const Vec3& p : points) {
-            const SpiralPlace place = place_on(spiral, p);
+            const SpiralPlace place = project_onto(spiral, p);
             reach.take(place.height, place.turn / trig::kRadiansPerDegree);
         }
     }
@@ -212,7 +212,7 @@ Patch patch_of_spiral(const Part& part, const Face& face, const Spiral& spiral) 
     Spline wall;
     for (int i = 0; i <= pieces; ++i) {
         const SpiralPlace place = place_at(spiral, (low + i * width) * trig::kRadiansPerDegree);
-        const Vec3 at = place.way + spiral.offset * place.out;
+        const Vec3 at = place.path_point + spiral.offset * place.out;
         const Vec3 on = (handle * place.speed) * place.along;
         wall.points.push_back(i == 0 ? at : at - on);
         wall.points.push_back(i == pieces ? at : at + on);

@@ -34,16 +34,18 @@ CornerNormals::CornerNormals(const cda::Boundary& boundary, const Provenance& pr
 
 cda::Vec3 CornerNormals::at(std::uint32_t face, std::uint32_t vertex, cda::Vec3 point) const {
     const cda::Vec3 own = boundary_.faces[face].normal;
-    using Known = brep::Shading::Known;
-    const Known known = shading_.known(face);
-    if (known == Known::Round) return shading_.normal(face, own, vertex, point);
+    using Recognition = brep::Shading::Recognition;
+    const Recognition recognition = shading_.recognition(face);
+    if (recognition == Recognition::Curved) return shading_.normal(face, own, vertex, point);
     // Vertices inside a face, made by triangulate(), belong to no other face.
     if (maker_[face] == 0 || vertex + 1 >= first_.size()) return own;
     cda::Vec3 sum;
     for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
         const std::uint32_t other = faces_[i];
         // The normal of a flat face ignores adjacent round faces.
-        if (known == Known::Flat && shading_.known(other) == Known::Round) continue;
+        if (recognition == Recognition::Planar &&
+            shading_.recognition(other) == Recognition::Curved)
+            continue;
         const bool is_smooth = maker_[other] == maker_[face] &&
                                cda::dot(own, boundary_.faces[other].normal) > kCreaseCosine;
         if (is_smooth) sum = sum + weighted_[other];

@@ -3,7 +3,7 @@
 // Normals for shading a mesh with flat facets whose true surface is curved.
 #pragma once
 
-#include "ncsim/brep/shading.h"
+#include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/provenance.h"
 

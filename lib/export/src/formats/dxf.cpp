@@ -2,7 +2,7 @@
 //
 // A DXF file is a list of groups of two lines: a code for the kind of value, and the value. The
 // version is AutoCAD R12, the last that needs neither handles nor classes.
-#include "formats/drawing.h"
+#include "formats/drawing_parts.h"
 
 #include <cstdint>
 #include <ostream>
@@ -96,7 +96,7 @@ private:
 
     Layer layer(const brep::SectionPiece& piece, std::size_t number) const {
         const DrawnSection& section = sections_[number];
-        const Maker maker(section.provenance->of(piece.origin));
+        const FaceSource maker(section.provenance->of(piece.origin));
         Layer layer;
         layer.name = maker.is_tool ? maker.name() : "STOCK";
         constexpr int kColours = 6;

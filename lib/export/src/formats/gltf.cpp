@@ -12,8 +12,8 @@
 #include "ncsim/cda/shape.h"
 
 #include "formats/corner_normals.h"
+#include "formats/file_text.h"
 #include "formats/gltf_model.h"
-#include "formats/text.h"
 #include "mesh/float_mesh.h"
 #include "render/palette.h"
 
@@ -35,7 +35,7 @@ namespace ncsim::exporter {
 namespace {
 
 struct Primitive {
-    Maker maker{{}};
+    FaceSource maker{{}};
     std::vector<std::uint32_t> indices;
     std::vector<FloatPoint> positions;
     std::vector<FloatPoint> normals;
@@ -70,9 +70,9 @@ std::uint32_t Primitive::vertex(std::uint32_t point, const FloatPoint& position,
 std::vector<Primitive> primitives(const PartMesh& part, const Provenance& provenance,
                                   const Palette& palette) {
     const auto& [boundary, mesh, centre, shading] = part;
-    std::vector<Primitive> all(palette.makers().size());
+    std::vector<Primitive> all(palette.face_sources().size());
     for (std::size_t i = 0; i < all.size(); ++i)
-        all[i].maker = palette.makers()[i];
+        all[i].maker = palette.face_sources()[i];
     for (Primitive& primitive : all)
         primitive.last_at.assign(mesh.points.size(), Primitive::kNone);
     const CornerNormals normals(boundary, provenance, palette, shading);
@@ -100,7 +100,7 @@ std::vector<Primitive> primitives(const PartMesh& part, const Provenance& proven
     return all;
 }
 
-tinygltf::Material material(const Maker& maker, Rgba8 colour) {
+tinygltf::Material material(const FaceSource& maker, Rgba8 colour) {
     tinygltf::Material result = plain_material(maker.name(), colour);
     result.extras = tinygltf::Value(
         tinygltf::Value::Object{{"tool", tinygltf::Value(static_cast<int>(maker.tool))}});
@@ -164,7 +164,7 @@ void check_size(const std::vector<Primitive>& primitives) {
 
 // Rounds each vertex independently of all others, so two files round a shared vertex to the same
 // floats. Omits triangles with two equal corners.
-FloatMesh rounded_alone(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
+FloatMesh round_vertices(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
     FloatMesh result;
     result.points.reserve(mesh.vertices.size());
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -261,7 +261,7 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenan
 std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
                                         const Provenance& provenance, cda::Vec3 centre,
                                         const brep::Shading& shading) {
-    const FloatMesh mesh = rounded_alone(cda::triangulate(piece), centre);
+    const FloatMesh mesh = round_vertices(cda::triangulate(piece), centre);
     write_mesh(out, {piece, mesh, centre, shading}, provenance);
     Seams seams;
     for (const auto& corners : mesh.triangles) {

@@ -3,7 +3,7 @@
 // Functions that glTF files of a part and of a machine share.
 #pragma once
 
-#include "ncsim/brep/shading.h"
+#include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/image.h"
 #include "ncsim/export/provenance.h"

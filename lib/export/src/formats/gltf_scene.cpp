@@ -6,9 +6,9 @@
 #include "ncsim/export/gltf.h"
 #include "ncsim/trig/angles.h"
 
+#include "formats/file_text.h"
 #include "formats/gltf_model.h"
 #include "formats/scene_keys.h"
-#include "formats/text.h"
 
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ constexpr double kMostDegrees = 90.0;
 
 // Adds the components of `v` as separate numbers. Some readers (assimp 5.2) fail if the extras of a
 // node hold lists.
-void tell(Extra::Object& specified, const std::string& name, Vec3 v) {
+void add_components(Extra::Object& specified, const std::string& name, Vec3 v) {
     for (int i = 0; i < 3; ++i)
         specified.emplace(name + "_" + "xyz"[i], Extra(v[i] + 0.0));
 }
@@ -124,8 +124,8 @@ private:
             }
             Extra::Object specified{{"axis", Extra(std::string(1, from.joint->letter))},
                                     {"turns", Extra(from.joint->turns)}};
-            tell(specified, "direction", from.joint->direction);
-            if (from.joint->turns) tell(specified, "through", from.origin);
+            add_components(specified, "direction", from.joint->direction);
+            if (from.joint->turns) add_components(specified, "through", from.origin);
             node.extras = Extra(std::move(specified));
         }
         if (!from.shown.empty() && visibility_keys(from).front().value == 0.0)

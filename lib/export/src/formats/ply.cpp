@@ -3,7 +3,7 @@
 // The part as binary PLY.
 #include "ncsim/export/ply.h"
 
-#include "formats/text.h"
+#include "formats/file_text.h"
 #include "mesh/pieces.h"
 #include "render/palette.h"
 

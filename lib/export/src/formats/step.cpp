@@ -10,7 +10,7 @@
 #include "ncsim/cda/shape.h"
 #include "ncsim/export/simplify.h"
 
-#include "formats/text.h"
+#include "formats/file_text.h"
 #include "render/palette.h"
 
 #include <algorithm>
@@ -116,7 +116,7 @@ public:
           palette_(provenance),
           vertices_(part.vertices.size()),
           edges_(part.edges.size(), 0),
-          styles_(palette_.makers().size(), 0),
+          styles_(palette_.face_sources().size(), 0),
           faces_(part.faces.size(), 0) {}
 
     void write() {

@@ -7,7 +7,7 @@
 #include "ncsim/cda/parallel.h"
 #include "ncsim/cda/shape.h"
 
-#include "formats/text.h"
+#include "formats/file_text.h"
 #include "mesh/float_mesh.h"
 
 #include <algorithm>

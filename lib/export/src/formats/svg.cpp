@@ -4,8 +4,8 @@
 // sweep flag 0.
 #include "ncsim/trig/angles.h"
 
-#include "formats/drawing.h"
-#include "formats/text.h"
+#include "formats/drawing_parts.h"
+#include "formats/file_text.h"
 
 #include <map>
 #include <ostream>
@@ -60,15 +60,15 @@ private:
         const Palette palette(*section.provenance);
         std::string filled;
         // Outlines by tool, and whether they belong to facets.
-        std::map<std::pair<Maker, bool>, std::string> lines;
+        std::map<std::pair<FaceSource, bool>, std::string> lines;
         for (const brep::Outline& outline : section.section->outlines) {
             filled += "M" + at(outline.front().from);
             std::string* last = nullptr;
             for (const brep::SectionPiece& piece : outline) {
-                const Maker maker(section.provenance->of(piece.origin));
+                const FaceSource maker(section.provenance->of(piece.origin));
                 const bool is_facet = piece.is_facet || (section.is_faceted && maker.is_tool);
                 std::string& path = lines[{maker, is_facet}];
-                const std::string on = along(piece);
+                const std::string on = path_commands(piece);
                 filled += on;
                 if (last != &path) path += "M" + at(piece.from);
                 path += on;
@@ -95,7 +95,7 @@ private:
     }
 
     // Returns the path commands of a piece, from the current point to its end.
-    static std::string along(const brep::SectionPiece& piece) {
+    static std::string path_commands(const brep::SectionPiece& piece) {
         if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
             const FlatPoint opposite{2.0 * arc->centre.u - piece.from.u,
                                      2.0 * arc->centre.v - piece.from.v};

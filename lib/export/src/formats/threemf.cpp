@@ -6,7 +6,7 @@
 
 #include "ncsim/cda/mesh.h"
 
-#include "formats/text.h"
+#include "formats/file_text.h"
 #include "formats/zip.h"
 #include "render/palette.h"
 
@@ -52,7 +52,7 @@ void append_attribute(std::string& text, std::string_view name, std::size_t valu
 
 void append_materials(std::string& text, const Palette& palette) {
     text += "<basematerials id=\"1\">\n";
-    for (const Maker& maker : palette.makers()) {
+    for (const FaceSource& maker : palette.face_sources()) {
         text += "<base name=\"" + maker.name() + "\" displaycolor=\"#";
         const Rgba8 colour = palette.colour(maker);
         for (const std::uint8_t channel : {colour.r, colour.g, colour.b, colour.a}) {

@@ -8,7 +8,7 @@
 
 #include "ncsim/cda/shape.h"
 
-#include "formats/text.h"
+#include "formats/file_text.h"
 #include "formats/vrml_scene.h"
 #include "mesh/pieces.h"
 #include "render/palette.h"
@@ -37,7 +37,7 @@ public:
           provenance_(provenance),
           palette_(provenance),
           pieces_(boundary, Polygons::Simple),
-          is_defined_(palette_.makers().size(), false) {}
+          is_defined_(palette_.face_sources().size(), false) {}
 
     void write() {
         header();
@@ -188,7 +188,7 @@ private:
     // Writes the appearance in full for the first shape of a tool, and by name for later shapes.
     void appearance(Provenance::Entry by) {
         const std::size_t rank = palette_.rank(by);
-        const Maker& maker = palette_.makers()[rank];
+        const FaceSource& maker = palette_.face_sources()[rank];
         const std::string name =
             maker.is_tool ? "TOOL_" + std::to_string(maker.tool) : std::string("STOCK_LOOK");
         if (is_defined_[rank]) {

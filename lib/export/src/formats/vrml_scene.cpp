@@ -6,8 +6,8 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/trig/angles.h"
 
+#include "formats/file_text.h"
 #include "formats/scene_keys.h"
-#include "formats/text.h"
 #include "render/palette.h"
 
 #include <cmath>

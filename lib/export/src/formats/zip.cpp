@@ -38,7 +38,7 @@ void check_size(std::uint64_t size) {
     if (size > kLimit) throw std::runtime_error("the part is too large for a ZIP archive (4 GiB)");
 }
 
-std::string deflated(std::string_view content) {
+std::string deflate_bytes(std::string_view content) {
     z_stream stream{};
     // A negative window size (15 bits) selects raw deflate, without the header of zlib.
     if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY) !=
@@ -74,7 +74,7 @@ void ZipWriter::write(std::string_view bytes) {
 
 void ZipWriter::add(std::string_view name, std::string_view content) {
     check_size(content.size());
-    const std::string packed = deflated(content);
+    const std::string packed = deflate_bytes(content);
     check_size(written_ + packed.size());
 
     // Fields that the local header and the directory entry share.

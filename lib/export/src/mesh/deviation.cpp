@@ -161,19 +161,20 @@ private:
 };
 
 // Triangles that the other mesh does not have, with their corners and middles.
-struct Own {
+struct UnmatchedTriangles {
     std::vector<std::uint32_t> triangles;
     std::vector<Vec3> points;
 };
-Own own_of(const TriangleMesh& mesh, const std::vector<Triple>& triangles,
-           const std::vector<Triple>& others, std::size_t places) {
+UnmatchedTriangles unmatched_triangles(const TriangleMesh& mesh,
+                                       const std::vector<Triple>& triangles,
+                                       const std::vector<Triple>& others, std::size_t places) {
     const TrianglesByCorner in_other(others, places);
     std::vector<bool> is_done(places, false);
     for (const Triple& t : others) {
         for (const std::uint32_t place : t)
             is_done[place] = true;
     }
-    Own own;
+    UnmatchedTriangles own;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         if (in_other.contain(triangles[t])) continue;
         own.triangles.push_back(t);
@@ -190,7 +191,8 @@ Own own_of(const TriangleMesh& mesh, const std::vector<Triple>& triangles,
     return own;
 }
 
-double farthest(const Own& from, const TriangleMesh& to, const Own& own_of_to) {
+double farthest(const UnmatchedTriangles& from, const TriangleMesh& to,
+                const UnmatchedTriangles& own_of_to) {
     if (from.points.empty()) return 0.0;
     if (!own_of_to.triangles.empty()) {
         const Farthest found = farthest(from.points, TriangleTree(to, own_of_to.triangles));
@@ -207,8 +209,8 @@ double deviation(const TriangleMesh& a, const TriangleMesh& b) {
     SamePlaces places(a.vertices.size() + b.vertices.size());
     const std::vector<Triple> of_a = places.triangles(a);
     const std::vector<Triple> of_b = places.triangles(b);
-    const Own own_a = own_of(a, of_a, of_b, places.size());
-    const Own own_b = own_of(b, of_b, of_a, places.size());
+    const UnmatchedTriangles own_a = unmatched_triangles(a, of_a, of_b, places.size());
+    const UnmatchedTriangles own_b = unmatched_triangles(b, of_b, of_a, places.size());
     return std::max(farthest(own_a, b, own_b), farthest(own_b, a, own_a));
 }
 

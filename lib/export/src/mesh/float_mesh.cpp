@@ -87,7 +87,7 @@ public:
 
     /// Returns the vertices with more than one fan, ascending; nullopt if the triangles at a vertex
     /// do not form closed fans.
-    std::optional<std::vector<Vertex>> with_several(std::size_t threads) {
+    std::optional<std::vector<Vertex>> vertices_with_several_fans(std::size_t threads) {
         std::atomic<bool> is_closed = true;
         const auto vertices = static_cast<Vertex>(first_.size() - 1);
         std::vector<Vertex> several = cda::those_that(threads, vertices, [&](Vertex v) {
@@ -104,8 +104,8 @@ public:
     /// does not occur exactly once in each direction.
     template <typename Action>
     bool visit(Vertex v, const Action& fan) {
-        const auto begin = begin_of(v);
-        const auto end = begin_of(v + 1);
+        const auto begin = first_corner(v);
+        const auto end = first_corner(v + 1);
         std::sort(begin, end, [](const Corner& a, const Corner& b) { return a.from < b.from; });
         for (auto corner = begin; corner != end; ++corner)
             corner->is_done = false;
@@ -137,7 +137,7 @@ private:
         std::uint32_t number;
         bool is_done;
     };
-    std::vector<Corner>::iterator begin_of(Vertex v) {
+    std::vector<Corner>::iterator first_corner(Vertex v) {
         return corners_.begin() + static_cast<std::ptrdiff_t>(first_[v]);
     }
     std::vector<std::size_t> first_;  // for each vertex, start of the corners in `corners_`
@@ -149,7 +149,7 @@ private:
 void part_fans(std::vector<Triangle>& triangles, std::vector<std::uint32_t>& vertex,
                std::size_t threads) {
     Fans fans(triangles, vertex.size());
-    const auto several = fans.with_several(threads);
+    const auto several = fans.vertices_with_several_fans(threads);
     if (!several) throw std::invalid_argument("the mesh is not closed");
     for (const Vertex v : *several) {
         bool is_first = true;
@@ -164,7 +164,7 @@ void part_fans(std::vector<Triangle>& triangles, std::vector<std::uint32_t>& ver
 
 bool is_manifold(const std::vector<Triangle>& triangles, std::size_t vertices,
                  std::size_t threads) {
-    const auto several = Fans(triangles, vertices).with_several(threads);
+    const auto several = Fans(triangles, vertices).vertices_with_several_fans(threads);
     return several && several->empty();
 }
 

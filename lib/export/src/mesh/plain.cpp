@@ -48,8 +48,8 @@ bool are_all_corners(const cda::Boundary& boundary) {
     return std::ranges::none_of(loops_at, [](std::uint32_t n) { return n == 1 || n == 2; });
 }
 
-double farthest_off(const std::vector<Vec3>& vertices, const cda::BoundaryFace& of,
-                    const cda::BoundaryFace& plane) {
+double largest_distance(const std::vector<Vec3>& vertices, const cda::BoundaryFace& of,
+                        const cda::BoundaryFace& plane) {
     double farthest = 0.0;
     for (const auto& loop : of.loops) {
         for (const std::uint32_t v : loop)
@@ -72,8 +72,8 @@ bool any_are_joinable(const cda::Boundary& boundary, double share, const Provena
         const cda::BoundaryFace& g = boundary.faces[edges[twins[e]].face];
         if (&f == &g) return true;
         if (cda::dot(f.normal, g.normal) < kMinNormalCosine || line_of(f) != line_of(g)) continue;
-        if (f.normal == g.normal || farthest_off(boundary.vertices, f, g) <= share ||
-            farthest_off(boundary.vertices, g, f) <= share)
+        if (f.normal == g.normal || largest_distance(boundary.vertices, f, g) <= share ||
+            largest_distance(boundary.vertices, g, f) <= share)
             return true;
     }
     return false;
@@ -82,7 +82,7 @@ bool any_are_joinable(const cda::Boundary& boundary, double share, const Provena
 // Puts the loops into the order in which merge_groups() walks them. Returns false if the outline is
 // not the first loop, or if there are several outlines.
 // Requires: no vertex is in two loops.
-bool put_in_order(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
+bool order_loops(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     for (LoopOfVertices& loop : face.loops)
         std::rotate(loop.begin(), std::ranges::min_element(loop), loop.end());
     std::ranges::sort(face.loops, {}, [](const LoopOfVertices& loop) { return loop.front(); });
@@ -126,7 +126,7 @@ bool any_is_flake(const cda::Boundary& boundary, const cda::TriangleMesh& mesh, 
         Largest& shell = shells[face.shell];
         const cda::BoundaryFace& plane = boundary.faces[shell.face];
         shell.is_flat =
-            shell.is_flat && farthest_off(boundary.vertices, face, plane) <= 2.0 * share;
+            shell.is_flat && largest_distance(boundary.vertices, face, plane) <= 2.0 * share;
     }
     return std::ranges::any_of(
         shells, [](const Largest& shell) { return shell.area >= 0.0 && shell.is_flat; });
@@ -134,8 +134,8 @@ bool any_is_flake(const cda::Boundary& boundary, const cda::TriangleMesh& mesh, 
 
 }  // namespace
 
-std::optional<Simplified> as_plain(const cda::Boundary& boundary, double share_mm,
-                                   const Provenance* lines) {
+std::optional<Simplified> plain_boundary(const cda::Boundary& boundary, double share_mm,
+                                         const Provenance* lines) {
     if (!are_all_corners(boundary) || any_are_joinable(boundary, share_mm, lines))
         return std::nullopt;
     Simplified result{boundary, {}, 0.0, {}};
@@ -144,8 +144,8 @@ std::optional<Simplified> as_plain(const cda::Boundary& boundary, double share_m
         Vec3 area;
         for (const LoopOfVertices& loop : face.loops)
             area = area + loop_area_vector(boundary.vertices, loop);
-        if (!put_in_order(boundary.vertices, face) || !(cda::dot(area, face.normal) > 0.0) ||
-            farthest_off(boundary.vertices, face, face) > share_mm)
+        if (!order_loops(boundary.vertices, face) || !(cda::dot(area, face.normal) > 0.0) ||
+            largest_distance(boundary.vertices, face, face) > share_mm)
             return std::nullopt;
         result.origins.push_back({face.origin});
     }

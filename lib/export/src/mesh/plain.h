@@ -25,10 +25,10 @@ inline constexpr double kMinNormalCosine = 0.9659;
 /// Guarantees: the faces, their loops, their origins and their planes are those of simplify_any();
 ///     the deviation is 0.
 /// Cost: about that of cda::triangulate().
-std::optional<Simplified> as_plain(const cda::Boundary& boundary, double share_mm,
-                                   const Provenance* lines);
+std::optional<Simplified> plain_boundary(const cda::Boundary& boundary, double share_mm,
+                                         const Provenance* lines);
 
-/// Simplifies any boundary as simplify() promises. Tests compare as_plain() with the result.
+/// Simplifies any boundary as simplify() promises. Tests compare plain_boundary() with the result.
 /// Requires: at least one face.
 Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
                         const Provenance* lines);

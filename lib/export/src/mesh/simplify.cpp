@@ -57,7 +57,7 @@ Vec3 area_vector(const std::vector<Vec3>& vertices, const cda::BoundaryFace& fac
 }
 
 // Returns each triangle as a face in the plane of its original face.
-cda::Boundary as_boundary(const cda::TriangleMesh& mesh, const cda::Boundary& from) {
+cda::Boundary boundary_of(const cda::TriangleMesh& mesh, const cda::Boundary& from) {
     cda::Boundary result;
     result.vertices = mesh.vertices;
     result.shells = from.shells;
@@ -356,7 +356,7 @@ void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
 Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh, double share,
                           const Provenance* lines) {
     remove_slivers(mesh, share);
-    cda::Boundary work = as_boundary(mesh, boundary);
+    cda::Boundary work = boundary_of(mesh, boundary);
     drop_flakes(work, share);
     if (work.faces.empty()) return {};
     Flats flats(work, share, lines);
@@ -378,8 +378,8 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
 
 // Returns `mesh` without the shells that vanished. A flake thinner than the tolerance may vanish
 // whatever its width: its points are near empty space, but may be far from the remaining surface.
-cda::TriangleMesh without_lost_shells(cda::TriangleMesh mesh, const cda::Boundary& before,
-                                      const cda::Boundary& after) {
+cda::TriangleMesh remove_lost_shells(cda::TriangleMesh mesh, const cda::Boundary& before,
+                                     const cda::Boundary& after) {
     std::vector<bool> is_left(before.shells, false);
     for (const auto& face : after.faces)
         is_left[face.shell] = true;
@@ -398,7 +398,7 @@ cda::TriangleMesh without_lost_shells(cda::TriangleMesh mesh, const cda::Boundar
 
 Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines) {
     if (boundary.faces.empty()) return {boundary, {}, 0.0, {}};
-    if (auto plain = as_plain(boundary, 0.25 * tolerance_mm, lines)) return std::move(*plain);
+    if (auto plain = plain_boundary(boundary, 0.25 * tolerance_mm, lines)) return std::move(*plain);
     return simplify_any(boundary, tolerance_mm, lines);
 }
 
@@ -413,7 +413,7 @@ Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
         if (result.boundary.faces.empty()) return result;  // the part is smaller than the tolerance
         result.mesh = cda::triangulate(result.boundary);
         result.deviation_mm =
-            deviation(without_lost_shells(before, boundary, result.boundary), result.mesh);
+            deviation(remove_lost_shells(before, boundary, result.boundary), result.mesh);
         if (result.deviation_mm <= tolerance_mm || share == 0.0) return result;
     }
 }

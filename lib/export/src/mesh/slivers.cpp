@@ -132,7 +132,7 @@ private:
     }
 
     // Updates the list of low triangles from the touched triangles.
-    void look_again() {
+    void update_low_triangles() {
         low_.insert(low_.end(), touched_.begin(), touched_.end());
         changed_.insert(changed_.end(), touched_.begin(), touched_.end());
         touched_.clear();
@@ -155,11 +155,11 @@ private:
         bool changed = false;
         for (const auto& [far, ends] : edges)
             changed |= contract(ends.first, ends.second, far);
-        look_again();
+        update_low_triangles();
         return changed;
     }
 
-    std::vector<std::uint32_t> with_both(Vertex a, Vertex b) const {
+    std::vector<std::uint32_t> triangles_with_both(Vertex a, Vertex b) const {
         std::vector<std::uint32_t> both;
         std::set_intersection(triangles_at_[a].begin(), triangles_at_[a].end(),
                               triangles_at_[b].begin(), triangles_at_[b].end(),
@@ -197,7 +197,7 @@ private:
         if (radius_[gone] + far > 2.0 * least_) std::swap(gone, kept);
         if (radius_[gone] + far > 2.0 * least_) return false;
 
-        const std::vector<std::uint32_t> both = with_both(gone, kept);
+        const std::vector<std::uint32_t> both = triangles_with_both(gone, kept);
         if (both.size() != 2) return false;
         std::vector<Vertex> tips;
         for (const std::uint32_t t : both) {
@@ -214,7 +214,7 @@ private:
         if (common != tips) return false;
 
         for (const std::uint32_t t : both)
-            take_out(t);
+            remove_triangle(t);
         std::vector<std::uint32_t>& at_kept = triangles_at_.change(kept);
         for (const std::uint32_t t : triangles_at_[gone]) {
             std::replace(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), gone, kept);
@@ -227,7 +227,7 @@ private:
         return true;
     }
 
-    void take_out(std::uint32_t t) {
+    void remove_triangle(std::uint32_t t) {
         is_gone_[t] = true;
         for (const Vertex v : mesh_.triangles[t])
             std::erase(triangles_at_.change(v), t);
@@ -262,7 +262,7 @@ private:
         bool changed = false;
         for (const auto& [base, t] : caps)
             changed |= flip(t);
-        look_again();
+        update_low_triangles();
         return changed;
     }
 
@@ -272,7 +272,7 @@ private:
         // The triangle is a needle whose edge could not be contracted.
         if (length(low.from, low.opposite) < least_ || length(low.opposite, low.to) < least_)
             return false;
-        const std::vector<std::uint32_t> both = with_both(low.from, low.to);
+        const std::vector<std::uint32_t> both = triangles_with_both(low.from, low.to);
         if (both.size() != 2) return false;
         const std::uint32_t other = both[0] == t ? both[1] : both[0];
         const Cap across = cap(other);
@@ -281,7 +281,7 @@ private:
         for (const Vertex v : mesh_.triangles[other]) {
             if (v != low.from && v != low.to) tip = v;
         }
-        if (tip == low.opposite || !with_both(tip, low.opposite).empty()) return false;
+        if (tip == low.opposite || !triangles_with_both(tip, low.opposite).empty()) return false;
         mesh_.face[t] = mesh_.face[other];
         set(t, {low.from, tip, low.opposite}, low.to);
         set(other, {tip, low.to, low.opposite}, low.from);
@@ -321,7 +321,7 @@ private:
             }
             if (count != 2) continue;
             for (const std::uint32_t s : same)
-                take_out(s);
+                remove_triangle(s);
         }
     }
 

@@ -163,7 +163,7 @@ void draw_stroke(Image& image, Point a, Point b, double width, Rgba8 colour) {
     }
 }
 
-bool continues_a_character(char c) {
+bool is_continuation_byte(char c) {
     return (static_cast<std::uint8_t>(c) & 0xC0) == 0x80;
 }
 
@@ -179,7 +179,7 @@ void draw_text(Image& image, double x, double y, double height, Rgba8 colour,
                std::string_view text) {
     const double unit = height / kCapHeight;
     for (const char c : text) {
-        if (continues_a_character(c)) continue;
+        if (is_continuation_byte(c)) continue;
         const std::string_view strokes = glyph(c);
         bool starts = true;
         Point last;
@@ -196,7 +196,7 @@ void draw_text(Image& image, double x, double y, double height, Rgba8 colour,
 
 double text_width(double height, std::string_view text) {
     const auto letters =
-        std::count_if(text.begin(), text.end(), [](char c) { return !continues_a_character(c); });
+        std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation_byte(c); });
     return kXScale * kAdvance * height / kCapHeight * static_cast<double>(letters);
 }
 

@@ -71,28 +71,29 @@ LinearColour scale_colour(double t) {
     return (1.0F - share) * to_linear(kScale[below]) + share * to_linear(kScale[below + 1]);
 }
 
-std::string Maker::name() const {
+std::string FaceSource::name() const {
     if (!is_tool) return "stock";
     std::string text(1, 'T');
     text += std::to_string(tool);
     return text;
 }
 
-Palette::Palette(const Provenance& provenance) : makers_{Maker({})} {
+Palette::Palette(const Provenance& provenance) : face_sources_{FaceSource({})} {
     for (const Provenance::Entry& entry : provenance.entries)
-        makers_.emplace_back(entry);
-    std::sort(makers_.begin(), makers_.end());
-    makers_.erase(std::unique(makers_.begin(), makers_.end()), makers_.end());
-    if (makers_.size() > 1 && makers_[1].tool == 0) first_numbered_ = 2;
+        face_sources_.emplace_back(entry);
+    std::sort(face_sources_.begin(), face_sources_.end());
+    face_sources_.erase(std::unique(face_sources_.begin(), face_sources_.end()),
+                        face_sources_.end());
+    if (face_sources_.size() > 1 && face_sources_[1].tool == 0) first_numbered_ = 2;
 }
 
-std::size_t Palette::rank(Maker maker) const {
-    const auto found = std::lower_bound(makers_.begin(), makers_.end(), maker);
-    const bool known = found != makers_.end() && *found == maker;
-    return known ? static_cast<std::size_t>(found - makers_.begin()) : 0;
+std::size_t Palette::rank(FaceSource maker) const {
+    const auto found = std::lower_bound(face_sources_.begin(), face_sources_.end(), maker);
+    const bool known = found != face_sources_.end() && *found == maker;
+    return known ? static_cast<std::size_t>(found - face_sources_.begin()) : 0;
 }
 
-Rgba8 Palette::colour(Maker maker) const {
+Rgba8 Palette::colour(FaceSource maker) const {
     const std::size_t position = rank(maker);
     if (position == 0) return kStockColour;
     if (position < first_numbered_) return kUnnumberedColour;

@@ -49,12 +49,12 @@ double linear_share(std::uint8_t channel);
 LinearColour scale_colour(double t);
 
 /// The tool that cut a face, or the stock.
-struct Maker {
+struct FaceSource {
     bool is_tool = false;    ///< False: an uncut face of the stock.
     std::uint32_t tool = 0;  ///< Number of the tool; 0 if the program calls no tool.
 
-    explicit Maker(Provenance::Entry entry) : is_tool(!entry.is_stock()), tool(entry.tool) {}
-    auto operator<=>(const Maker&) const = default;
+    explicit FaceSource(Provenance::Entry entry) : is_tool(!entry.is_stock()), tool(entry.tool) {}
+    auto operator<=>(const FaceSource&) const = default;
 
     /// Returns "stock", "T3" or "T0".
     std::string name() const;
@@ -67,18 +67,18 @@ class Palette {
 public:
     explicit Palette(const Provenance& provenance);
 
-    Rgba8 colour(Maker maker) const;
-    Rgba8 colour(Provenance::Entry entry) const { return colour(Maker(entry)); }
+    Rgba8 colour(FaceSource maker) const;
+    Rgba8 colour(Provenance::Entry entry) const { return colour(FaceSource(entry)); }
     /// Returns the stock, even without a face of the stock, then the tools in the order of their
     /// numbers.
-    const std::vector<Maker>& makers() const { return makers_; }
-    /// Returns the position of `maker` in makers(); that of the stock for an unknown tool.
-    std::size_t rank(Maker maker) const;
-    std::size_t rank(Provenance::Entry entry) const { return rank(Maker(entry)); }
+    const std::vector<FaceSource>& face_sources() const { return face_sources_; }
+    /// Returns the position of `maker` in face_sources(); that of the stock for an unknown tool.
+    std::size_t rank(FaceSource maker) const;
+    std::size_t rank(Provenance::Entry entry) const { return rank(FaceSource(entry)); }
 
 private:
-    std::vector<Maker> makers_;
-    std::size_t first_numbered_ = 1;  // index of the first tool with a number, in makers_
+    std::vector<FaceSource> face_sources_;
+    std::size_t first_numbered_ = 1;  // index of the first tool with a number, in face_sources_
 };
 
 }  // namespace ncsim::exporter

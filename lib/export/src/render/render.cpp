@@ -9,9 +9,9 @@
 #include "render/edge_tiles.h"
 #include "render/offscreen.h"
 #include "render/opengl_buffer.h"
-#include "render/overlay.h"
+#include "render/overlay_art.h"
 #include "render/palette.h"
-#include "render/resolve.h"
+#include "render/pixel_resolver.h"
 #include "render/surface.h"
 #include "render/visibility.h"
 
@@ -276,7 +276,7 @@ public:
                 ids_.push_back(kBackground);
                 continue;
             }
-            const bool is_round = shading.known(f) == brep::Shading::Known::Round;
+            const bool is_round = shading.recognition(f) == brep::Shading::Recognition::Curved;
             if (is_round || of_face[f] == kBackground) {
                 table.surfaces.push_back(paint.surface(face.normal, point, face.origin));
                 of_face[f] = static_cast<SurfaceId>(table.surfaces.size());
@@ -341,7 +341,7 @@ private:
 // Returns the picture that `draw` makes of an overlay. If some bodies are not opaque, the picture
 // with all bodies is blended over the picture without them, with the opacity of the first.
 template <typename Draw>
-Image with_transparent(const Overlay& overlay, const Draw& draw) {
+Image blend_transparent(const Overlay& overlay, const Draw& draw) {
     const auto is_transparent = [](const Body& body) { return body.colour.a < kOpaque; };
     const auto first = std::ranges::find_if(overlay.bodies, is_transparent);
     if (first == overlay.bodies.end()) return draw(overlay);
@@ -432,7 +432,7 @@ Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
 
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay) {
-    return with_transparent(overlay, [&](const Overlay& shown) {
+    return blend_transparent(overlay, [&](const Overlay& shown) {
         return draw_model(model, provenance, options, shown);
     });
 }
@@ -440,7 +440,7 @@ Image render_model(const cda::WorkpieceModel& model, const Provenance& provenanc
 Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
                       const RenderOptions& options, const Overlay& overlay,
                       const brep::Shading& shading) {
-    return with_transparent(overlay, [&](const Overlay& shown) {
+    return blend_transparent(overlay, [&](const Overlay& shown) {
         return draw_boundary(boundary, provenance, options, shown, shading);
     });
 }

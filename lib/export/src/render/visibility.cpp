@@ -24,7 +24,7 @@ constexpr double kFarthest = 1 << 22;
 constexpr double kDepthScale = 1 << 23;
 constexpr std::int32_t kNothing = std::numeric_limits<std::int32_t>::max();
 
-std::int64_t divided_up(std::int64_t a, std::int64_t b) {
+std::int64_t divide_up(std::int64_t a, std::int64_t b) {
     const std::int64_t q = a / b;
     return q * b < a ? q + 1 : q;
 }
@@ -188,7 +188,7 @@ VisibilityBuffer::Run VisibilityBuffer::run(std::uint32_t row) const {
         // The first centre that is not on the left of the edge.
         const std::int64_t dy = b->y - a->y;
         const std::int64_t at =
-            divided_up((a->x - kUnit / 2) * dy + (y - a->y) * (b->x - a->x), kUnit * dy);
+            divide_up((a->x - kUnit / 2) * dy + (y - a->y) * (b->x - a->x), kUnit * dy);
         begin = std::min(begin, at);
         end = std::max(end, at);
     }
@@ -201,9 +201,9 @@ VisibilityBuffer::Run VisibilityBuffer::run(std::uint32_t row) const {
 template <class Draw>
 void VisibilityBuffer::for_each_run(const Draw& draw) const {
     const auto [low, high] = std::ranges::minmax(corners_, {}, &Corner::y);
-    const std::int64_t first = std::max<std::int64_t>(0, divided_up(low.y - kUnit / 2, kUnit));
+    const std::int64_t first = std::max<std::int64_t>(0, divide_up(low.y - kUnit / 2, kUnit));
     const std::int64_t end =
-        std::min<std::int64_t>(rect_.height, divided_up(high.y - kUnit / 2, kUnit));
+        std::min<std::int64_t>(rect_.height, divide_up(high.y - kUnit / 2, kUnit));
     for (std::int64_t row = first; row < end; ++row) {
         const Run cells = run(static_cast<std::uint32_t>(row));
         if (cells.begin < cells.end) draw(static_cast<std::uint32_t>(row), cells);

@@ -12,9 +12,9 @@ namespace {
 
 /// Name of a code as programs write the name, with a point in place of the '_'.
 template <std::size_t Size>
-struct Written {
+struct CodeText {
     std::array<char, Size> text{};
-    constexpr explicit Written(const char (&name)[Size]) {
+    constexpr explicit CodeText(const char (&name)[Size]) {
         for (std::size_t i = 0; i < Size; ++i)
             text[i] = name[i] == '_' ? '.' : name[i];
     }
@@ -29,15 +29,19 @@ constexpr std::uint32_t bits_of(std::string_view letters) {
     return bits;
 }
 
-#define NCSIM_G(name, group, takes_axes, letters, known_to) constexpr Written k##name(#name);
+#define NCSIM_G(name, group, takes_axes, letters, availability) constexpr CodeText k##name(#name);
 #include "control/codes.def"
 #undef NCSIM_G
 
 constexpr auto kCodes = std::to_array<GCode>({
-#define NCSIM_G(name, group, takes_axes, letters, known_to)                        \
-    {Code::name,       k##name,          Group::group,                             \
-     takes_axes,       bits_of(letters), std::string_view(letters).ends_with('+'), \
-     KnownTo::known_to},
+#define NCSIM_G(name, group, takes_axes, letters, availability) \
+    {Code::name,                                                \
+     k##name,                                                   \
+     Group::group,                                              \
+     takes_axes,                                                \
+     bits_of(letters),                                          \
+     std::string_view(letters).ends_with('+'),                  \
+     Availability::availability},
 #include "control/codes.def"
 #undef NCSIM_G
 });

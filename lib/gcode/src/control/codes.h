@@ -32,11 +32,11 @@ enum class Group : std::uint8_t {
     Scaling,
     Mirror,
     Polar,
-    Carried,      ///< G254, G255, G54.2, G54.4.
-    Face,         ///< G12.1, G13.1 and G112, G113 of Haas.
-    Cylinder,     ///< G7.1, G107.
-    TiltedPlane,  ///< G68.2 and similar codes: frame of a tilted working plane.
-    Orient,       ///< G53.1 and similar codes: turn the tool normal to the plane.
+    DynamicOffset,       ///< G254, G255, G54.2, G54.4.
+    PolarInterpolation,  ///< G12.1, G13.1 and G112, G113 of Haas.
+    Cylinder,            ///< G7.1, G107.
+    TiltedPlane,         ///< G68.2 and similar codes: frame of a tilted working plane.
+    Orient,              ///< G53.1 and similar codes: turn the tool normal to the plane.
     Macro,
     Pocket,        ///< G12, G13 and G150 of Haas.
     HolePattern,   ///< G70, G71, G72 of Haas: positions of holes for the active cycle.
@@ -47,7 +47,7 @@ enum class Group : std::uint8_t {
 constexpr std::size_t kGroups = 29;
 
 /// Returns ten times the number in the name of a code: 382 for "G38_2".
-constexpr int tenths_in(std::string_view name) {
+constexpr int parse_tenths(std::string_view name) {
     int number = 0;
     int tenths = 0;
     bool point = false;
@@ -66,13 +66,13 @@ constexpr int tenths_in(std::string_view name) {
 /// The G codes of codes.def: G38_2 is G38.2. Value: ten times the number.
 enum class Code : std::int16_t {
     None = -1,
-#define NCSIM_G(name, group, takes_axes, letters, known_to) name = tenths_in(#name),
+#define NCSIM_G(name, group, takes_axes, letters, availability) name = parse_tenths(#name),
 #include "control/codes.def"
 #undef NCSIM_G
 };
 
 /// Controls that have a code.
-enum class KnownTo : std::uint8_t {
+enum class Availability : std::uint8_t {
     All,     ///< RS274/NGC as in LinuxCNC, and other controls.
     Others,  ///< Controls other than RS274/NGC.
     Haas,    ///< Haas only.
@@ -86,7 +86,7 @@ struct GCode {
     bool takes_axes;         ///< Axis words of the block belong to the code.
     std::uint32_t letters;   ///< A bit, counted from A, for each letter that the code uses.
     bool has_other_letters;  ///< Controls other than LinuxCNC may use further letters.
-    KnownTo known_to;
+    Availability availability;
 };
 
 /// Returns the code with ten times the number `tenths`, or None.

@@ -94,7 +94,7 @@ void Machine::set_origin(SourceSpan span, std::uint32_t file) {
 bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
     if (outline_) {
         outline_->is_foreign |= kind != MoveKind::Feed;
-        return hear(end, nullptr);
+        return record_outline_move(end, nullptr);
     }
     if (compensation_.is_entering() && rules_.is_linuxcnc()) {
         const PlaneAxes axes = axes_of(state_.plane);
@@ -103,8 +103,9 @@ bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
             return fail(Message::CompensationEntry, span_);
     }
     state_.just_left_compensation = false;
-    if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
-    path_.straight(state_, with_cancelled_offset(end, mask), kind, mask);
+    if (compensation_.is_on())
+        return compensation_.linear_move(state_, end, kind, mask, span_, file_);
+    path_.linear_move(state_, with_cancelled_offset(end, mask), kind, mask);
     return true;
 }
 
@@ -123,8 +124,8 @@ Axes Machine::with_cancelled_offset(const Axes& end, AxisMask mask) {
 }
 
 bool Machine::execute(const Command& command) {
-    if (control_.corner && !goes_on_from_corner(command)) settle_corner();
-    let_out(command);
+    if (control_.corner && !continues_from_corner(command)) settle_corner();
+    flush_held(command);
     const ControlState before = control_;
     const std::uint64_t motions = path_.count();
     curve_fails_ = false;
@@ -186,7 +187,7 @@ std::optional<Plane> Machine::plane_of(const Command& command) {
 }
 
 /// Makes a move held back by cutter compensation before a command that interrupts compensation.
-void Machine::let_out(const Command& command) {
+void Machine::flush_held(const Command& command) {
     if (!compensation_.is_on()) return;
     const Code one_shot = command.group(Group::OneShot);
     const int stop = command.group(MGroup::Stop);
@@ -194,13 +195,15 @@ void Machine::let_out(const Command& command) {
                                  (one_shot == Code::G10 && !sets_active_data(command));
     if (!changes_nothing || !keeps_frame(command) ||
         command.group(Group::TiltedPlane) != Code::None ||
-        command.group(Group::Face) != Code::None || command.group(Group::Orient) != Code::None ||
-        command.group(Group::Carried) != Code::None || command.group(MGroup::ToolChange) != kNone ||
-        command.group(MGroup::Kinematics) != kNone || stop == 2 || stop == 30) {
+        command.group(Group::PolarInterpolation) != Code::None ||
+        command.group(Group::Orient) != Code::None ||
+        command.group(Group::DynamicOffset) != Code::None ||
+        command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Kinematics) != kNone ||
+        stop == 2 || stop == 30) {
         compensation_.flush(state_);
         path_.set_origin(span_, file_);
     } else if (command.group(Group::CutterSide) == Code::G40) {
-        compensation_.make_held();
+        compensation_.finish_held();
         path_.set_origin(span_, file_);
     }
 }
@@ -220,7 +223,7 @@ bool Machine::act(const Command& command) {
     if (const Code code = command.group(Group::NotSimulated); code != Code::None)
         return fail(Message::NotSimulated, span_of_g(command, code), {name_of(code)});
     motion_was_named_ = command.group(Group::Motion) != Code::None;
-    if (!check(command) || !check_plane(command) || !check_carried(command)) return false;
+    if (!check(command) || !check_plane(command) || !check_dynamic_offset(command)) return false;
     if (command.corner != 0 && !ends_in_corner(command)) {
         return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
     }
@@ -249,9 +252,9 @@ bool Machine::act(const Command& command) {
         return false;
     }
     set_modes(command);
-    if (!set_programmed(command) || !set_plane(command) || !carry_zero(command) || !face(command) ||
-        !cylinder(command) || !orient(command) || !check_tip_control(command) ||
-        !one_shot(command)) {
+    if (!set_programmed(command) || !set_plane(command) || !apply_dynamic_offset(command) ||
+        !polar_interpolation(command) || !cylinder(command) || !orient(command) ||
+        !check_tip_control(command) || !one_shot(command)) {
         return false;
     }
     if (!move(command, command.group(Group::Motion))) return false;
@@ -316,7 +319,7 @@ bool Machine::check(const Command& command) {
 /// Reports "G1 X50. R2." and "X50. C4.": corners in the form of lathe controls; mill controls of
 /// the same makers require a comma.
 bool Machine::check_corner_words(const Command& command) {
-    if (!rules_.corner_words || !is_line(command) || state_.face) return true;
+    if (!rules_.corner_words || !is_line(command) || state_.polar_interpolation) return true;
     if (command.has('R') && command['R'] != 0.0)
         return fail(Message::CornerWithoutComma, span_of(command, 'R'), {"R", "R", ""});
     if (!command.has('C') || !rules_.c_may_be_corner) return true;
@@ -508,7 +511,7 @@ void convert_units(MachineState& state, double factor) {
     scale(state.uncancelled);
     state.cutter_radius *= factor;
     if (state.feed_mode != FeedMode::InverseTime) state.feed *= factor;
-    Programmed& programmed = state.programmed;
+    ProgrammedTransform& programmed = state.programmed;
     programmed.centre_1 *= factor;
     programmed.centre_2 *= factor;
     for (double& c : programmed.scale_centre)
@@ -518,9 +521,9 @@ void convert_units(MachineState& state, double factor) {
     if (state.cylinder) state.cylinder->radius *= factor;
     for (double& v : state.outer_92)
         v *= factor;
-    for (std::size_t i = 0; state.carried && i < 3; ++i)
-        (*state.carried)[i] *= factor;
-    for (double& v : state.carried_home)
+    for (std::size_t i = 0; state.dynamic_offset && i < 3; ++i)
+        (*state.dynamic_offset)[i] *= factor;
+    for (double& v : state.dynamic_offset_home)
         v *= factor;
     state.inches = !state.inches;
 }
@@ -611,7 +614,7 @@ bool Machine::one_shot(const Command& command) {
 void Machine::stop(const Command& command) {
     const int code = command.group(MGroup::Stop);
     if (code == 2 || code == 30) return finish();
-    if (rules_.is_linuxcnc()) compensation_.make_held();
+    if (rules_.is_linuxcnc()) compensation_.finish_held();
     stop_at(code);
 }
 
@@ -631,10 +634,10 @@ void Machine::stop_at(int code) {
 void Machine::finish() {
     ended_ = true;
     compensation_.end(state_);
-    end_face();
+    end_polar_interpolation();
     end_plane();
-    carry(std::nullopt);
-    state_.carried_home = {};
+    set_dynamic_offset(std::nullopt);
+    state_.dynamic_offset_home = {};
     state_.table_offset = 0;
     state_.cylinder.reset();
     select_system(1);

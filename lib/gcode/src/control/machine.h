@@ -6,7 +6,7 @@
 //
 // The members are in several files: machine.cpp (order of execution, modes), saved_modes.cpp,
 // strict_words.cpp; frames/: offsets.cpp, offset_variables.cpp, home.cpp (G28, G29, G30),
-// tilted_plane.cpp (tip control, planes), polar_and_cylindrical.cpp, carried_zero.cpp; paths/:
+// tilted_plane.cpp (tip control, planes), polar_and_cylindrical.cpp, dynamic_offset.cpp; paths/:
 // moves.cpp (G53, threads, probing), arc.cpp, spline.cpp, compensation_checks.cpp; cycles/:
 // cycle.cpp, corner.cpp, hole_pattern.cpp, pocket.cpp, area_pocket.cpp.
 #pragma once
@@ -16,6 +16,7 @@
 #include "ncsim/gcode/state.h"
 
 #include "control/command.h"
+#include "control/control_rules.h"
 #include "control/control_state.h"
 #include "control/cycles/area.h"
 #include "control/frames/plane_words.h"
@@ -24,7 +25,6 @@
 #include "control/paths/compensation.h"
 #include "control/paths/distance_evidence.h"
 #include "control/paths/path.h"
-#include "control/rules.h"
 #include "control/system_variable.h"
 #include "text/message.h"
 
@@ -102,13 +102,13 @@ public:
     /// True if G43 or a similar code was executed.
     bool uses_length_offsets() const { return uses_length_offsets_; }
     // See Interpretation.
-    bool asked_for_places() const { return asked_for_places_; }
+    bool requested_tip_positions() const { return requested_tip_positions_; }
     std::optional<ProgramPlace> distance_guess() const;
     double setting_askew() const { return setting_askew_; }
     const std::set<int>& unread_registers() const { return unread_registers_; }
 
 private:
-    void let_out(const Command& command);
+    void flush_held(const Command& command);
     bool keeps_frame(const Command& command) const;
     bool is_length_active(const Command& command) const;
     int length_number(const Command& command) const;
@@ -180,8 +180,8 @@ private:
     void use_system(const Axes& machine);
     void recompute_position(const Axes& machine);
 
-    bool straight(const Command& command, MoveKind kind);
-    bool straight_as_specified(const Command& command, MoveKind kind);
+    bool linear_move(const Command& command, MoveKind kind);
+    bool linear_move_as_specified(const Command& command, MoveKind kind);
     bool threading(const Command& command, Code motion);
     bool arc(const Command& command, bool clockwise);
     bool arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc);
@@ -211,7 +211,7 @@ private:
     bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
     bool hole_at(Drilling& drilling, const Axes& hole, AxisMask mask);
     void orient_in_cycle();
-    void turn_again(SpindleTurning turning);
+    void restart_spindle(SpindleTurning turning);
     bool drill(const Drilling& drilling, const Axes& above);
     std::optional<std::vector<double>> peck_depths(double r, double bottom) const;
     bool hole_pattern(const Command& command, Code code, bool words_taken);
@@ -220,7 +220,7 @@ private:
     }
     bool is_line(const Command& command) const;
     bool ends_in_corner(const Command& command) const;
-    bool goes_on_from_corner(const Command& command) const;
+    bool continues_from_corner(const Command& command) const;
     bool stays_in_plane(const Axes& from, const Axes& to) const;
     bool hold_corner(const Command& command, const Axes& end, AxisMask mask);
     bool cut_corner(const Axes& next);
@@ -232,18 +232,18 @@ private:
     bool pocket(const Command& command, Code code, bool words_taken);
     void mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
                       AxisMask mask);
-    bool hear(const Axes& end, const ProgramArc* arc);
+    bool record_outline_move(const Axes& end, const ProgramArc* arc);
     bool area_pocket(const Command& command, Code side, bool words_taken);
-    bool mill_around(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
-                     const Area& area, bool along_y, double level, double clear);
+    bool mill_outline(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
+                      const Area& area, bool along_y, double level, double clear);
     double radius_of_register(const Command& command, SourceSpan span);
 
     /// Computes the end position `end` of the axis words, in program coordinates, and the named
     /// axes `mask`.
     bool find_ends(const Command& command, Axes& end, AxisMask& mask);
     bool polar_ends(const Command& command, Axes& end, AxisMask& mask);
-    Axes programmed_from(const Axes& position) const;
-    Axes programmed_to(const Axes& programmed) const;
+    Axes to_programmed(const Axes& position) const;
+    Axes from_programmed(const Axes& programmed) const;
     Axes machine_position() const;
     Axes from_machine(const Axes& machine) const;
     bool needs_feed(const Command& command, std::string_view what);
@@ -256,44 +256,44 @@ private:
     bool is_turned() const;
     void choose(Coordinates coordinates);
     void take_coordinates(Coordinates coordinates);
-    Axes stand() const;
-    Axes from_axis_positions(const Axes& stand) const;
+    Axes axis_positions() const;
+    Axes from_axis_positions(const Axes& axis_positions) const;
     double length_mm() const;
-    void mix_knowledge();
+    void update_knowledge();
     /// Meaning of X, Y and Z to restore after a move in joint coordinates.
-    struct Suspended {
+    struct SavedCoordinates {
         std::optional<FeatureFrame> frame;
         Coordinates coordinates = Coordinates::Axes;
         Axes offset_92{};
     };
-    Suspended as_joints();
-    void resume(const Suspended& before);
+    SavedCoordinates as_joints();
+    void resume(const SavedCoordinates& before);
     bool hides_joints() const;
-    bool straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask);
+    bool linear_move_of_joints(const Axes& end, MoveKind kind, AxisMask mask);
     bool check_plane(const Command& command);
     bool set_plane(const Command& command);
     void set_plane_frame(const std::optional<FeatureFrame>& frame);
     std::optional<FeatureFrame> plane_of_tool(const Command& command, PlaneDialect dialect);
     void end_plane();
-    std::optional<Axes> turned_to(const Triple& axis, JointSolver::Way way, Code code,
-                                  SourceSpan span);
+    std::optional<Axes> joints_for_direction(const Triple& axis, JointSolver::Way way, Code code,
+                                             SourceSpan span);
     bool orient(const Command& command);
-    bool face(const Command& command);
-    void end_face();
+    bool polar_interpolation(const Command& command);
+    void end_polar_interpolation();
     bool choose_kinematics(const Command& command, bool by_number, SourceSpan span);
     bool cylinder(const Command& command);
     double feed_on_cylinder(const Axes& end) const;
-    bool straight_on_cylinder(const Axes& end, MoveKind kind, AxisMask mask);
+    bool linear_move_on_cylinder(const Axes& end, MoveKind kind, AxisMask mask);
     bool arc_on_cylinder(const Command& command, bool clockwise);
-    bool carry_zero(const Command& command);
+    bool apply_dynamic_offset(const Command& command);
     bool offset_table(const Command& command, Code code);
     bool take_setting(const TableOffsets::One& one, const TableOffsets& all, std::string_view name,
                       SourceSpan span);
     const TableOffsets& table_offsets() const;
-    std::array<double, 3> carried_at(const Axes& stand) const;
-    void go_with_table(Axes& end, AxisMask mask);
-    bool check_carried(const Command& command);
-    void carry(const std::optional<std::array<double, 3>>& shift);
+    std::array<double, 3> dynamic_offset_at(const Axes& axis_positions) const;
+    void follow_table(Axes& end, AxisMask mask);
+    bool check_dynamic_offset(const Command& command);
+    void set_dynamic_offset(const std::optional<std::array<double, 3>>& shift);
     double rotary_end(std::size_t axis, double value, double at) const;
     bool turn_to_vector(const Command& command, Axes& end, AxisMask& mask);
     bool stop_with(const MessageText& message, SourceSpan span,
@@ -330,7 +330,7 @@ private:
     };
     std::optional<Outline> outline_;  ///< Set while an outline is recorded.
     std::vector<OutlineMove> contour_;
-    bool heard_well_ = false;
+    bool is_outline_valid_ = false;
     SourceSpan span_;
     std::uint32_t file_ = 0;
     static constexpr int kExtended = 9;
@@ -338,7 +338,7 @@ private:
     bool curve_fails_ = false;
     bool motion_was_named_ = false;
     bool uses_length_offsets_ = false;
-    bool asked_for_places_ = false;
+    bool requested_tip_positions_ = false;
     bool distance_is_stated_ = false;  ///< G90 or G91 was executed.
     DistanceEvidence distance_;
     std::set<int> unread_registers_;  ///< Of the specified ones.

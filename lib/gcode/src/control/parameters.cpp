@@ -66,7 +66,7 @@ void Parameters::keep_origin(std::string_view key, std::string_view unknown) {
 }
 
 /// Returns the values of #5161 … #5410 of RS274/NGC and #5201 … of Fanuc: homes, offsets, origins.
-std::optional<Parameters::Shown> Parameters::of_offsets(int number) const {
+std::optional<Parameters::MachineValue> Parameters::offset_value(int number) const {
     const MachineState& state = *view.state;
     const Store& store = **view.store;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
@@ -74,73 +74,74 @@ std::optional<Parameters::Shown> Parameters::of_offsets(int number) const {
         const int first = i == 0 ? 5161 : 5181;
         // No option specifies the homes; a home of zeros is a default.
         if (is_in(number, first, 9))
-            return Shown{store.homes[i][axis(first)], store.homes[i] != Axes{}};
+            return MachineValue{store.homes[i][axis(first)], store.homes[i] != Axes{}};
     }
-    if (number == 5210) return Shown{state.offset_92_active ? 1.0 : 0.0};
-    if (is_in(number, 5211, 9)) return Shown{store.stored_92[axis(5211)]};
-    if (number == 5220) return Shown{static_cast<double>(state.system)};
+    if (number == 5210) return MachineValue{state.offset_92_active ? 1.0 : 0.0};
+    if (is_in(number, 5211, 9)) return MachineValue{store.stored_92[axis(5211)]};
+    if (number == 5220) return MachineValue{static_cast<double>(state.system)};
     if (rules_.macro_b && is_in(number, 5201, 9)) {
         const std::size_t item = axis(5201);
-        return Shown{store.external[item] / (is_rotary(item) ? 1.0 : state.unit_mm()),
-                     store.has_external};
+        return MachineValue{store.external[item] / (is_rotary(item) ? 1.0 : state.unit_mm()),
+                            store.has_external};
     }
     if (!is_in(number, 5221, 180)) return std::nullopt;
     const WorkOffset& offset = store.work_offsets[axis(5221) / 20];
     const std::size_t item = axis(5221) % 20;
-    if (item == 9) return Shown{offset.rotation, offset.frame[kZ] == 0};
+    if (item == 9) return MachineValue{offset.rotation, offset.frame[kZ] == 0};
     if (item > 9) return std::nullopt;
     // Fanuc shows the units of the program, LinuxCNC the units of the machine: here mm.
     const double unit = rules_.macro_b && !is_rotary(item) ? state.unit_mm() : 1.0;
     const bool is_known = offset.frame[item > kZ ? std::size_t{kZ} : item] == 0;
-    return Shown{(offset.origin[item] - store.external[item]) / unit,
-                 is_known && (rules_.macro_b || !state.inches)};
+    return MachineValue{(offset.origin[item] - store.external[item]) / unit,
+                        is_known && (rules_.macro_b || !state.inches)};
 }
 
 /// Returns the values of Fanuc variables that RS274/NGC lacks: #5001 … #5049 and #4001 ….
-std::optional<Parameters::Shown> Parameters::of_fanuc(int number) const {
+std::optional<Parameters::MachineValue> Parameters::fanuc_variable(int number) const {
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
     for (const int first : {5001, 5041}) {
         if (is_in(number, first, 9))
-            return Shown{state.position[axis(first)], is_axis_known(axis(first))};
+            return MachineValue{state.position[axis(first)], is_axis_known(axis(first))};
     }
     if (is_in(number, 5021, 9)) {
         const std::size_t a = axis(5021);
         const bool is_known = is_axis_known(a) && state.frame[a > kZ ? std::size_t{kZ} : a] == 0;
-        return Shown{
+        return MachineValue{
             state.position[a] + state.offset_92[a] + state.work_offset[a] + state.tool_offset[a],
             is_known};
     }
     switch (number) {
-        case 4001: return Shown{std::max(tenths_of(state.motion), 0) / 10.0};
-        case 4003: return Shown{state.incremental ? 91.0 : 90.0};
-        case 4006: return Shown{state.inches ? 20.0 : 21.0};
+        case 4001: return MachineValue{std::max(tenths_of(state.motion), 0) / 10.0};
+        case 4003: return MachineValue{state.incremental ? 91.0 : 90.0};
+        case 4006: return MachineValue{state.inches ? 20.0 : 21.0};
         case 4009:
-        case 4109: return Shown{state.feed};
-        case 4014: return Shown{53.0 + state.system};
-        case 4119: return Shown{state.spindle_rpm};
-        case 4120: return Shown{static_cast<double>(state.tool), state.tool != 0};
+        case 4109: return MachineValue{state.feed};
+        case 4014: return MachineValue{53.0 + state.system};
+        case 4119: return MachineValue{state.spindle_rpm};
+        case 4120: return MachineValue{static_cast<double>(state.tool), state.tool != 0};
         default: return std::nullopt;
     }
 }
 
-std::optional<Parameters::Shown> Parameters::of_machine(int number) const {
+std::optional<Parameters::MachineValue> Parameters::machine_value(int number) const {
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
-    if (is_in(number, 5420, 9)) return Shown{state.position[axis(5420)], is_axis_known(axis(5420))};
+    if (is_in(number, 5420, 9))
+        return MachineValue{state.position[axis(5420)], is_axis_known(axis(5420))};
     // A probe always makes contact in the simulation.
     const bool has_probed = (*view.store)->has_probed;
-    if (is_in(number, 5061, 9)) return Shown{(*view.store)->probed[axis(5061)], has_probed};
-    if (number == 5070) return Shown{1.0, has_probed};
-    if (const std::optional<Shown> offset = of_offsets(number)) return offset;
-    if (number == 5400) return Shown{static_cast<double>(state.tool), state.tool != 0};
+    if (is_in(number, 5061, 9)) return MachineValue{(*view.store)->probed[axis(5061)], has_probed};
+    if (number == 5070) return MachineValue{1.0, has_probed};
+    if (const std::optional<MachineValue> offset = offset_value(number)) return offset;
+    if (number == 5400) return MachineValue{static_cast<double>(state.tool), state.tool != 0};
     if (is_in(number, 5401, 9)) {
-        return Shown{state.tool_offset[axis(5401)] * state.unit_mm(),
-                     state.length_register == kNoLength || state.length_specified};
+        return MachineValue{state.tool_offset[axis(5401)] * state.unit_mm(),
+                            state.length_register == kNoLength || state.length_specified};
     }
-    if (number == 5410) return Shown{2.0 * state.cutter_radius * state.unit_mm()};
+    if (number == 5410) return MachineValue{2.0 * state.cutter_radius * state.unit_mm()};
     if (rules_.strict) return std::nullopt;
-    return of_fanuc(number);
+    return fanuc_variable(number);
 }
 
 std::optional<double> Parameters::numbered(double number) const {
@@ -151,7 +152,7 @@ std::optional<double> Parameters::numbered(double number) const {
     bool is_set = i <= kLocals ? locals_set_[i] : i < is_set_.size() && is_set_[i] != 0;
     double value = i <= kLocals ? locals_[i] : i < numbers_.size() ? numbers_[i] : empty();
     if (n >= 4001 && !is_set) {
-        if (const std::optional<Shown> shown = of_machine(n)) {
+        if (const std::optional<MachineValue> shown = machine_value(n)) {
             value = shown->value;
             is_set = shown->is_known;
         }
@@ -207,19 +208,20 @@ void Parameters::show_machine(int number) {
 
 /// Returns the value of a predefined name such as #<_x>. Names of LinuxCNC's configuration
 /// ("_ini[…]", "_hal[…]") are missing because their values do not follow from the program.
-std::optional<Parameters::Shown> Parameters::predefined(std::string_view name) const {
+std::optional<Parameters::MachineValue> Parameters::predefined(std::string_view name) const {
     const MachineState& s = *view.state;
     constexpr std::string_view kNames = "xyzabcuvw";
     const auto axis_of = [&](char c) { return kNames.find(c); };
     if (name.size() == 2 && name[0] == '_' && axis_of(name[1]) != std::string_view::npos) {
-        return Shown{s.position[axis_of(name[1])], is_axis_known(axis_of(name[1]))};
+        return MachineValue{s.position[axis_of(name[1])], is_axis_known(axis_of(name[1]))};
     }
     if (name.size() == 6 && name.starts_with("_abs_") &&
         axis_of(name[5]) != std::string_view::npos) {
         const std::size_t a = axis_of(name[5]);
         if (s.rotation == 0.0 || a > kY) {
-            return Shown{s.position[a] + s.offset_92[a] + s.work_offset[a] + s.tool_offset[a],
-                         is_axis_known(a) && s.frame[a > kZ ? std::size_t{kZ} : a] == 0};
+            return MachineValue{
+                s.position[a] + s.offset_92[a] + s.work_offset[a] + s.tool_offset[a],
+                is_axis_known(a) && s.frame[a > kZ ? std::size_t{kZ} : a] == 0};
         }
         return std::nullopt;  // Depends on the rotation; not computed.
     }
@@ -274,7 +276,7 @@ std::optional<Parameters::Shown> Parameters::predefined(std::string_view name) c
     };
     const auto* found = std::ranges::find(entries, name, &Entry::name);
     if (found == std::end(entries)) return std::nullopt;
-    return Shown{found->value};
+    return MachineValue{found->value};
 }
 
 std::optional<double> Parameters::named(std::string_view name) const {
@@ -286,7 +288,7 @@ std::optional<double> Parameters::named(std::string_view name) const {
         return found->second;
     }
     if (!global) return std::nullopt;
-    const std::optional<Shown> shown = predefined(name);
+    const std::optional<MachineValue> shown = predefined(name);
     if (!shown || !shown->is_known) note_read(key(), false);
     if (!shown) return std::nullopt;
     return shown->value;

@@ -6,8 +6,8 @@
 
 #include "ncsim/gcode/state.h"
 
+#include "control/control_rules.h"
 #include "control/copy_on_write.h"
-#include "control/rules.h"
 #include "control/store.h"
 #include "text/expression.h"
 
@@ -71,14 +71,14 @@ public:
 
 private:
     /// A value of the machine; `is_known`: the program or the job determines the value.
-    struct Shown {
+    struct MachineValue {
         double value = 0.0;
         bool is_known = true;
     };
-    std::optional<Shown> of_machine(int number) const;
-    std::optional<Shown> of_offsets(int number) const;
-    std::optional<Shown> of_fanuc(int number) const;
-    std::optional<Shown> predefined(std::string_view name) const;
+    std::optional<MachineValue> machine_value(int number) const;
+    std::optional<MachineValue> offset_value(int number) const;
+    std::optional<MachineValue> fanuc_variable(int number) const;
+    std::optional<MachineValue> predefined(std::string_view name) const;
     double empty() const { return rules_.arithmetic.vacant ? kVacant : 0.0; }
     bool is_axis_known(std::size_t axis) const;
     void note_read(std::string_view key, bool is_set) const;

@@ -25,7 +25,7 @@ struct Range {
 constexpr int kSystems = 9;
 constexpr int kAxisCount = 9;
 
-SystemVariable of_rs274(int n) {
+SystemVariable rs274_variable(int n) {
     constexpr Range kRanges[] = {
         {5061, 9, 9, 0, Effect::Probed},
         {5161, 9, 9, 0, Effect::Home},
@@ -74,7 +74,7 @@ SystemVariable tool_offset_of_fanuc(int n, bool haas) {
     return {kHaas[static_cast<std::size_t>(from / 200)], n, from % 200 + 1};
 }
 
-SystemVariable of_fanuc(int n, bool haas) {
+SystemVariable fanuc_variable(int n, bool haas) {
     if (n < 1000) return {};
     if (is_within(n, 2001, 800)) return tool_offset_of_fanuc(n, haas);
     if (n == 3000) return {Effect::Alarm, n};
@@ -93,8 +93,8 @@ SystemVariable of_fanuc(int n, bool haas) {
 }  // namespace
 
 SystemVariable system_variable(int number, const Rules& rules) {
-    if (!rules.macro_b) return of_rs274(number);
-    return of_fanuc(number, rules.dialect == Dialect::Haas);
+    if (!rules.macro_b) return rs274_variable(number);
+    return fanuc_variable(number, rules.dialect == Dialect::Haas);
 }
 
 }  // namespace ncsim::gcode

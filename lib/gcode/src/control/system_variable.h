@@ -3,7 +3,7 @@
 // Variables by which a program changes settings of the control, such as #3000, #5221 and #2001.
 #pragma once
 
-#include "control/rules.h"
+#include "control/control_rules.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace ncsim::gcode {
 /// Effect of setting a system variable.
 struct SystemVariable {
     enum class Effect : std::uint8_t {
-        Kept,        ///< A number that the control stores without acting on the value.
+        Stored,      ///< A number that the control stores without acting on the value.
         NotApplied,  ///< The control acts on the value in a way that is not simulated.
         Alarm,       ///< #3000 of Fanuc and Haas: the control stops with an alarm.
         Stop,        ///< #3006: a stop like M0.
@@ -27,7 +27,7 @@ struct SystemVariable {
         Diameter,
         DiameterWear,
     };
-    Effect effect = Effect::Kept;
+    Effect effect = Effect::Stored;
     int number = 0;
     int index = 0;
     std::size_t item = 0;  ///< An axis, or 9: the rotation of a system.

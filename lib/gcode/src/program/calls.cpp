@@ -87,7 +87,7 @@ std::optional<Runner::Target> Runner::find_target(ControlWord word, const std::s
     }
     if (!in_files) return std::nullopt;
     const std::optional<std::size_t> opened =
-        open_file(word == ControlWord::ProgramNumber ? tagged("O", label) : label);
+        open_file(word == ControlWord::ProgramNumber ? join_label("O", label) : label);
     if (!opened) return std::nullopt;
     if (const auto found = look_in(*opened)) return found;
     if (word == ControlWord::ProgramNumber) {
@@ -123,7 +123,7 @@ void Runner::enter(Frame frame, const Target& target) {
 }
 
 /// Repeats the subprogram if runs remain, or returns to the caller.
-void Runner::leave_frame() {
+void Runner::finish_subprogram() {
     Frame& frame = frames_.back();
     repeats_.resize(std::min(repeats_.size(), frame.repeats));
     if (frame.remaining > 0) {
@@ -182,17 +182,17 @@ bool Runner::call_code(int m) {
 
 /// True for programs stored in the control or in external memory: O8xxx and O9xxx of Fanuc and
 /// Haas, and programs called by M198.
-bool Runner::is_elsewhere(double number) const {
+bool Runner::is_control_program(double number) const {
     if (rules_.strict) return false;
     if (command_.group(MGroup::Call) == 198) return true;
     return rules_.macro_b && number >= 8000.0 && number <= 9999.0;
 }
 
 /// Reports the call of a program of the control, unless the program is declared harmless.
-void Runner::leave_out(double number, SourceSpan span) {
+void Runner::report_control_program(double number, SourceSpan span) {
     if (resolver_.is_allowed('O', number)) return;
     const std::string label = std::to_string(std::lround(number));
-    log_.add(Message::MacroMissing, span, {tagged("O", label), label});
+    log_.add(Message::MacroMissing, span, {join_label("O", label), label});
 }
 
 void Runner::call_subprogram() {
@@ -214,11 +214,11 @@ void Runner::call_subprogram() {
     const std::string label = std::to_string(number);
     if (!target) {
         const std::optional<Target> sub = find_target(ControlWord::Sub, label, false);
-        if (!sub && is_elsewhere(static_cast<double>(number)))
-            return leave_out(static_cast<double>(number), p->span);
+        if (!sub && is_control_program(static_cast<double>(number)))
+            return report_control_program(static_cast<double>(number), p->span);
         if (!sub || rules_.strict) {
             return fault(sub ? Message::CallForms : Message::ProgramNotFound, p->span,
-                         {tagged("O", label)});
+                         {join_label("O", label)});
         }
         target = sub;
     }
@@ -238,7 +238,8 @@ void Runner::call_lines() {
     const auto number = static_cast<std::uint32_t>(command_['P']);
     const std::optional<BlockReader::Place> place = index().find_number(number, 0);
     if (!place)
-        return fault(Message::LineNotFound, command_.span, {tagged("N", std::to_string(number))});
+        return fault(Message::LineNotFound, command_.span,
+                     {join_label("N", std::to_string(number))});
     const double runs = command_.get('L', 1.0);
     if (runs < 1.0) return;
     Frame frame;
@@ -254,7 +255,7 @@ void Runner::call_lines() {
 /// G150 P100: records the outline from N100 of the program, or in O100, to M99. The outline is
 /// never executed.
 /// Returns: false after reporting a fault.
-bool Runner::hear_outline() {
+bool Runner::record_outline() {
     constexpr int kMostBlocks = 1000;
     const double p = command_['P'];
     if (!(p >= 0.0 && p <= 4e9) || p != std::floor(p)) {
@@ -267,7 +268,7 @@ bool Runner::hear_outline() {
     if (!place) {
         const auto target = find_target(ControlWord::ProgramNumber, label, true);
         if (!target) {
-            fault(Message::ProgramNotFound, command_.span, {tagged("O", label)});
+            fault(Message::ProgramNotFound, command_.span, {join_label("O", label)});
             return false;
         }
         const OpenFile& open = files_[where = target->file];
@@ -318,13 +319,13 @@ void Runner::return_from_subprogram() {
     }
     const Frame& frame = frames_.back();
     if (frame.kind == CallKind::OWord && rules_.strict) {
-        return fault(Message::CallForms, command_.span, {tagged("O", frame.label)});
+        return fault(Message::CallForms, command_.span, {join_label("O", frame.label)});
     }
     const bool has_target = command_.has('P') && !rules_.strict;
     const double number = has_target ? command_['P'] : 0.0;
-    if (!has_target) return leave_frame();
+    if (!has_target) return finish_subprogram();
     frames_.back().remaining = 0;
-    leave_frame();
+    finish_subprogram();
     if (number < 0.0 || number > 4e9) return;
     const std::optional<BlockReader::Place> place =
         index().find_number(static_cast<std::uint32_t>(number), 0);
@@ -332,7 +333,7 @@ void Runner::return_from_subprogram() {
         jump(current_, *place);
     } else {
         fault(Message::LineNotFound, command_.span,
-              {tagged("N", std::to_string(std::lround(number)))});
+              {join_label("N", std::to_string(std::lround(number)))});
     }
 }
 

@@ -93,7 +93,7 @@ bool has_code(const Block& block, char letter, double number) {
 
 /// Returns the number of the program that `block` calls: "101"; empty if there is no call. Sets
 /// `any` if the number is computed.
-std::string called_by(const Block& block, bool& any) {
+std::string called_program(const Block& block, bool& any) {
     const bool calls = has_code(block, 'M', 98) || has_code(block, 'G', 65) ||
                        has_code(block, 'G', 66) || has_code(block, 'G', 150);
     const Word* p = calls ? find_word(block, 'P') : nullptr;
@@ -151,7 +151,7 @@ public:
         Block block;
         while (reader.next(block)) {
             targets_.read(block);
-            (void)called_by(block, targets_.any_program);
+            (void)called_program(block, targets_.any_program);
         }
     }
 
@@ -202,7 +202,7 @@ private:
         FilePrograms::Section& section = last();
         section.has_words = section.has_words || !block.words.empty();
         bool any = false;
-        if (std::string number = called_by(block, any); !number.empty())
+        if (std::string number = called_program(block, any); !number.empty())
             section.calls.push_back(std::move(number));
         const bool moves = std::ranges::any_of(block.words, [](const Word& word) {
             return !word.comma && kAxes.find(word.letter) != std::string_view::npos;

@@ -13,8 +13,8 @@ constexpr std::uint32_t bit(Group group) {
 struct Mode {
     Group group;
     std::string_view name;
-    bool of_grbl;  ///< False: grbl 1.1 has no code that changes the mode.
-    bool of_linuxcnc;
+    bool has_grbl_code;  ///< False: grbl 1.1 has no code that changes the mode.
+    bool has_linuxcnc_code;
 };
 
 constexpr Mode kModes[] = {
@@ -48,8 +48,8 @@ std::vector<std::string> HeadModes::unset(Dialect dialect) const {
     const bool is_linuxcnc = dialect == Dialect::Rs274;
     std::vector<std::string> names;
     for (const Mode& mode : kModes) {
-        const bool is_known = dialect == Dialect::Grbl ? mode.of_grbl
-                              : is_linuxcnc            ? mode.of_linuxcnc
+        const bool is_known = dialect == Dialect::Grbl ? mode.has_grbl_code
+                              : is_linuxcnc            ? mode.has_linuxcnc_code
                                                        : true;
         if (is_known && (groups_ & bit(mode.group)) == 0) names.emplace_back(mode.name);
     }

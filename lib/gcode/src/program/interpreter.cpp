@@ -3,7 +3,7 @@
 // Chooses the dialect of a program, refuses unreadable programs, and runs the program.
 #include "ncsim/gcode/interpreter.h"
 
-#include "control/rules.h"
+#include "control/control_rules.h"
 #include "program/runner.h"
 #include "text/message.h"
 
@@ -25,7 +25,7 @@ SourceSpan place(const std::vector<Evidence>& evidence) {
 }
 
 /// Returns the remedy for a program of the kind `kind`, which is not executed.
-std::string_view what_to_do(Kind kind) {
+std::string_view remedy(Kind kind) {
     switch (kind) {
         case Kind::Heidenhain:
         case Kind::HeidenhainIso:
@@ -59,8 +59,7 @@ bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
         default: break;
     }
     if (findings.stated) return warn();
-    log.add(Message::ForeignProgram, span,
-            {name_of(findings.kind), why, what_to_do(findings.kind)});
+    log.add(Message::ForeignProgram, span, {name_of(findings.kind), why, remedy(findings.kind)});
     return true;
 }
 

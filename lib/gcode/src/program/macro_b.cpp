@@ -59,7 +59,7 @@ void Runner::go_to(std::string_view label) {
     const auto n = static_cast<std::uint32_t>(std::lround(*number));
     const std::optional<BlockReader::Place> place = index().find_number(n, block_.line);
     if (!place) {
-        fault(Message::LineNotFound, span, {tagged("N", std::to_string(n))});
+        fault(Message::LineNotFound, span, {join_label("N", std::to_string(n))});
         ended_ = true;
         return;
     }
@@ -128,8 +128,8 @@ void Runner::macro_call(int g) {
     if (!target) {
         if (rules_.macro_b && probe_macro(static_cast<int>(std::lround(*program)), values, span))
             return;
-        if (is_elsewhere(*program)) return leave_out(*program, span);
-        return fault(Message::ProgramNotFound, span, {tagged("O", label)});
+        if (is_control_program(*program)) return report_control_program(*program, span);
+        return fault(Message::ProgramNotFound, span, {join_label("O", label)});
     }
     if (!(runs >= 1.0)) return;
     Frame frame;

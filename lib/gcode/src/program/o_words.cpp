@@ -20,9 +20,9 @@ void Runner::o_word() {
             // Execution reaches the next program because the current program has no M99.
             Frame& frame = frames_.back();
             if (frame.kind == CallKind::Subprogram && !rules_.strict) {
-                leave_frame();
+                finish_subprogram();
             } else if (rules_.strict) {
-                fault(Message::CallForms, control.span, {tagged("O", control.label)});
+                fault(Message::CallForms, control.span, {join_label("O", control.label)});
             }
             return;
         }
@@ -56,13 +56,13 @@ void Runner::o_word() {
         case ControlWord::Return: {
             if (frames_.empty()) {
                 if (!rules_.strict) return;
-                fault(Message::ReturnOutside, control.span, {tagged("O", label)});
+                fault(Message::ReturnOutside, control.span, {join_label("O", label)});
                 ended_ = true;
                 return;
             }
             Frame& frame = frames_.back();
             if (rules_.strict && frame.kind != CallKind::OWord) {
-                return fault(Message::CallForms, control.span, {tagged("O", label)});
+                return fault(Message::CallForms, control.span, {join_label("O", label)});
             }
             parameters_.view.has_return_value = false;
             parameters_.view.return_value = 0.0;
@@ -74,7 +74,7 @@ void Runner::o_word() {
                     parameters_.view.has_return_value = true;
                 }
             }
-            leave_frame();
+            finish_subprogram();
             return;
         }
         case ControlWord::OIf:
@@ -97,7 +97,7 @@ bool Runner::check_sub(std::size_t i) {
     const ProgramIndex& marks = index();
     const std::string& label = marks[i].label;
     const auto refuse = [&](const MessageText& message) {
-        fault(message, block_.control.span, {tagged("O", label)});
+        fault(message, block_.control.span, {join_label("O", label)});
         return false;
     };
     if (in_main_title_ || !frames_.empty()) return refuse(Message::SubNested);
@@ -108,7 +108,7 @@ bool Runner::check_sub(std::size_t i) {
     const auto end = marks.next(i, label, ControlWord::EndSub);
     for (std::size_t inner = i + 1; inner < (end ? *end : marks.markers().size()); ++inner) {
         if (marks[inner].word != ControlWord::Sub) continue;
-        fault(Message::SubNested, {marks[inner].line, 1, 1}, {tagged("O", marks[inner].label)});
+        fault(Message::SubNested, {marks[inner].line, 1, 1}, {join_label("O", marks[inner].label)});
         return false;
     }
     return true;
@@ -121,7 +121,7 @@ bool Runner::check_label(std::size_t i) {
     const ProgramIndex& marks = index();
     const Marker& here = marks[i];
     const auto refuse = [&](const MessageText& message) {
-        fault(message, block_.control.span, {tagged("O", here.label)});
+        fault(message, block_.control.span, {join_label("O", here.label)});
         return false;
     };
     const bool is_name = block_.control.label.starts_with('<');
@@ -300,7 +300,7 @@ void Runner::o_call() {
     if (!target) {
         const bool other_form = find_target(ControlWord::ProgramNumber, *label, false).has_value();
         fault(other_form ? Message::CallForms : Message::SubNotFound, control.span,
-              {tagged("O", *label)});
+              {join_label("O", *label)});
         // The following blocks assume the call; without the call the cuts would be arbitrary.
         if (rules_.strict) ended_ = true;
         return;

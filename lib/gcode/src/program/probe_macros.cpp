@@ -26,7 +26,7 @@ std::string word_text(char letter, double value) {
 }  // namespace
 
 /// Executes the block `text` in place of the current block.
-void Runner::act_on_text(const std::string& text, SourceSpan span) {
+void Runner::execute_text(const std::string& text, SourceSpan span) {
     const SourceFile inside{{}, text};
     BlockReader reader(inside);
     Block block;
@@ -49,7 +49,7 @@ bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocal
     }
     if (number != 9810 && number != 9811) return false;
     // The macros compute with coordinates, which G68, G51 and G16 transform.
-    const Programmed& programmed = machine_.state().programmed;
+    const ProgrammedTransform& programmed = machine_.state().programmed;
     if (programmed.rotated || programmed.scaled || programmed.polar) return false;
     std::string there;
     std::string back;
@@ -69,8 +69,8 @@ bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocal
     }
     log_.add(Message::ProbeMacro, span,
              {name, number == 9810 ? "moves there, protected" : "measures there and comes back"});
-    act_on_text("G31" + there + feed, span);
-    if (number == 9811) act_on_text("G90G1" + back, span);
+    execute_text("G31" + there + feed, span);
+    if (number == 9811) execute_text("G90G1" + back, span);
     MachineState& after = machine_.state();
     after.motion = before.motion;
     after.last_straight = before.last_straight;

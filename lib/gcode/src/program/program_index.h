@@ -72,7 +72,7 @@ private:
 };
 
 /// Returns `letter` followed by `number`: "N" and "10" give "N10".
-inline std::string tagged(std::string_view letter, std::string_view number) {
+inline std::string join_label(std::string_view letter, std::string_view number) {
     return std::string(letter).append(number);
 }
 

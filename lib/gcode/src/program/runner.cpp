@@ -51,7 +51,7 @@ void Runner::run() {
     machine_.flush();
     path_.finish();
     result_.uses_length_offsets = machine_.uses_length_offsets();
-    result_.asked_for_places = machine_.asked_for_places();
+    result_.requested_tip_positions = machine_.requested_tip_positions();
     result_.setting_askew = machine_.setting_askew();
     result_.unread_registers = machine_.unread_registers();
     result_.distance_guess = machine_.distance_guess();
@@ -78,7 +78,7 @@ bool Runner::step() {
         if (rules_.strict && frames_.back().kind == CallKind::OWord) {
             fault(Message::SubEndMissing, {block_.line, 1, 0}, {frames_.back().label});
         }
-        leave_frame();
+        finish_subprogram();
         return true;
     }
     ++result_.lines;
@@ -157,7 +157,7 @@ void Runner::act_on_words() {
     if (options_.least_increments) {
         scale_increments();
     } else if (rules_.macro_b) {
-        look_for_points();
+        check_points();
         note_points();
     }
     machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
@@ -175,7 +175,7 @@ void Runner::act_on_words() {
         call_code(call);
         return;
     }
-    if (command_.group(Group::Pocket) == Code::G150 && !hear_outline()) return;
+    if (command_.group(Group::Pocket) == Code::G150 && !record_outline()) return;
     if (command_.group(MGroup::Other) != kNone && !rules_.macro_b)
         save_or_restore(command_.group(MGroup::Other));
     machine_.execute(command_);
@@ -275,15 +275,15 @@ void Runner::scale_increments() {
 }
 
 /// Reports values of 1000 or more without a decimal point, which may be in least increments.
-void Runner::look_for_points() {
+void Runner::check_points() {
     constexpr double kSuspicious = 1000.0;
     for (const char letter : {'X', 'Y', 'Z'}) {
         if (!command_.has(letter) || std::abs(command_[letter]) < kSuspicious) continue;
         const Word* word = find_word(block_, letter);
         if (!word || has_point(block_, *word)) continue;
         const std::string_view text = block_.text.substr(word->span.column - 1, word->span.length);
-        if (!hinted_at_points_) log_.add(Message::NoPoint, word->span, {text});
-        hinted_at_points_ = true;
+        if (!has_reported_points_) log_.add(Message::NoPoint, word->span, {text});
+        has_reported_points_ = true;
     }
 }
 
@@ -369,7 +369,7 @@ bool Runner::assign_number(const Assignment& assignment, double number, double v
     if (!parameters_.set_numbered(number, value, unknown)) return false;
     const int n = static_cast<int>(std::lround(number));
     const SystemVariable variable = system_variable(n, rules_);
-    if (variable.effect == SystemVariable::Effect::Kept) return true;
+    if (variable.effect == SystemVariable::Effect::Stored) return true;
     resolver_.report_unknown(unknown, assignment.span);
     const std::string name = std::string("#").append(std::to_string(n));
     if (std::isnan(value)) return true;

@@ -11,9 +11,9 @@
 
 #include "control/machine.h"
 #include "control/system_variable.h"
+#include "program/block_resolver.h"
 #include "program/head_modes.h"
 #include "program/program_index.h"
-#include "program/resolve.h"
 
 #include <array>
 #include <deque>
@@ -80,7 +80,7 @@ private:
     void act_on_words();
     void execute_before(std::size_t count);
     void scale_increments();
-    void look_for_points();
+    void check_points();
     bool counts_increments(const Word& word) const;
     void note_points();
     void note_blend();
@@ -103,16 +103,16 @@ private:
     void save_or_restore(int m);
     bool call_code(int m);
     void call_subprogram();
-    bool is_elsewhere(double number) const;
-    void leave_out(double number, SourceSpan span);
+    bool is_control_program(double number) const;
+    void report_control_program(double number, SourceSpan span);
     bool probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,
                      SourceSpan span);
-    void act_on_text(const std::string& text, SourceSpan span);
+    void execute_text(const std::string& text, SourceSpan span);
     void call_lines();
-    bool hear_outline();
+    bool record_outline();
     void return_from_subprogram();
     void enter(Frame frame, const Target& target);
-    void leave_frame();
+    void finish_subprogram();
     std::optional<Target> find_target(ControlWord word, const std::string& label, bool in_files);
     std::optional<std::size_t> open_file(const std::string& name);
 
@@ -154,7 +154,7 @@ private:
     bool in_main_title_ = false;      // After "O1" of the main program.
     bool percent_opened_ = false;
     bool something_read_ = false;
-    bool hinted_at_points_ = false;
+    bool has_reported_points_ = false;
     bool ended_ = false;
 };
 

@@ -194,7 +194,7 @@ CodeSupport support_of(const ControlCodes& control, char letter, double number) 
                                                                : CodeSupport::No;
 }
 
-std::vector<CodeUse> lacking_codes(const SourceFile& program, const ControlCodes& control) {
+std::vector<CodeUse> missing_codes(const SourceFile& program, const ControlCodes& control) {
     const DialectFindings findings = detect_dialect(program);
     const auto whole = [&](std::string what, CodeSupport support) {
         const bool has_line = !findings.kind_evidence.empty();

@@ -325,13 +325,13 @@ bool has_iso_code(std::string_view code) {
     return false;
 }
 
-class Detective {
+class DialectDetector {
 public:
-    explicit Detective(std::string_view name) : is_named_siemens_(has_siemens_name(name)) {}
+    explicit DialectDetector(std::string_view name) : is_named_siemens_(has_siemens_name(name)) {}
 
     /// Counts the signs of a line. Lines with only the letters N X Y Z F and G0 … G3, and, unless
     /// `every`, also A B C I J K R S, contain no signs; such lines only contribute axes.
-    void look_at(std::string_view line, std::uint32_t number, bool every) {
+    void scan_line(std::string_view line, std::uint32_t number, bool every) {
         constexpr Letters kPlain = letters_of("NXYZF");
         constexpr Letters kPlainArcs = kPlain | letters_of("ABCIJKRS");
         Letters seen = 0;
@@ -340,20 +340,20 @@ public:
             has_y_ = has_y_ || (seen & bit_of('Y')) != 0;
             has_xz_ = has_xz_ || (seen & letters_of("XZ")) != 0;
             if ((seen & bit_of('C')) != 0) split_.split(line);
-            look_at_axes(seen, number);
+            record_axes(seen, number);
             return;
         }
         split_.split(line);
         for (std::size_t i = 0; i < kDialects.size(); ++i)
-            weigh(kDialects[i].signs, dialects_[i], number);
+            add_weights(kDialects[i].signs, dialects_[i], number);
         for (std::size_t i = 0; i < kKinds.size(); ++i)
-            weigh(kKinds[i].signs, kinds_[i], number);
-        look_for_turning(number);
-        look_for_header(number);
-        look_for_heidenhain(number);
-        look_for_values_behind_equals(number);
-        look_for_named_cycles(number);
-        look_for_power(number);
+            add_weights(kKinds[i].signs, kinds_[i], number);
+        find_turning(number);
+        find_header(number);
+        find_heidenhain(number);
+        find_values_after_equals(number);
+        find_named_cycles(number);
+        find_power(number);
         has_iso_codes_ = has_iso_codes_ || (is_named_siemens_ && has_iso_code(split_.code));
         const std::string& code = split_.code;
         Letters words = 0;
@@ -370,7 +370,7 @@ public:
             }
         }
         has_words_ = has_words_ || words != 0;
-        look_at_axes(words, number);
+        record_axes(words, number);
     }
 
     void conclude(DialectFindings& findings) const {
@@ -429,7 +429,7 @@ private:
     }
 
     template <typename Signs>
-    void weigh(const Signs& signs, Case& which, std::uint32_t line) const {
+    void add_weights(const Signs& signs, Case& which, std::uint32_t line) const {
         for (std::size_t i = 0; i < signs.size(); ++i) {
             const Sign& sign = signs[i];
             const Letters there = sign.in_comments ? split_.remark_letters : split_.code_letters;
@@ -443,7 +443,7 @@ private:
 
     /// Counts signs of lathe programs: no Y, tools such as T0101, constant surface speed, cycles
     /// from P to Q.
-    void look_for_turning(std::uint32_t line) {
+    void find_turning(std::uint32_t line) {
         const std::string& code = split_.code;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
             if (!is_capital(code[i]) || (i > 0 && is_capital(code[i - 1]))) continue;
@@ -486,7 +486,7 @@ private:
     }
 
     /// Counts lines with letters without numbers, as in Klartext: "12 L X+10 FMAX", "CC X+0 Y+0".
-    void look_for_heidenhain(std::uint32_t line) {
+    void find_heidenhain(std::uint32_t line) {
         const std::string& code = split_.code;
         std::size_t at = code.find_first_not_of("0123456789 \t");
         if (at == std::string::npos || (code[at] != 'L' && code[at] != 'C')) return;
@@ -507,7 +507,7 @@ private:
 
     /// Counts values after "=", as on Siemens: "G1 X=AC(20)", "CR=5", "R1=10". In other languages
     /// only parameters (#1=, #<a>=) and settings ($1=) have "=".
-    void look_for_values_behind_equals(std::uint32_t line) {
+    void find_values_after_equals(std::uint32_t line) {
         const std::string& code = split_.code;
         if (code.find('=') == std::string::npos || code.find('$') != std::string::npos) return;
         for (const std::string_view text : {"DPRNT", "POPEN", "M117", "M118"}) {
@@ -532,7 +532,7 @@ private:
     }
 
     /// Counts "CYCLE83(5,0,1,-20)", "POCKET3(…)", "HOLES2(…)", "MSG("…")".
-    void look_for_named_cycles(std::uint32_t line) {
+    void find_named_cycles(std::uint32_t line) {
         const std::string& code = split_.code;
         const std::size_t last = code.find_last_not_of(" \r");
         const std::size_t text = split_.remarks.find_first_not_of("( ");
@@ -573,7 +573,7 @@ private:
     }
 
     /// Counts signs of lasers, which have no Z: switched on and off, power within moves.
-    void look_for_power(std::uint32_t line) {
+    void find_power(std::uint32_t line) {
         const std::string& code = split_.code;
         for (const std::string_view on : {"M3", "M4", "M03", "M04"}) {
             if (contains(code, on) && (contains(code, "S0") || contains(code, "S 0")))
@@ -584,14 +584,14 @@ private:
     }
 
     /// Records the axes of a line, and signs in the same line.
-    void look_at_axes(Letters words, std::uint32_t line) {
+    void record_axes(Letters words, std::uint32_t line) {
         constexpr Letters kXY = letters_of("XY");
         has_z_ = has_z_ || (words & bit_of('Z')) != 0;
         turns_a_or_b_ = turns_a_or_b_ || (words & letters_of("AB")) != 0;
         extrudes_ = extrudes_ || (words & bit_of('E')) != 0;
         if ((words & bit_of('S')) != 0 && (words & kXY) != 0)
             add(power_, 2, 2, "S with moves, and no Z", line);
-        if ((words & bit_of('C')) != 0) look_at_c(words);
+        if ((words & bit_of('C')) != 0) classify_c(words);
         if ((words & letters_of("MT")) == 0) return;
         changes_tools_ =
             changes_tools_ || contains(split_.code, "M6") || contains(split_.code, "M06");
@@ -603,7 +603,7 @@ private:
     }
 
     /// Decides whether the C of a line is a rotary axis or may be the size of a chamfer.
-    void look_at_c(Letters words) {
+    void classify_c(Letters words) {
         constexpr double kLargestChamfer = 20.0;
         const std::string& code = split_.code;
         const std::size_t c = code.find('C');
@@ -624,7 +624,7 @@ private:
     }
 
     /// Counts a header of Fanuc programs: "O1234" near the beginning.
-    void look_for_header(std::uint32_t line) {
+    void find_header(std::uint32_t line) {
         const std::string& code = split_.code;
         if (line > 5 || code.size() < 5 || (code[0] != 'O' && code[0] != ':')) return;
         for (std::size_t i = 1; i < 5; ++i) {
@@ -674,11 +674,11 @@ DialectFindings detect_dialect(const SourceFile& program) {
         findings.kind_evidence = {{"its bytes are no text", 1}};
         return findings;
     }
-    Detective detective(program.name);
+    DialectDetector detective(program.name);
     const std::size_t whole = rest.size();
     for (std::uint32_t line = 1; !rest.empty(); ++line) {
         const LineEnd end = find_line_end(rest);
-        detective.look_at(rest.substr(0, end.length), line, whole - rest.size() < kEveryLine);
+        detective.scan_line(rest.substr(0, end.length), line, whole - rest.size() < kEveryLine);
         rest.remove_prefix(end.next);
     }
     detective.conclude(findings);

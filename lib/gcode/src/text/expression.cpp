@@ -175,10 +175,10 @@ private:
         }
         at_ = end;
         if (name == "exists") return exists();
-        if (name == "atan" || (name == "pow" && !arithmetic_.strict)) return of_two(name);
+        if (name == "atan" || (name == "pow" && !arithmetic_.strict)) return binary_function(name);
         const std::optional<double> x = brackets();
         if (!x) return std::nullopt;
-        return of_one(name, std::isnan(*x) ? 0.0 : *x);
+        return unary_function(name, std::isnan(*x) ? 0.0 : *x);
     }
 
     /// EXISTS: 1 if the name was set or the numbered parameter exists, otherwise 0.
@@ -202,7 +202,7 @@ private:
     }
 
     /// ATAN[y]/[x] on all controls; ATAN[y,x], ATAN[y] and POW[x,y] if not strict.
-    std::optional<double> of_two(std::string_view name) {
+    std::optional<double> binary_function(std::string_view name) {
         ++at_;
         const std::optional<double> a = expression(0);
         if (!a) return std::nullopt;
@@ -225,7 +225,7 @@ private:
         return trig::angle_of(*b, *a);
     }
 
-    std::optional<double> of_one(std::string_view name, double x) {
+    std::optional<double> unary_function(std::string_view name, double x) {
         if (name == "abs") return std::abs(x);
         if (name == "sin") return trig::sin_cos(x).sin;
         if (name == "cos") return trig::sin_cos(x).cos;
@@ -253,12 +253,12 @@ private:
                                              : std::ceil(x);
         }
         if (name == "round" || (name == "rnd" && !arithmetic_.strict)) return std::round(x);
-        if (!arithmetic_.strict && (name == "bin" || name == "bcd")) return recode(name, x);
+        if (!arithmetic_.strict && (name == "bin" || name == "bcd")) return convert_bcd(name, x);
         return fail(Message::FunctionUnknown, name);
     }
 
     /// BIN: converts four bits per decimal digit to a number; BCD: the inverse.
-    static double recode(std::string_view name, double x) {
+    static double convert_bcd(std::string_view name, double x) {
         const double base_in = name == "bin" ? 16.0 : 10.0;
         const double base_out = name == "bin" ? 10.0 : 16.0;
         double rest = std::trunc(std::abs(x));

@@ -93,7 +93,7 @@ void LineParser::read_general(std::string& clean) {
     block_.words.clear();
     block_.comments.clear();
     block_.has_number = false;
-    if (!make_clean(clean)) return refuse();
+    if (!make_clean_copy(clean)) return refuse();
     text_ = clean;
     if (text_.empty()) return;
     if (is_percent()) return;
@@ -104,14 +104,14 @@ void LineParser::read_general(std::string& clean) {
 
 void LineParser::report(const MessageText& message, SourceSpan span,
                         std::initializer_list<std::string_view> arguments) {
-    said_ = true;
+    has_fault_ = true;
     if (log_) log_->add(message, span, arguments);
 }
 
 bool LineParser::tolerate(const MessageText& message, SourceSpan span,
                           std::initializer_list<std::string_view> arguments) {
     if (!options_.strict) return report(message, span, arguments), true;
-    said_ = true;
+    has_fault_ = true;
     if (log_) log_->add(Severity::Error, message, span, arguments);
     return false;
 }
@@ -137,7 +137,7 @@ bool LineParser::is_bracket_comment(std::size_t at, std::string_view before) con
     return is_text && line_.find(']', at) != std::string_view::npos;
 }
 
-bool LineParser::make_clean(std::string& clean) {
+bool LineParser::make_clean_copy(std::string& clean) {
     auto& columns = columns_;
     columns.clear();
     bool good = true;

@@ -28,7 +28,7 @@ public:
         : options_(options), columns_(columns), line_(line), block_(block), log_(log) {}
 
     /// True if the line has a fault.
-    bool said_something() const { return said_; }
+    bool has_fault() const { return has_fault_; }
 
     /// Parses words with plain numbers and comments.
     /// Returns: false if the line has other text.
@@ -64,7 +64,7 @@ private:
     bool is_bracket_comment(std::size_t at, std::string_view before) const;
     /// Fills the clean copy.
     /// Returns: false if the line must not be executed.
-    bool make_clean(std::string& clean);
+    bool make_clean_copy(std::string& clean);
     bool is_percent();
     bool is_console_command();
     /// Reads block delete ('/', "/2") and the line number, in either order.
@@ -103,7 +103,7 @@ private:
     std::string_view text_;
     std::size_t at_ = 0;
     bool reported_ = false;
-    bool said_ = false;
+    bool has_fault_ = false;
     bool good_ = true;
 };
 

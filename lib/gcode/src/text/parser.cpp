@@ -41,7 +41,7 @@ std::string_view BlockReader::take_line() {
 }
 
 /// Parsed lines. The text of a program is constant, so a parsed line stays valid.
-struct BlockReader::Kept {
+struct BlockReader::LineCache {
     /// Largest total size of kept lines, above the size of loops in real programs.
     static constexpr std::size_t kMostBytes = 131'072;
     struct Line {
@@ -63,7 +63,7 @@ struct BlockReader::Kept {
 };
 
 void BlockReader::keep_lines() {
-    if (!kept_) kept_ = std::make_shared<Kept>();
+    if (!kept_) kept_ = std::make_shared<LineCache>();
 }
 
 bool BlockReader::next(Block& block, DiagnosticLog* log) {
@@ -81,9 +81,9 @@ bool BlockReader::next(Block& block, DiagnosticLog* log) {
     reset(block, place_.line, line);
     LineParser parser(options_, columns_, line, block, log);
     if (parser.read_plain()) return true;
-    Kept::Line* const kept = kept_ ? kept_->at(start, line.size()) : nullptr;
+    LineCache::Line* const kept = kept_ ? kept_->at(start, line.size()) : nullptr;
     parser.read_general(kept ? kept->clean : clean_);
-    if (kept && !parser.said_something()) {
+    if (kept && !parser.has_fault()) {
         kept->is_kept = true;
         kept->block = block;
         kept->after = place_;

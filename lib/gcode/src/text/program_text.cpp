@@ -422,13 +422,13 @@ namespace {
 
 /// Codes in a text that end or return from a program.
 struct Endings {
-    bool returns = false;   ///< M99 outside of subroutines.
-    bool ends = false;      ///< M2 or M30 outside of subroutines.
-    bool has_subs = false;  ///< "O… sub".
-    bool acts = false;      ///< Words outside of subroutines other than M99, M2 and M30.
+    bool returns = false;     ///< M99 outside of subroutines.
+    bool ends = false;        ///< M2 or M30 outside of subroutines.
+    bool has_subs = false;    ///< "O… sub".
+    bool has_effect = false;  ///< Words outside of subroutines other than M99, M2 and M30.
 };
 
-void look_at(const Block& block, int& depth, Endings& found) {
+void scan_block(const Block& block, int& depth, Endings& found) {
     if (block.control.word == ControlWord::Sub) ++depth, found.has_subs = true;
     if (block.control.word == ControlWord::EndSub && depth > 0) {
         --depth;
@@ -442,11 +442,11 @@ void look_at(const Block& block, int& depth, Endings& found) {
                    (word.number == 2.0 || word.number == 30.0)) {
             found.ends = true;
         } else {
-            found.acts = true;
+            found.has_effect = true;
         }
     }
     const bool is_call = block.control.word == ControlWord::Call;
-    found.acts = found.acts || is_call;
+    found.has_effect = found.has_effect || is_call;
 }
 
 }  // namespace
@@ -459,9 +459,9 @@ bool is_subprogram_text(std::string_view head, std::string_view tail) {
         Block block;
         int depth = 0;
         while (reader.next(block))
-            look_at(block, depth, found);
+            scan_block(block, depth, found);
     }
-    if (found.has_subs && !found.acts && !found.returns) return true;
+    if (found.has_subs && !found.has_effect && !found.returns) return true;
     return found.returns && !found.ends;
 }
 

@@ -23,7 +23,7 @@ std::uint64_t resident_bytes() {
 }
 
 // Calls between two queries of the system.
-constexpr std::uint32_t kPatience = 128;
+constexpr std::uint32_t kCallsPerQuery = 128;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ Budget::Budget(double memory_gb, double seconds)
 std::optional<std::string> Budget::exceeded() {
     if (stop_.stop_requested()) return "the caller has stopped the work";
     if (memory_gb_ <= 0.0 && seconds_ <= 0.0) return std::nullopt;
-    if (asked_++ % kPatience != 0) return std::nullopt;
+    if (asked_++ % kCallsPerQuery != 0) return std::nullopt;
     if (memory_gb_ > 0.0) {
         const double used = 1e-9 * static_cast<double>(resident_bytes());
         if (used > memory_gb_)

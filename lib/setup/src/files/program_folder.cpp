@@ -140,17 +140,17 @@ ProgramFolder programs_in_folder(const std::string& folder) {
         const fs::path& path = entry->path();
         if (entry->is_symlink(ignored)) {
             if (auto why = why_not_followed(path, whole)) {
-                found.left_out.push_back({path.string(), std::move(*why)});
+                found.excluded.push_back({path.string(), std::move(*why)});
                 continue;
             }
         } else if (entry->is_directory(ignored)) {
             if (!is_version_control(path.filename())) continue;
             entry.disable_recursion_pending();
-            found.left_out.push_back({path.string(), "folder of version control"});
+            found.excluded.push_back({path.string(), "folder of version control"});
             continue;
         }
         if (auto why = why_no_program(path.string())) {
-            found.left_out.push_back({path.string(), std::move(*why)});
+            found.excluded.push_back({path.string(), std::move(*why)});
         } else {
             found.programs.push_back(path.string());
         }
@@ -160,7 +160,7 @@ ProgramFolder programs_in_folder(const std::string& folder) {
             fmt::format("cannot read the folder '{}': {}", folder, error.message()));
     }
     std::ranges::sort(found.programs);
-    std::ranges::sort(found.left_out, {}, &report::LeftOut::path);
+    std::ranges::sort(found.excluded, {}, &report::ExcludedEntry::path);
     return found;
 }
 

@@ -10,10 +10,10 @@
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/toolpath/tool_file.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 #include "job/holder_file.h"
-#include "job/messages.h"
+#include "job/setup_messages.h"
 #include "job/unit_clues.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // Statistics of feed moves and the estimate of a tool.
 #include "ncsim/setup/tool_clues.h"
 
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/trig/angles.h"
 
 #include <algorithm>

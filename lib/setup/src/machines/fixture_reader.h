@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/setup/input.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 #include "files/toml_reader.h"
 

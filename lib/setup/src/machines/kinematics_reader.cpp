@@ -149,9 +149,9 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
          {"orient", [this](const toml::node& n, const std::string& k) {
               const std::string word = r_.text(n, k);
               if (word == "positive") {
-                  prefer_ = machine::SolutionPreference::StandUp;
+                  prefer_ = machine::SolutionPreference::EndPositive;
               } else if (word == "negative") {
-                  prefer_ = machine::SolutionPreference::StandDown;
+                  prefer_ = machine::SolutionPreference::EndNegative;
               } else if (word != "shortest") {
                   r_.fail(n, fmt::format(
                                  "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));

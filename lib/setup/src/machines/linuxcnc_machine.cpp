@@ -232,7 +232,7 @@ machine::Chain tilting_table(const Hal& hal, const std::string& kins, char cradl
 machine::Chain nutating_head(const Hal& hal, const std::string& kins) {
     const std::string angle = kins + ".nut-angle";
     const double degrees = hal.is_set(angle) ? hal.value(angle) : 45.0;
-    const gcode::Triple lean = gcode::turn_about(0, -degrees).turned({0, 0, 1});
+    const gcode::Triple lean = gcode::turn_about(0, -degrees).direction_to_parent({0, 0, 1});
     const double y = hal.value(kins + ".y-pivot"), z = hal.value(kins + ".z-pivot");
     const Vec3 table{0, hal.value(kins + ".y-rot-axis"), hal.value(kins + ".z-rot-axis")};
     const Vec3 fork{hal.value(kins + ".x-offset"), y + hal.value(kins + ".y-offset"), 0};

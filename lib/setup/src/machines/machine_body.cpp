@@ -11,14 +11,14 @@ std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values
     for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint) {
         const double value = values[*machine::index_of(joint->letter)];
         for (cda::Vec3& p : corners)
-            p = machine::moved(*joint, value, p);
+            p = machine::move_by_joint(*joint, value, p);
     }
     return corners;
 }
 
 cda::Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, cda::Vec3 p_M) {
     for (const machine::Joint& joint : moved_by.joints)
-        p_M = machine::moved(joint, -values[*machine::index_of(joint.letter)], p_M);
+        p_M = machine::move_by_joint(joint, -values[*machine::index_of(joint.letter)], p_M);
     return p_M;
 }
 

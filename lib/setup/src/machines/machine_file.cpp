@@ -143,85 +143,85 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     NamesAt named;
     const auto take_pairs = [&](std::vector<verify::NamePair>& into, const toml::node& n,
                                 const std::string& k) { into = read_pairs(r, n, k, named); };
-    r.each(r.root(), "",
-           {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
-            {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
-            {"control", [&](const auto& n, const auto& k) { kinematics.take_control(n, k); }},
-            {"assumed", [&](const auto& n, const auto& k) { kinematics.take_assumed(n, k); }},
-            {"along_tool", [&](const auto& n, const auto& k) { kinematics.take_along_tool(n, k); }},
-            {"way", [&](const auto& n, const auto& k) { kinematics.take_ways(n, k); }},
-            {"clamps", [&](const auto& n, const auto& k) { kinematics.take_clamps(n, k); }},
-            {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},
-            {"ignore", [&](const auto& n, const auto& k) { take_pairs(file.ignored, n, k); }},
-            {"ask", [&](const auto& n, const auto& k) { take_pairs(file.asked, n, k); }},
-            {"link",
-             [&](const toml::node& n, const std::string& k) {
-                 r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
-                     kinematics.take_link(element, key);
-                 });
-             }},
-            {"name", [&](const auto& n, const auto& k) { m.name = r.text(n, k); }},
-            {"travel", [&](const toml::node& n,
-                           const std::string& k) { read_travels(r, n, k, m.travel, kinematics); }},
-            {"rapid", [&](const auto& n, const auto& k) { read_axes(r, n, k, m.rapid, positive); }},
-            {"acceleration",
-             [&](const auto& n, const auto& k) { read_axes(r, n, k, m.acceleration, positive); }},
-            {"spindle",
-             [&](const toml::node& n, const std::string& k) {
-                 r.each(r.table(n, k), k,
-                        {{"link", [&](const auto& v,
-                                      const auto& key) { kinematics.take_spindle_link(v, key); }},
-                         {"min", [&](const auto& v,
-                                     const auto& key) { m.min_rpm = r.not_negative(v, key); }},
-                         {"max", [&](const auto& v, const auto& key) {
-                              m.max_rpm = r.positive(v, key);
-                          }}});
-             }},
-            {"feed",
-             [&](const toml::node& n, const std::string& k) {
-                 r.each(r.table(n, k), k, {{"max", [&](const auto& v, const auto& key) {
-                                                m.max_feed = r.positive(v, key);
-                                            }}});
-             }},
-            {"position",
-             [&](const toml::node& n, const std::string& k) {
-                 r.each(r.table(n, k), k,
-                        {{"home", point(m.home)},
-                         {"tool_change", point(m.tool_change)},
-                         {"start", point(file.start)},
-                         {"work_zero", [&](const auto& v, const auto& key) {
-                              file.offsets[kG54] = r.vector(v, key);
-                          }}});
-             }},
-            {"offsets", [&](const toml::node& n,
-                            const std::string& k) { file.offsets.merge(read_offsets(r, n, k)); }},
-            {"below_stock",
-             [&](const auto& n, const auto& k) { m.below_stock = r.not_negative(n, k); }},
-            {"path_deviation",
-             [&](const auto& n, const auto& k) { m.path_deviation = r.positive(n, k); }},
-            {"time",
-             [&](const toml::node& n, const std::string& k) {
-                 r.each(r.table(n, k), k,
-                        {{"tool_change",
-                          [&](const auto& v, const auto& key) {
-                              m.tool_change_seconds = r.not_negative(v, key);
-                          }},
-                         {"junction_deviation", [&](const auto& v, const auto& key) {
-                              m.junction_deviation = r.positive(v, key);
-                          }}});
-             }},
-            {"fixture",
-             [&](const toml::node& n, const std::string& k) {
-                 m.fixtures_specified = true;
-                 r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
-                     read_fixture(r, folder, inputs, element, key, m.fixtures);
-                 });
-             }},
-            {"tool", [&](const toml::node& n, const std::string& k) {
-                 r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
-                     read_tool_limits(r, element, key, file.tools);
-                 });
-             }}});
+    r.each(
+        r.root(), "",
+        {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
+         {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
+         {"control", [&](const auto& n, const auto& k) { kinematics.take_control(n, k); }},
+         {"assumed", [&](const auto& n, const auto& k) { kinematics.take_assumed(n, k); }},
+         {"along_tool", [&](const auto& n, const auto& k) { kinematics.take_along_tool(n, k); }},
+         {"way", [&](const auto& n, const auto& k) { kinematics.take_ways(n, k); }},
+         {"clamps", [&](const auto& n, const auto& k) { kinematics.take_clamps(n, k); }},
+         {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},
+         {"ignore", [&](const auto& n, const auto& k) { take_pairs(file.ignored, n, k); }},
+         {"ask", [&](const auto& n, const auto& k) { take_pairs(file.checked_neighbours, n, k); }},
+         {"link",
+          [&](const toml::node& n, const std::string& k) {
+              r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
+                  kinematics.take_link(element, key);
+              });
+          }},
+         {"name", [&](const auto& n, const auto& k) { m.name = r.text(n, k); }},
+         {"travel", [&](const toml::node& n,
+                        const std::string& k) { read_travels(r, n, k, m.travel, kinematics); }},
+         {"rapid", [&](const auto& n, const auto& k) { read_axes(r, n, k, m.rapid, positive); }},
+         {"acceleration",
+          [&](const auto& n, const auto& k) { read_axes(r, n, k, m.acceleration, positive); }},
+         {"spindle",
+          [&](const toml::node& n, const std::string& k) {
+              r.each(r.table(n, k), k,
+                     {{"link", [&](const auto& v,
+                                   const auto& key) { kinematics.take_spindle_link(v, key); }},
+                      {"min",
+                       [&](const auto& v, const auto& key) { m.min_rpm = r.not_negative(v, key); }},
+                      {"max",
+                       [&](const auto& v, const auto& key) { m.max_rpm = r.positive(v, key); }}});
+          }},
+         {"feed",
+          [&](const toml::node& n, const std::string& k) {
+              r.each(r.table(n, k), k, {{"max", [&](const auto& v, const auto& key) {
+                                             m.max_feed = r.positive(v, key);
+                                         }}});
+          }},
+         {"position",
+          [&](const toml::node& n, const std::string& k) {
+              r.each(r.table(n, k), k,
+                     {{"home", point(m.home)},
+                      {"tool_change", point(m.tool_change)},
+                      {"start", point(file.start)},
+                      {"work_zero", [&](const auto& v, const auto& key) {
+                           file.offsets[kG54] = r.vector(v, key);
+                       }}});
+          }},
+         {"offsets", [&](const toml::node& n,
+                         const std::string& k) { file.offsets.merge(read_offsets(r, n, k)); }},
+         {"below_stock",
+          [&](const auto& n, const auto& k) { m.below_stock = r.not_negative(n, k); }},
+         {"path_deviation",
+          [&](const auto& n, const auto& k) { m.path_deviation = r.positive(n, k); }},
+         {"time",
+          [&](const toml::node& n, const std::string& k) {
+              r.each(r.table(n, k), k,
+                     {{"tool_change",
+                       [&](const auto& v, const auto& key) {
+                           m.tool_change_seconds = r.not_negative(v, key);
+                       }},
+                      {"junction_deviation", [&](const auto& v, const auto& key) {
+                           m.junction_deviation = r.positive(v, key);
+                       }}});
+          }},
+         {"fixture",
+          [&](const toml::node& n, const std::string& k) {
+              m.fixtures_specified = true;
+              r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
+                  read_fixture(r, folder, inputs, element, key, m.fixtures);
+              });
+          }},
+         {"tool", [&](const toml::node& n, const std::string& k) {
+              r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
+                  read_tool_limits(r, element, key, file.tools);
+              });
+          }}});
     file.kinematics = kinematics.kinematics();
     file.bodies = kinematics.bodies();
     file.other_links = kinematics.other_links();

@@ -137,9 +137,9 @@ std::string control_toml(const MachineFile& file) {
     if (control.at_start == Coordinates::Tip) keys.emplace_back("at_start = \"tip\"");
     if (control.by_length_word) keys.emplace_back("tip_frame = \"table\"");
     if (control.frame_at_zero) keys.emplace_back("tip_frame_at = \"zero\"");
-    if (file.kinematics->prefer == machine::SolutionPreference::StandUp)
+    if (file.kinematics->prefer == machine::SolutionPreference::EndPositive)
         keys.emplace_back("orient = \"positive\"");
-    if (file.kinematics->prefer == machine::SolutionPreference::StandDown)
+    if (file.kinematics->prefer == machine::SolutionPreference::EndNegative)
         keys.emplace_back("orient = \"negative\"");
     add_table_offsets(keys, "fixture_offset", file.fixture_offsets);
     add_table_offsets(keys, "setting_error", file.setting_errors);
@@ -236,7 +236,8 @@ std::string not_in_machine_toml(const MachineFile& file) {
     if (fixtures > 0)
         lost.push_back(fmt::format("{} fixture{}", fixtures, fixtures == 1 ? "" : "s"));
     if (!file.bodies.empty()) lost.emplace_back("meshes of links");
-    if (!file.ignored.empty() || !file.asked.empty()) lost.emplace_back("which links are asked");
+    if (!file.ignored.empty() || !file.checked_neighbours.empty())
+        lost.emplace_back("which links are asked");
     if (!file.tools.empty()) lost.emplace_back("limits of tools");
     return fmt::format("{}", fmt::join(lost, ", "));
 }

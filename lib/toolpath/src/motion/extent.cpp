@@ -5,10 +5,10 @@
 #include "ncsim/toolpath/extent.h"
 
 #include "ncsim/machine/inverse.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/trig/angles.h"
 
-#include "motion/path.h"
+#include "motion/axis_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ double spiral_lead(double radius, double growth) {
 
 // Adds the points of an arc at which a coordinate is farthest out: at right angles to the
 // coordinate's axis, on a spiral close to there.
-void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
+void add_extremes(cda::Box& box, const gcode::Arc& arc, const PolarArc& p) {
     const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
@@ -50,7 +50,7 @@ void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
         const double radius = p.start_radius + (q - p.start_degrees) * growth;
         const double at = q + spiral_lead(radius, growth * 180.0 / std::numbers::pi);
         if (at < low || at > high) continue;
-        box.add(linear_axes(on_arc(arc, p, (at - p.start_degrees) / p.sweep_degrees)));
+        box.add(linear_axes(arc_position(arc, p, (at - p.start_degrees) / p.sweep_degrees)));
     }
 }
 
@@ -58,12 +58,13 @@ void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
 // contain the arc.
 void add_balls(cda::Box& box, const gcode::Arc& arc) {
     const gcode::Arc own = gcode::in_own_frame(arc);
-    const Polar p = polar(own);
+    const PolarArc p = polar(own);
     const double radius = std::max(p.start_radius, p.end_radius);
     for (const Position& end : {own.from, own.to}) {
         const gcode::Arc circle{end, end, own.plane, own.centre_1, own.centre_2, 1, {}};
-        const Position middle = on_arc(circle, {p.centre_1, p.centre_2, 0.0, 0.0, 0.0, 0.0}, 0.5);
-        const cda::Vec3 at = linear_axes(gcode::outward(*arc.tilted, middle));
+        const Position middle =
+            arc_position(circle, {p.centre_1, p.centre_2, 0.0, 0.0, 0.0, 0.0}, 0.5);
+        const cda::Vec3 at = linear_axes(gcode::to_parent(*arc.tilted, middle));
         const cda::Vec3 reach{radius, radius, radius};
         box.add(at - reach);
         box.add(at + reach);
@@ -79,7 +80,7 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
     if (!from || !to) return box;
     const Poses poses(&machine, motion);
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
-    const Polar p = arc ? polar(*arc) : Polar{};
+    const PolarArc p = arc ? polar(*arc) : PolarArc{};
     const auto degrees = [](gcode::Angle a, gcode::Angle b) { return std::abs((b - a).degrees()); };
     constexpr double kStep = 0.25;
     constexpr double kMost = 100'000;
@@ -87,7 +88,8 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
                         degrees(from->c, to->c) + std::abs(p.sweep_degrees);
     const double steps = std::clamp(std::ceil(turn / kStep), 1.0, kMost);
     for (double i = 0.0; i <= steps; ++i) {
-        const Position at = arc ? on_arc(*arc, p, i / steps) : between(*from, *to, i / steps);
+        const Position at =
+            arc ? arc_position(*arc, p, i / steps) : interpolate(*from, *to, i / steps);
         machine::Values now = values_of(at);
         for (const machine::Joint& joint : poses.chain()->joints) {
             const std::size_t letter = *machine::index_of(joint.letter);
@@ -125,7 +127,7 @@ cda::Box extent_of_axes(const gcode::Motion& motion) {
 }
 
 // Returns the motion with U, V and W at 0; an arc of U, V or W becomes a line.
-gcode::Motion without_second_axes(const gcode::Motion& motion) {
+gcode::Motion remove_second_axes(const gcode::Motion& motion) {
     gcode::Motion first = motion;
     const auto still = [](Position& p) { p.u = p.v = p.w = gcode::Length(); };
     if (auto* linear = std::get_if<gcode::Linear>(&first.what)) {
@@ -145,7 +147,8 @@ cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
     const Position* from = start_of(motion);
     const Position* to = end_of(motion);
     if (!from || !to) return {};
-    const double reach = poses.of_tip() ? second_axes(*poses.chain(), motion).reach_mm : 0.0;
+    const double reach =
+        poses.has_tip_control() ? second_axes(*poses.chain(), motion).reach_mm : 0.0;
     if (reach == 0.0) return extent_of_axes(motion);
     const bool turns = from->a != to->a || from->b != to->b || from->c != to->c;
     if (std::holds_alternative<gcode::Linear>(motion.what) && !turns) {
@@ -154,7 +157,7 @@ cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
         box.add(poses.place(*to));
         return box;
     }
-    cda::Box box = extent_of_axes(without_second_axes(motion));
+    cda::Box box = extent_of_axes(remove_second_axes(motion));
     const cda::Vec3 margin{reach, reach, reach};
     return {box.min - margin, box.max + margin};
 }

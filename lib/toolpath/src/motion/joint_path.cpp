@@ -6,7 +6,7 @@
 #include "ncsim/machine/inverse.h"
 #include "ncsim/trig/angles.h"
 
-#include "motion/path.h"
+#include "motion/axis_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct JointPath::Course {
     double length_mm = 0.0;
     Position from, to;
     const gcode::Arc* arc = nullptr;
-    Polar polar;
+    PolarArc polar;
     // Bounds on derivatives over the whole motion: of the tip under tip control, otherwise of X, Y
     // and Z.
     double speed = 0.0, bend = 0.0;
@@ -39,7 +39,9 @@ struct JointPath::Course {
     Chain part_side, tool_side;
     bool is_simple = true;  // no rotary joint between X, Y and Z
 
-    Position at(double t) const { return arc ? on_arc(*arc, polar, t) : between(from, to, t); }
+    Position at(double t) const {
+        return arc ? arc_position(*arc, polar, t) : interpolate(from, to, t);
+    }
 };
 
 namespace {
@@ -49,7 +51,7 @@ double size_of(gcode::Length from, gcode::Length to) {
 }
 
 // Sums the ways of all linear axes, as if each were a direction of its own.
-double steady_way(const Position& from, const Position& to) {
+double linear_axes_distance(const Position& from, const Position& to) {
     return size_of(from.x, to.x) + size_of(from.y, to.y) + size_of(from.z, to.z) +
            size_of(from.u, to.u) + size_of(from.v, to.v) + size_of(from.w, to.w);
 }
@@ -60,7 +62,7 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
     auto course = std::make_unique<Course>(machine, motion);
     Course& c = *course;
     const Chain& chain = *c.poses.chain();
-    c.solves = c.poses.of_tip() || chain.has_second_axes();
+    c.solves = c.poses.has_tip_control() || chain.has_second_axes();
     c.length_mm = motion.length.mm();
     c.from = *gcode::start_of(motion);
     c.to = *gcode::end_of(motion);
@@ -71,10 +73,10 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
         const double radius = std::max(c.polar.start_radius, c.polar.end_radius);
         const double change = std::abs(c.polar.end_radius - c.polar.start_radius);
         const gcode::Arc own = gcode::in_own_frame(*c.arc);
-        c.speed = sweep * radius + change + steady_way(own.from, own.to);
+        c.speed = sweep * radius + change + linear_axes_distance(own.from, own.to);
         c.bend = sweep * sweep * radius + 2.0 * sweep * change;
     } else {
-        c.speed = norm(c.poses.steady_place(c.to) - c.poses.steady_place(c.from));
+        c.speed = norm(c.poses.unrotated_place(c.to) - c.poses.unrotated_place(c.from));
     }
     if (c.solves) {
         // The shift of the tip by U, V and W rotates with the axes.
@@ -128,7 +130,7 @@ std::optional<Values> JointPath::at(double t) const {
 
 std::optional<Ball> JointPath::tip(double t0, double t1) const {
     const Course& c = *course_;
-    if (!c.poses.of_tip()) return std::nullopt;
+    if (!c.poses.has_tip_control()) return std::nullopt;
     const Vec3 a = c.poses.place(c.at(t0)), b = c.poses.place(c.at(t1));
     const double part = t1 - t0;
     Ball ball;
@@ -145,29 +147,30 @@ std::optional<Ball> JointPath::tip(double t0, double t1) const {
 //
 // The directions u, v, w are perpendicular, so the speed of each of x, y and z is at most the sum
 // of both terms' speeds.
-std::optional<JointMotion> JointPath::going(double t0, const Values& from, double t1,
-                                            const Values& to) const {
+std::optional<JointMotion> JointPath::joint_motion(double t0, const Values& from, double t1,
+                                                   const Values& to) const {
     const Course& c = *course_;
-    JointMotion going;
-    going.from = from;
-    going.to = to;
+    JointMotion joint_motion;
+    joint_motion.from = from;
+    joint_motion.to = to;
     const double part = t1 - t0;
     const auto tip = this->tip(t0, t1);
     if (!tip) {
-        going.all_speed = part * c.speed;
-        going.bend = part * part * c.bend;
+        joint_motion.all_speed = part * c.speed;
+        joint_motion.bend = part * part * c.bend;
         for (std::size_t i = 0; i < 3; ++i)
-            going.speed[i] = c.arc || c.solves ? going.all_speed : std::abs(to[i] - from[i]);
-        return going;
+            joint_motion.speed[i] =
+                c.arc || c.solves ? joint_motion.all_speed : std::abs(to[i] - from[i]);
+        return joint_motion;
     }
     if (!c.is_simple) return std::nullopt;
     // Only angles count here; the angles of the program are the angles of the machine.
-    const Ball of_part = moved(machine::seen_from(c.part_side, {}), going, *tip);
-    const Ball of_tool = moved(c.tool_side, going, {});
-    going.all_speed = of_part.speed + of_tool.speed;
-    going.bend = of_part.bend + of_tool.bend;
-    going.speed.fill(going.all_speed);
-    return going;
+    const Ball of_part = move_ball(machine::seen_from(c.part_side, {}), joint_motion, *tip);
+    const Ball of_tool = move_ball(c.tool_side, joint_motion, {});
+    joint_motion.all_speed = of_part.speed + of_tool.speed;
+    joint_motion.bend = of_part.bend + of_tool.bend;
+    joint_motion.speed.fill(joint_motion.all_speed);
+    return joint_motion;
 }
 
 Legs legs_of(const gcode::Motion& motion, const RapidPath& rapid) {

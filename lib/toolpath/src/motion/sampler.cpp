@@ -5,10 +5,10 @@
 #include "ncsim/toolpath/sampler.h"
 
 #include "ncsim/toolpath/extent.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/trig/angles.h"
 
-#include "motion/path.h"
+#include "motion/axis_path.h"
 
 #include <algorithm>
 #include <array>
@@ -34,10 +34,10 @@ struct Course {
     double radius_mm = 0.0;  // largest radius
     double radius_change_mm = 0.0;
     double way_mm = 0.0;  // length of the tip's path without rotations
-    Turning turning;
+    RotationBounds turning;
 
-    Turning step(double steps) const {
-        Turning t = turning;
+    RotationBounds step(double steps) const {
+        RotationBounds t = turning;
         const double delta = sweep_rad / steps;
         t.chord_mm = (radius_mm * delta * delta + 2 * radius_change_mm / steps * delta) / 8;
         t.turn_rad /= steps;
@@ -123,8 +123,8 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
         return poses.at(position_at(i == steps ? 1.0 : static_cast<double>(i) / steps));
     };
     // Returns the gain of the step with the largest gain. Stops at a gain above `limit`.
-    const auto gained = [&](const Turning& turning, const ToolExtent& slabs, std::uint32_t steps,
-                            double limit) {
+    const auto gained = [&](const RotationBounds& turning, const ToolExtent& slabs,
+                            std::uint32_t steps, double limit) {
         double worst = 0.0;
         Pose last = pose(0, steps);
         for (std::uint32_t i = 1; i <= steps && worst <= limit; ++i) {
@@ -137,11 +137,11 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
     // First, bounds that hold for all steps at once determine a least number of steps.
     std::uint32_t steps =
         fewest(least_steps(course, options), options.max_steps, [&](std::uint32_t n) {
-            const Turning t = course.step(n);
+            const RotationBounds t = course.step(n);
             if (t.chord_mm > options.chord_tolerance_mm) return false;
             return t.turn_rad == 0.0 || t.chord_mm + missed_mm(t, tool) <= options.rotation_miss_mm;
         });
-    double slab_mm = Turning::kInf;
+    double slab_mm = RotationBounds::kInf;
     if (course.turning.turn_rad > 0.0) {
         const auto fewest_in = [&](const ToolExtent& slabs) {
             return fewest(steps, options.max_steps, [&](std::uint32_t n) {
@@ -156,7 +156,7 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
         // falls.
         for (double slab = longest_straight(tool) / 2; best > steps && slab >= 2 * radius_of(tool);
              slab /= 2) {
-            const ToolExtent slabs = in_slabs(tool, slab);
+            const ToolExtent slabs = split_into_slabs(tool, slab);
             const std::uint32_t fewer = fewest_in(slabs);
             const double cost = fewer * cost_of(slabs);
             if (!(cost < least)) break;
@@ -173,7 +173,7 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
     samples.bounds.gained_mm = samples.turning.chord_mm;
     if (course.turning.turn_rad > 0.0) {
         samples.bounds.gained_mm +=
-            gained(samples.turning, in_slabs(tool, slab_mm), steps, Turning::kInf);
+            gained(samples.turning, split_into_slabs(tool, slab_mm), steps, RotationBounds::kInf);
     }
     samples.poses.reserve(steps + std::size_t{1});
     for (std::uint32_t i = 0; i <= steps; ++i)
@@ -220,9 +220,9 @@ double distance_from(const std::optional<Vec3>& axis, Vec3 p) {
 // within `radius_mm` of the tool axis. The tool is near the pose X_WT: its axis deviates by at most
 // `tilt_rad`, and its tip by at most `way_mm`. At height z, a disc across the axis a extends along
 // X from T + z a - r to T + z a + r, with r² = radius² (1 - a²).
-double highest_beside(const Pose& X_WT, double tilt_rad, double way_mm, double radius_mm,
-                      const cda::Box& place) {
-    double highest = Turning::kInf;
+double highest_point_near(const Pose& X_WT, double tilt_rad, double way_mm, double radius_mm,
+                          const cda::Box& place) {
+    double highest = RotationBounds::kInf;
     const Vec3 axis = axis_of(X_WT);
     for (int i = 0; i < 3; ++i) {
         const double steepest = std::min(1.0, std::abs(axis[i]) + tilt_rad);
@@ -239,10 +239,10 @@ double highest_beside(const Pose& X_WT, double tilt_rad, double way_mm, double r
 
 // Returns the same bound for a whole motion. `tilt_rad` and `way_mm` are the lengths of the paths
 // of axis and tip; at any time, the nearer end of the motion is at most half of these away.
-double highest_beside(const Pose& start, const Pose& end, double tilt_rad, double way_mm,
-                      double radius_mm, const cda::Box& place) {
-    return std::max(highest_beside(start, tilt_rad / 2, way_mm / 2, radius_mm, place),
-                    highest_beside(end, tilt_rad / 2, way_mm / 2, radius_mm, place));
+double highest_point_near(const Pose& start, const Pose& end, double tilt_rad, double way_mm,
+                          double radius_mm, const cda::Box& place) {
+    return std::max(highest_point_near(start, tilt_rad / 2, way_mm / 2, radius_mm, place),
+                    highest_point_near(end, tilt_rad / 2, way_mm / 2, radius_mm, place));
 }
 
 std::array<Vec3, 8> corners_of(const cda::Box& box) {
@@ -258,10 +258,10 @@ std::array<Vec3, 8> corners_of(const cda::Box& box) {
 // is only called for rotary moves. `way_mm` is the length of the tip's path without rotations,
 // `radius_mm` the largest radius of the tool.
 template <class Lowest>
-Turning turning_of(const Position& from, const Position& to, const Lowest& lowest_mm,
-                   double bulge_mm, double way_mm, double radius_mm,
-                   const std::optional<cda::Box>& place) {
-    Turning t;
+RotationBounds rotation_bounds_of(const Position& from, const Position& to, const Lowest& lowest_mm,
+                                  double bulge_mm, double way_mm, double radius_mm,
+                                  const std::optional<cda::Box>& place) {
+    RotationBounds t;
     t.moved_mm = way_mm;
     const auto radians = [](Angle a, Angle b) {
         return kRadiansPerDegree * std::abs((b - a).degrees());
@@ -289,7 +289,7 @@ Turning turning_of(const Position& from, const Position& to, const Lowest& lowes
     // tip, which is Z.
     t.place_mm = 0.0;
     double highest = 0.0, farthest = 0.0;
-    double at_ends = -Turning::kInf;
+    double at_ends = -RotationBounds::kInf;
     for (const Vec3 corner : corners_of(*place)) {
         const double distance = distance_from(axis, corner);
         t.place_mm = std::max(t.place_mm, distance);
@@ -303,15 +303,16 @@ Turning turning_of(const Position& from, const Position& to, const Lowest& lowes
     if (!axis) highest = farthest;
     t.top_mm = std::min(highest, at_ends + t.tilt_rad / 2 * farthest) - lowest_mm();
     const double way = way_mm + t.turn_rad * t.tip_mm;
-    t.top_mm = std::min(t.top_mm, highest_beside(start, end, t.tilt_rad, way,
-                                                 radius_mm + Turning::kBeside, *place));
+    t.top_mm =
+        std::min(t.top_mm, highest_point_near(start, end, t.tilt_rad, way,
+                                              radius_mm + RotationBounds::kSideMargin, *place));
     return t;
 }
 
 // --- Specified machines ----------------------------------------------------------------------
 
 // A rotary joint that moves in a motion, with the remaining joints at the start of the motion.
-struct Turned {
+struct RotatingJoint {
     Vec3 direction, through;  // in W
     double radians = 0.0;
 };
@@ -331,18 +332,19 @@ double distance_from_line(Vec3 p, Vec3 through, Vec3 direction) {
 // Returns the rotation of a whole motion of a specified machine, following the joints from the tool
 // to the part. `bulge_mm` has the meaning above; `way_mm` is the length of the tip's path relative
 // to bodies that do not rotate.
-Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge_mm, double way_mm,
-                   double radius_mm, const std::optional<cda::Box>& place) {
+RotationBounds rotation_bounds_of(const Poses& poses, const gcode::Motion& motion, double bulge_mm,
+                                  double way_mm, double radius_mm,
+                                  const std::optional<cda::Box>& place) {
     const machine::Chain& chain = *poses.chain();
     const Position &from = *gcode::start_of(motion), &to = *gcode::end_of(motion);
-    const SecondAxes second = poses.of_tip() ? second_axes(chain, motion) : SecondAxes{};
+    const SecondAxes second = poses.has_tip_control() ? second_axes(chain, motion) : SecondAxes{};
     const machine::Values v0 = values_of(from), v1 = values_of(to);
     const auto of = [&chain](const machine::Values& v, const machine::Joint& joint) {
         const std::size_t i = *machine::index_of(joint.letter);
         const bool adds = i < 3 && !chain.find(machine::kLetters[i + 6]);  // U, V, W
         return adds ? v[i] + v[i + 6] : v[i];
     };
-    Turning t;
+    RotationBounds t;
     Reach tip{{}, {}, bulge_mm};
     Vec3 axis{0, 0, 1};        // tool axis at the start of the motion
     double ways = 0.0;         // sum over linear joints
@@ -350,19 +352,19 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
     bool has_turned = false, has_moved = false;
     bool is_alone = true;
     double distance = 0.0;
-    std::vector<Turned> turning;  // from the tool to the part
+    std::vector<RotatingJoint> turning;  // from the tool to the part
     // Whether a linear joint moves between a rotary joint that moves and the part.
     bool head_turns = false;
     for (std::size_t i = chain.joints.size(); i-- > 0;) {
         const machine::Joint& joint = chain.joints[i];
         const double a = of(v0, joint), b = of(v1, joint);
-        const auto carry = [&](Turned& inner) {
-            inner.through = machine::moved(joint, a, inner.through);
-            inner.direction = machine::turned(joint, a, inner.direction);
+        const auto carry = [&](RotatingJoint& inner) {
+            inner.through = machine::move_by_joint(joint, a, inner.through);
+            inner.direction = machine::rotate_by_joint(joint, a, inner.direction);
         };
         if (!joint.turns) {
-            tip.from = machine::moved(joint, a, tip.from);
-            tip.to = machine::moved(joint, b, tip.to);
+            tip.from = machine::move_by_joint(joint, a, tip.from);
+            tip.to = machine::move_by_joint(joint, b, tip.to);
             if (a != b) {
                 is_one_block &= !has_moved || !has_turned;
                 has_moved = true;
@@ -376,20 +378,20 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
         const Vec3 n = joint.direction;
         const double radians = kRadiansPerDegree * std::abs(b - a);
         if (radians == 0.0) {
-            tip.from = machine::moved(joint, a, tip.from);
-            tip.to = machine::moved(joint, b, tip.to);
-            axis = machine::turned(joint, a, axis);
+            tip.from = machine::move_by_joint(joint, a, tip.from);
+            tip.to = machine::move_by_joint(joint, b, tip.to);
+            axis = machine::rotate_by_joint(joint, a, axis);
             std::ranges::for_each(turning, carry);
             continue;
         }
         // Sine of the angle between the tool axis and the joint's axis.
         const double lean = std::min(1.0, norm(cross(n, axis)) + t.tilt_rad);
-        const bool spins =
-            poses.of_tip() && second.along_tool && norm(cross(n, axis)) + t.tilt_rad == 0.0;
+        const bool spins = poses.has_tip_control() && second.along_tool &&
+                           norm(cross(n, axis)) + t.tilt_rad == 0.0;
         t.tilt_bend_rad += radians * (radians * lean + 2 * t.tilt_rad);
         t.tilt_rad += radians * lean;
         if (!spins) t.turn_rad += radians;
-        axis = machine::turned(joint, a, axis);
+        axis = machine::rotate_by_joint(joint, a, axis);
         // The point of the joint's axis nearest to the tip. If only a single joint rotates, the
         // distance from its axis counts.
         const Vec3 middle = 0.5 * (tip.from + tip.to);
@@ -415,7 +417,7 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
     // Length of the tip's path in W.
     double tip_way = moved;
     const Pose start = poses.at(from), end = poses.at(to);
-    if (poses.of_tip()) {
+    if (poses.has_tip_control()) {
         // The tool rotates about the programmed point X, Y, Z. U, V and W determine the distance of
         // the tip from that point.
         t.tip_mm = second.reach_mm;
@@ -432,10 +434,10 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
         }
     }
     if (t.turn_rad == 0.0 || !place || place->is_empty()) return t;
-    if (!poses.of_tip() && !head_turns) {
+    if (!poses.has_tip_control() && !head_turns) {
         // Distances of the places from the first axis. The distances between the axes are added,
         // there and back.
-        const Turned& outer = turning.back();
+        const RotatingJoint& outer = turning.back();
         t.place_mm = 0.0;
         for (const Vec3 corner : corners_of(*place)) {
             t.place_mm = std::max(
@@ -446,7 +448,7 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
             t.place_mm += 2 * norm(turning[i].through - turning[i - 1].through);
     }
     // Heights of the places above the tip, along the tool axis, from the nearer end of the motion.
-    t.top_mm = -Turning::kInf;
+    t.top_mm = -RotationBounds::kInf;
     for (const Pose& X_WT : {start, end}) {
         for (const Vec3 corner : corners_of(*place)) {
             const Vec3 out = corner - X_WT.translation;
@@ -455,23 +457,24 @@ Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge
         }
     }
     t.top_mm += tip_way / 2 + bulge_mm;
-    t.top_mm = std::min(t.top_mm, highest_beside(start, end, t.tilt_rad, tip_way,
-                                                 radius_mm + Turning::kBeside, *place));
+    t.top_mm =
+        std::min(t.top_mm, highest_point_near(start, end, t.tilt_rad, tip_way,
+                                              radius_mm + RotationBounds::kSideMargin, *place));
     return t;
 }
 
 Course course_of(const gcode::Motion& motion, const gcode::Linear& m, const Poses& poses,
                  const ToolExtent& tool, const std::optional<cda::Box>& place) {
     Course c;
-    const double way = norm(poses.steady_place(m.to) - poses.steady_place(m.from));
+    const double way = norm(poses.unrotated_place(m.to) - poses.unrotated_place(m.from));
     c.way_mm = way;
     if (poses.chain()) {
-        c.turning = turning_of(poses, motion, 0.0, way, radius_of(tool), place);
+        c.turning = rotation_bounds_of(poses, motion, 0.0, way, radius_of(tool), place);
     } else {
         const auto lowest_mm = [&m] {
             return std::min(linear_axes(m.from).z, linear_axes(m.to).z);
         };
-        c.turning = turning_of(m.from, m.to, lowest_mm, 0.0, way, radius_of(tool), place);
+        c.turning = rotation_bounds_of(m.from, m.to, lowest_mm, 0.0, way, radius_of(tool), place);
     }
     return c;
 }
@@ -480,24 +483,24 @@ Samples sample_linear(const gcode::Motion& motion, const gcode::Linear& m, const
                       const ToolExtent& tool, const SamplingOptions& options,
                       const std::optional<cda::Box>& place) {
     return sample_course(course_of(motion, m, poses, tool, place), tool, options, poses,
-                         [&m](double t) { return between(m.from, m.to, t); });
+                         [&m](double t) { return interpolate(m.from, m.to, t); });
 }
 
-Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const Polar& p,
+Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const PolarArc& p,
                  const Poses& poses, const ToolExtent& tool, const std::optional<cda::Box>& place) {
     Course c;
     c.sweep_rad = std::abs(p.sweep_degrees) * kRadiansPerDegree;
     c.radius_mm = std::max(p.start_radius, p.end_radius);
     c.radius_change_mm = std::abs(p.end_radius - p.start_radius);
     const double way = c.radius_mm * c.sweep_rad + c.radius_change_mm +
-                       norm(poses.steady_place(m.to) - poses.steady_place(m.from));
+                       norm(poses.unrotated_place(m.to) - poses.unrotated_place(m.from));
     c.way_mm = way;
     if (poses.chain()) {
-        c.turning = turning_of(poses, motion, 2 * c.radius_mm, way, radius_of(tool), place);
+        c.turning = rotation_bounds_of(poses, motion, 2 * c.radius_mm, way, radius_of(tool), place);
     } else {
         const auto lowest_mm = [&] { return extent_of_path(motion, poses).min.z; };
-        c.turning =
-            turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, way, radius_of(tool), place);
+        c.turning = rotation_bounds_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, way,
+                                       radius_of(tool), place);
     }
     return c;
 }
@@ -505,9 +508,9 @@ Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const Polar& 
 Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses& poses,
                    const ToolExtent& tool, const SamplingOptions& options,
                    const std::optional<cda::Box>& place) {
-    const Polar p = polar(m);
+    const PolarArc p = polar(m);
     return sample_course(course_of(motion, m, p, poses, tool, place), tool, options, poses,
-                         [&](double t) { return on_arc(m, p, t); });
+                         [&](double t) { return arc_position(m, p, t); });
 }
 
 // --- Splines ------------------------------------------------------------------------------
@@ -565,7 +568,8 @@ Samples sample_spline(const gcode::Motion& motion, const gcode::Spline& m, const
 
 }  // namespace
 
-std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses, double reach_mm) {
+std::optional<double> max_deviation_mm(const gcode::Motion& motion, const Poses& poses,
+                                       double reach_mm) {
     Course c;
     if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
         c = course_of(motion, *linear, poses, {}, {});
@@ -575,8 +579,9 @@ std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses,
         return std::nullopt;
     }
     // At any time, the nearer end is at most half of the total path away.
-    const Turning& t = c.turning;
-    const double moved = poses.of_tip() ? c.way_mm + t.moved_mm : std::max(c.way_mm, t.moved_mm);
+    const RotationBounds& t = c.turning;
+    const double moved =
+        poses.has_tip_control() ? c.way_mm + t.moved_mm : std::max(c.way_mm, t.moved_mm);
     const double way = moved + t.turn_rad * t.tip_mm;
     return way / 2 + t.tilt_rad / 2 * reach_mm;
 }

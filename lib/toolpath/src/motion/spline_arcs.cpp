@@ -3,10 +3,10 @@
 // Approximation of splines by biarcs, with bisection until the tolerance is met.
 #include "ncsim/toolpath/spline_arcs.h"
 
-#include "ncsim/toolpath/pose.h"
+#include "ncsim/toolpath/tool_pose.h"
 #include "ncsim/trig/angles.h"
 
-#include "motion/path.h"
+#include "motion/axis_path.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ using cda::Vec3;
 // Radius, mm, above which an arc counts as a line.
 constexpr double kStraight = 1e5;
 
-Vec3 to_the_left(Vec3 v) {
+Vec3 left_normal(Vec3 v) {
     return {-v.y, v.x, 0.0};
 }
 
@@ -107,7 +107,7 @@ private:
     // Returns the line or arc with the direction `direction` at `end`, which is `from` or `to`.
     static std::optional<SplinePiece> arc(Vec3 from, Vec3 to, Vec3 direction, Vec3 end) {
         SplinePiece piece{from, to, {}, 0.0, 0.0, true};
-        const Vec3 chord = to - from, left = to_the_left(direction);
+        const Vec3 chord = to - from, left = left_normal(direction);
         const double square = dot(chord, chord);
         // Both ends of an arc are on the same side of the tangent at the first end.
         const double aside = dot(left, end == from ? chord : -chord);
@@ -118,7 +118,7 @@ private:
         piece.centre = end + signed_radius * left;
         piece.radius = std::abs(signed_radius);
         const Vec3 start = from - piece.centre, stop = to - piece.centre;
-        double degrees = trig::angle_of(dot(stop, start), dot(stop, to_the_left(start)));
+        double degrees = trig::angle_of(dot(stop, start), dot(stop, left_normal(start)));
         if (signed_radius > 0.0 && degrees < 0.0) degrees += 360.0;
         if (signed_radius < 0.0 && degrees > 0.0) degrees -= 360.0;
         piece.swept_degrees = degrees;
@@ -130,12 +130,13 @@ private:
         constexpr int kSamples = 16;
         for (int i = 0; i < kSamples; ++i) {
             const Vec3 p = at(lerp(from.u, to.u, (i + 0.5) / kSamples));
-            if (!(std::min(off(pair[0], p), off(pair[1], p)) <= tolerance_)) return false;
+            if (!(std::min(distance_from(pair[0], p), distance_from(pair[1], p)) <= tolerance_))
+                return false;
         }
         return true;
     }
 
-    static double off(const SplinePiece& piece, Vec3 p) {
+    static double distance_from(const SplinePiece& piece, Vec3 p) {
         const Vec3 chord = piece.to - piece.from;
         if (piece.radius > 0.0) {
             const Vec3 middle = 0.5 * (piece.from + piece.to) - piece.centre, v = p - piece.centre;
@@ -160,7 +161,7 @@ private:
     }
     static Vec3 direction_at(const SplinePiece& piece, Vec3 p) {
         if (!(piece.radius > 0.0)) return normalized(piece.to - piece.from);
-        const Vec3 left = (1.0 / piece.radius) * to_the_left(p - piece.centre);
+        const Vec3 left = (1.0 / piece.radius) * left_normal(p - piece.centre);
         return piece.swept_degrees > 0.0 ? left : -left;
     }
     static Vec3 start_of(const SplinePiece& piece) { return direction_at(piece, piece.from); }

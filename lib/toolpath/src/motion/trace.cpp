@@ -25,7 +25,7 @@ std::int64_t top_of(const std::vector<LatticePoint>& points) {
 
 // Returns the height, in units, above which all edges of the polytope are vertical. The upper end
 // if there is no such height.
-std::int64_t straight_from(const std::vector<LatticePoint>& points) {
+std::int64_t start_of_cylinder(const std::vector<LatticePoint>& points) {
     const std::int64_t top = top_of(points);
     std::int64_t next = std::numeric_limits<std::int64_t>::min();
     for (const LatticePoint& p : points) {
@@ -53,7 +53,7 @@ std::int32_t depth(const Vec3& axis, const LatticePoint& tip, double low) {
 
 }  // namespace
 
-SweepSimplification liberties_of(const Turning& turning, double slack_mm) {
+SweepSimplification simplification_of(const RotationBounds& turning, double slack_mm) {
     return {turning.top_mm, slack_mm, turning.slab_mm};
 }
 
@@ -76,7 +76,7 @@ Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy
         }
         PieceExtent extent = extent_of(piece);
         const double straight =
-            lattice.unit_mm * static_cast<double>(straight_from(polytope.points_T));
+            lattice.unit_mm * static_cast<double>(start_of_cylinder(polytope.points_T));
         extent.straight_mm = std::clamp(straight, extent.straight_mm, extent.high_mm);
         extent_.pieces.push_back(extent);
         tops_.push_back(top_of(polytope.points_T));
@@ -84,8 +84,8 @@ Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy
     }
 }
 
-std::vector<LatticePoint> Cutter::turned(const Rotation& rows, std::size_t piece,
-                                         const Slab& kept) const {
+std::vector<LatticePoint> Cutter::rotate_corners(const Rotation& rows, std::size_t piece,
+                                                 const Slab& kept) const {
     std::vector<LatticePoint> points;
     points.reserve(pieces_[piece].points_T.size());
     const auto snap = [](double v) { return static_cast<std::int64_t>(std::round(v)); };
@@ -119,7 +119,7 @@ Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
     Oriented made{rows, {}, {}};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         made.sweeps.push_back(
-            cda::TranslationSweep::of(turned(rows, i, {-kAll, kAll}), lattice_, rounding_));
+            cda::TranslationSweep::of(rotate_corners(rows, i, {-kAll, kAll}), lattice_, rounding_));
     }
     if (cache_.size() == kCachedOrientations) cache_.erase(cache_.begin());
     cache_.push_back(std::move(made));
@@ -148,10 +148,10 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
         if (is_above(kept, liberties.top_mm)) continue;
         kept.high_mm = cut_off(kept, liberties.top_mm);
         for (const Slab& slab : slabs_of(kept, liberties.slab_mm)) {
-            std::vector<LatticePoint> points = turned(X_WA.rows, i, slab);
+            std::vector<LatticePoint> points = rotate_corners(X_WA.rows, i, slab);
             for (LatticePoint& p : points)
                 p = p + from;
-            for (const LatticePoint& p : turned(X_WB.rows, i, slab))
+            for (const LatticePoint& p : rotate_corners(X_WB.rows, i, slab))
                 points.push_back(p + to);
             auto cell = rounding_ == cda::Rounding::Inward
                             ? cda::convex_hull(points, lattice_, origin, rounding_)
@@ -173,10 +173,10 @@ void Cutter::cover(std::span<const LatticePoint> turn, const Pose& X_WA, cda::Or
             const PieceExtent& extent = extent_.pieces[i];
             const bool is_needed = !is_all_straight(extent) && extent.straight_mm < extent.high_mm;
             oriented.straight.push_back(
-                is_needed
-                    ? cda::TranslationSweep::of(turned(X_WA.rows, i, {extent.straight_mm, kAll}),
-                                                lattice_, rounding_)
-                    : std::nullopt);
+                is_needed ? cda::TranslationSweep::of(
+                                rotate_corners(X_WA.rows, i, {extent.straight_mm, kAll}), lattice_,
+                                rounding_)
+                          : std::nullopt);
         }
     }
     const LatticePoint& highest = *std::ranges::max_element(turn, {}, &LatticePoint::z);

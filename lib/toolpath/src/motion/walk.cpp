@@ -5,9 +5,9 @@
 #include "ncsim/toolpath/walk.h"
 
 #include "ncsim/cda/int128.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 
-#include "motion/path.h"
+#include "motion/axis_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ Length axis_at(Length from, Length to, double rate, double time) {
     return from + (rate * time / distance) * (to - from);
 }
 
-cda::Box grown(cda::Box box, double by_mm) {
+cda::Box grow_box(cda::Box box, double by_mm) {
     box.min = box.min - cda::Vec3{by_mm, by_mm, by_mm};
     box.max = box.max + cda::Vec3{by_mm, by_mm, by_mm};
     return box;
@@ -40,7 +40,7 @@ cda::Box grown(cda::Box box, double by_mm) {
 
 // Returns the sweep of a cylinder whose lower end is a disc, a quarter circle or a cone; empty for
 // other shapes.
-std::optional<cda::RoundSweep> round_of(const ToolPiece& piece) {
+std::optional<cda::RoundSweep> round_sweep_of(const ToolPiece& piece) {
     const std::vector<ProfilePoint>& p = piece.profile;
     if (p.size() < 2 || p.size() > 3) return std::nullopt;
     const ProfilePoint& low = p.front();
@@ -69,11 +69,11 @@ std::optional<cda::RoundSweep> round_of(const ToolPiece& piece) {
 }
 
 // Returns a sweep per cutting piece; empty if a cutting piece has an unsupported shape.
-std::vector<cda::RoundSweep> round_of(const Tool& tool) {
+std::vector<cda::RoundSweep> round_sweep_of(const Tool& tool) {
     std::vector<cda::RoundSweep> all;
     for (const ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
-        const auto sweep = round_of(piece);
+        const auto sweep = round_sweep_of(piece);
         if (!sweep) return {};
         all.push_back(*sweep);
     }
@@ -92,7 +92,7 @@ bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
 
 // True if the walls of `hull` are exactly parallel to `way`. Otherwise their normals were rounded,
 // and the hulls of the steps differ from `hull` by the rounding.
-bool goes_exactly_along(const cda::Cell& hull, const cda::LatticePoint& way) {
+bool is_parallel_to(const cda::Cell& hull, const cda::LatticePoint& way) {
     const auto first = hull.planes.begin() + static_cast<std::ptrdiff_t>(hull.normals->size());
     return std::all_of(first, hull.planes.end(), [&](const cda::Plane& wall) {
         return wall.nx * way.x + wall.ny * way.y + wall.nz * way.z == 0;
@@ -148,7 +148,7 @@ std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
 }
 
 Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
-           const SamplingOptions& sampling, RapidPath rapid, const Watch& watch,
+           const SamplingOptions& sampling, RapidPath rapid, const WatchedParts& watch,
            std::shared_ptr<const Kinematics> specified)
     : lattice_(lattice),
       stock_(stock),
@@ -179,8 +179,8 @@ const Cutter& Walk::add_tool(int number, const Tool& tool) {
         if (!piece.cutting && watch_.shanks) followed.pieces.push_back(extent_of(piece));
     }
     return tools_
-        .try_emplace(number,
-                     Known{std::move(cutter), std::move(followed), tool.pieces, round_of(tool)})
+        .try_emplace(number, ToolData{std::move(cutter), std::move(followed), tool.pieces,
+                                      round_sweep_of(tool)})
         .first->second.cutter;
 }
 
@@ -191,7 +191,7 @@ const Cutter* Walk::cutter(int number) const {
 
 // Returns cutter.bounds() of two poses of the same orientation, with the reach computed once per
 // orientation.
-cda::Box Walk::Known::bounds(const Pose& X_WA, const Pose& X_WB) {
+cda::Box Walk::ToolData::bounds(const Pose& X_WA, const Pose& X_WB) {
     if (rows != X_WA.rows) {
         rows = X_WA.rows;
         reach = cutter.reach(X_WA);
@@ -200,7 +200,7 @@ cda::Box Walk::Known::bounds(const Pose& X_WA, const Pose& X_WB) {
 }
 
 // Fills cells_ or sweeps_ with the parts of the step that may meet the stock.
-void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+void Walk::trace(ToolData& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                  const SweepSimplification& liberties) {
     Cutter& cutter = tool.cutter;
     cells_.clear();
@@ -208,9 +208,9 @@ void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin or
     const cda::Box bounds =
         X_WA.rows == X_WB.rows ? tool.bounds(X_WA, X_WB) : cutter.bounds(X_WA, X_WB, liberties);
     is_near_ = stock_.overlaps(bounds);
-    if (!is_near_ || (wanted_ && !wanted_->overlaps(bounds))) return;
+    if (!is_near_ || (region_ && !region_->overlaps(bounds))) return;
     const cda::Vec3 up{0, 0, 1};
-    if (leaves_round_ && !tool.round.empty() && axis_of(X_WA) == up && axis_of(X_WB) == up) {
+    if (prefers_sweeps_ && !tool.round.empty() && axis_of(X_WA) == up && axis_of(X_WB) == up) {
         for (cda::RoundSweep sweep : tool.round) {
             sweep.origin = origin;
             for (const auto& [end, pose] : {std::pair{&sweep.from, &X_WA}, {&sweep.to, &X_WB}}) {
@@ -227,8 +227,8 @@ void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin or
     std::erase_if(cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
 
-void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
-                  const std::function<void(const Step&)>& step) {
+void Walk::at_end_position(const gcode::Motion& motion, cda::Origin origin,
+                           const std::function<void(const Step&)>& step) {
     const auto found = tools_.find(motion.tool);
     const gcode::Position* end = end_of(motion);
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
@@ -238,134 +238,136 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
 }
 
 // True if the whole tool stays away from the wanted place during the motion.
-bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
-                     const Pose& X_WA, const Pose& X_WB) const {
+bool Walk::stays_outside_region(const ToolData& tool, const gcode::Motion& motion,
+                                const Poses& poses, const Pose& X_WA, const Pose& X_WB) const {
     double reach = 0.0;
     for (const PieceExtent& piece : tool.followed.pieces) {
         const double high = std::max(std::abs(piece.low_mm), std::abs(piece.high_mm));
         reach = std::max(reach, std::sqrt(high * high + piece.radius_mm * piece.radius_mm));
     }
-    const auto strays = strays_mm(motion, poses, reach);
-    return strays && !wanted_->overlaps(grown(tool.cutter.bounds(X_WA, X_WB), *strays));
+    const auto strays = max_deviation_mm(motion, poses, reach);
+    return strays && !region_->overlaps(grow_box(tool.cutter.bounds(X_WA, X_WB), *strays));
 }
 
 // Continues the run if a straight move continues the preceding move's line on the lattice, within
 // the tool's diameter; the place of the cuts cannot be determined more exactly. Otherwise ends the
-// run, and straight_ gets the cells of the run as a whole.
-void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
-                 cda::Origin origin) {
-    if (!covers_ || leaves_round_ || motion.kind != gcode::MoveKind::Feed) return end_run();
+// run, and preceding_cells_ gets the cells of the run as a whole.
+void Walk::extend_line_run(ToolData& tool, const gcode::Motion& motion, const Pose& X_WA,
+                           const Pose& X_WB, cda::Origin origin) {
+    if (!merges_cells_ || prefers_sweeps_ || motion.kind != gcode::MoveKind::Feed)
+        return end_line_run();
     const cda::LatticePoint from = lattice_.round(X_WA.translation);
     const cda::LatticePoint to = lattice_.round(X_WB.translation);
-    const double way = norm(lattice_.to_mm(to - run_.start));
-    const bool goes_on = !run_.ends.empty() && run_.tool == &tool && run_.ends.back() == from &&
-                         way <= 2 * tool.cutter.radius_mm() && is_between(run_.start, from, to);
+    const double way = norm(lattice_.to_mm(to - line_run_.start));
+    const bool goes_on = !line_run_.ends.empty() && line_run_.tool == &tool &&
+                         line_run_.ends.back() == from && way <= 2 * tool.cutter.radius_mm() &&
+                         is_between(line_run_.start, from, to);
     if (!goes_on) {
-        end_run();
-        run_ = {from, {}, {}, &tool, cda::kStockOrigin};
+        end_line_run();
+        line_run_ = {from, {}, {}, &tool, cda::kStockOrigin};
     }
-    run_.ends.push_back(to);
-    run_.steps.push_back({origin, 1.0, cells_.empty() ? cda::Box{} : cells_[0].bounds});
+    line_run_.ends.push_back(to);
+    line_run_.steps.push_back({origin, 1.0, cells_.empty() ? cda::Box{} : cells_[0].bounds});
     // A move that did not meet the stock has no origin, whether the stock is wanted there or not.
-    if (is_near_ && tool.cutter.meets(stock_, X_WA, X_WB)) run_.origin = origin;
+    if (is_near_ && tool.cutter.meets(stock_, X_WA, X_WB)) line_run_.origin = origin;
 }
 
-void Walk::end_run() {
-    Run run = std::exchange(run_, {});
+void Walk::end_line_run() {
+    LineRun run = std::exchange(line_run_, {});
     if (run.ends.size() < 2 || run.origin == cda::kStockOrigin) return;
     const cda::LatticePoint way = run.ends.back() - run.start;
     const Pose X_WA{upright_, lattice_.to_mm(run.start)};
     const Pose X_WB{upright_, lattice_.to_mm(run.ends.back())};
     const cda::Box bounds = run.tool->bounds(X_WA, X_WB);
-    if (!stock_.overlaps(bounds) || (wanted_ && !wanted_->overlaps(bounds))) return;
-    run.tool->cutter.trace(X_WA, X_WB, run.origin, straight_);
-    for (cda::Cell& cell : straight_) {
+    if (!stock_.overlaps(bounds) || (region_ && !region_->overlaps(bounds))) return;
+    run.tool->cutter.trace(X_WA, X_WB, run.origin, preceding_cells_);
+    for (cda::Cell& cell : preceding_cells_) {
         const std::int64_t rank = std::int64_t{cell.rank} - std::ssize(run.ends);
         cell.rank =
             static_cast<std::int32_t>(std::max<std::int64_t>(rank, cda::Cell::kFirstRank + 1));
     }
-    std::erase_if(straight_, [&](const cda::Cell& c) {
-        return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, way);
+    std::erase_if(preceding_cells_, [&](const cda::Cell& c) {
+        return !stock_.overlaps(c.bounds) || !is_parallel_to(c, way);
     });
     // With several pieces, the place does not determine which move removed the material first.
-    if (straight_.size() != 1 || run.tool->cutter.pieces() != 1) return;
+    if (preceding_cells_.size() != 1 || run.tool->cutter.pieces() != 1) return;
     const auto length = [&](const cda::LatticePoint& end) {
         return norm(lattice_.to_mm(end - run.start));
     };
     for (std::size_t i = 0; i + 1 < run.ends.size(); ++i)
         run.steps[i].end = length(run.ends[i]) / length(run.ends.back());
-    straight_[0].steps =
+    preceding_cells_[0].steps =
         std::make_shared<const cda::StraightSteps>(cda::StraightSteps{way, std::move(run.steps)});
 }
 
 // True if the motion is an arc about a centre that may stay within the tool throughout. Continues
 // the preceding arc if both have the same centre.
-bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
+bool Walk::extend_arc_run(const Cutter& cutter, const gcode::Motion& motion) {
     // Centres that are programmed separately differ in their last digits.
     constexpr double kSame = 0.01;
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     const bool is_level = arc && arc->plane == gcode::Plane::XY && !arc->tilted;
-    const Polar p = is_level ? polar(*arc) : Polar{};
-    if (!covers_ || !is_level || leaves_round_ || p.start_radius >= cutter.radius_mm()) {
-        round_.way.clear();
+    const PolarArc p = is_level ? polar(*arc) : PolarArc{};
+    if (!merges_cells_ || !is_level || prefers_sweeps_ || p.start_radius >= cutter.radius_mm()) {
+        arc_run_.way.clear();
         return false;
     }
-    const bool goes_on = round_.tool == motion.tool && std::abs(p.sweep_degrees) < 359.0 &&
-                         std::abs(p.centre_1 - round_.centre_1) < kSame &&
-                         std::abs(p.centre_2 - round_.centre_2) < kSame;
-    if (!goes_on) round_ = {{}, {}, p.centre_1, p.centre_2, motion.tool};
+    const bool goes_on = arc_run_.tool == motion.tool && std::abs(p.sweep_degrees) < 359.0 &&
+                         std::abs(p.centre_1 - arc_run_.centre_1) < kSame &&
+                         std::abs(p.centre_2 - arc_run_.centre_2) < kSame;
+    if (!goes_on) arc_run_ = {{}, {}, p.centre_1, p.centre_2, motion.tool};
     return true;
 }
 
-// Adds a step of an arc. If the step ends a whole turn, covering_ gets the volume that the turn
+// Adds a step of an arc. If the step ends a whole turn, merged_cells_ gets the volume that the turn
 // certainly removed.
-void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
+void Walk::close_arc_run(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
     constexpr std::size_t kMost = 1000;  // steps of a turn
     const cda::LatticePoint from = lattice_.round(X_WA.translation);
     const cda::LatticePoint to = lattice_.round(X_WB.translation);
-    std::vector<cda::LatticePoint>& way = round_.way;
+    std::vector<cda::LatticePoint>& way = arc_run_.way;
     if (way.empty() || way.back() != from || way.size() > kMost || X_WA.rows != X_WB.rows ||
-        X_WA.rows != round_.rows) {
+        X_WA.rows != arc_run_.rows) {
         way = {from};
-        round_.rows = X_WA.rows;
+        arc_run_.rows = X_WA.rows;
     }
     way.push_back(to);
     if (X_WA.rows != X_WB.rows || to.x != way[0].x || to.y != way[0].y) return;
-    cutter.cover(way, X_WB, origin, covering_);
+    cutter.cover(way, X_WB, origin, merged_cells_);
     way = {to};
     // Cells outside the wanted place are kept: the existence of a cell can decide about a step that
     // is not near.
-    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+    std::erase_if(merged_cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
 
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
                         const std::function<void(const Step&)>& step) {
     const auto found = tools_.find(motion.tool);
     if (found == tools_.end() || !has_known_start(motion)) return {};
-    Known& tool = found->second;
-    covering_.clear();
-    straight_.clear();
+    ToolData& tool = found->second;
+    merged_cells_.clear();
+    preceding_cells_.clear();
     if (const Linear* linear = specified_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
         const Pose X_WA{upright_, linear_axes(linear->from)};
         const Pose X_WB{upright_, linear_axes(linear->to)};
         if (X_WA == X_WB) return {};
-        round_.way.clear();
+        arc_run_.way.clear();
         trace(tool, X_WA, X_WB, origin, {});
-        go_on(tool, motion, X_WA, X_WB, origin);
-        Turning turning;
+        extend_line_run(tool, motion, X_WA, X_WB, origin);
+        RotationBounds turning;
         turning.moved_mm = norm(X_WB.translation - X_WA.translation);
-        step({X_WA, X_WB, cells_, covering_, straight_, sweeps_, is_near_, {}, turning});
+        step({X_WA, X_WB, cells_, merged_cells_, preceding_cells_, sweeps_, is_near_, {}, turning});
         return {};
     }
     const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;
     Cutter& cutter = tool.cutter;
-    end_run();
-    const bool goes_round = go_round(cutter, motion);
-    if (passes_by_ && !has_legs && !goes_round && start_of(motion)) {
+    end_line_run();
+    const bool goes_round = extend_arc_run(cutter, motion);
+    if (skips_motions_ && !has_legs && !goes_round && start_of(motion)) {
         const Poses poses(specified_.get(), motion);
         const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
-        if (passes_by(tool, motion, poses, X_WA, X_WB)) {
-            step({X_WA, X_WB, {}, covering_, straight_, {}, false, {}, {}});
+        if (stays_outside_region(tool, motion, poses, X_WA, X_WB)) {
+            step({X_WA, X_WB, {}, merged_cells_, preceding_cells_, {}, false, {}, {}});
             return {};
         }
     }
@@ -373,12 +375,12 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     // The bounds hold for round tools. The hulls of the polytopes deviate from the round tools by
     // this margin.
     const cda::Box place =
-        grown(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
+        grow_box(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
 
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
         Samples samples = sample(part, followed, sampling_, place, specified_.get());
-        SweepSimplification liberties = liberties_of(samples.turning);
+        SweepSimplification liberties = simplification_of(samples.turning);
         // A rapid move is followed without slack, so it does not meet material where a cut has
         // been.
         if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
@@ -393,11 +395,11 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             // A tool at rest removes no more than the preceding step removed.
             if (X_WA == X_WB) continue;
             trace(tool, X_WA, X_WB, origin, liberties);
-            if (goes_round) close_round(cutter, X_WA, X_WB, origin);
-            step({X_WA, X_WB, cells_, covering_, straight_, sweeps_, is_near_, samples.bounds,
-                  samples.turning});
-            covering_.clear();
-            straight_.clear();
+            if (goes_round) close_arc_run(cutter, X_WA, X_WB, origin);
+            step({X_WA, X_WB, cells_, merged_cells_, preceding_cells_, sweeps_, is_near_,
+                  samples.bounds, samples.turning});
+            merged_cells_.clear();
+            preceding_cells_.clear();
         }
     };
 

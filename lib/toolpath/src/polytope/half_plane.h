@@ -26,7 +26,7 @@ inline double cross(HalfPlaneVec a, HalfPlaneVec b) {
 inline double norm(HalfPlaneVec a) {
     return std::sqrt(dot(a, a));
 }
-inline HalfPlaneVec left_of(HalfPlaneVec a) {
+inline HalfPlaneVec left_normal(HalfPlaneVec a) {
     return {-a.h, a.r};
 }
 inline HalfPlaneVec unit(HalfPlaneVec a) {

@@ -19,7 +19,7 @@ namespace {
 using Corners = std::vector<std::pair<std::int64_t, std::int64_t>>;
 
 // Returns the corners of all four quadrants from the corners of the first.
-Corners turned_thrice(const Corners& first) {
+Corners all_quadrants(const Corners& first) {
     Corners corners;
     corners.reserve(4 * first.size());
     for (int turn = 0; turn < 4; ++turn) {
@@ -91,7 +91,7 @@ RingPolygon ring_polygon(std::int64_t b, const std::vector<double>& cosines, Sid
     }
     RingPolygon polygon;
     polygon.sides = static_cast<int>(4 * quadrant);
-    polygon.corners = turned_thrice(first);
+    polygon.corners = all_quadrants(first);
     measure(polygon);
     (side != Side::Inscribed ? polygon.inner : polygon.outer) = static_cast<double>(b);
     return polygon;
@@ -99,7 +99,7 @@ RingPolygon ring_polygon(std::int64_t b, const std::vector<double>& cosines, Sid
 
 // The chain of sides from the normal x to the normal y extends as far to the left as up, because
 // the diagonal is a mirror. So the sides at x and at y are equally far from the origin.
-std::vector<RingPolygon> with_coarser(RingPolygon finest) {
+std::vector<RingPolygon> add_coarser(RingPolygon finest) {
     const std::size_t quadrant = finest.corners.size() / 4;
     const Corners corners = finest.corners;
     std::vector<RingPolygon> polygons;
@@ -120,7 +120,7 @@ std::vector<RingPolygon> with_coarser(RingPolygon finest) {
         }
         RingPolygon polygon;
         polygon.sides = static_cast<int>(4 * first.size());
-        polygon.corners = turned_thrice(first);
+        polygon.corners = all_quadrants(first);
         measure(polygon);
         if (polygon.inner > 0) polygons.push_back(std::move(polygon));
     }

@@ -33,7 +33,7 @@ RingPolygon ring_polygon(std::int64_t b, const std::vector<double>& cosines, Sid
 /// multiple of four sides; the sides keep their lengths. The polygons are symmetric under rotation
 /// by 90 degrees and under reflection at the axes and diagonals. Returns only `finest` if it is not
 /// strictly convex, because its sides are a few units long.
-std::vector<RingPolygon> with_coarser(RingPolygon finest);
+std::vector<RingPolygon> add_coarser(RingPolygon finest);
 
 /// Returns the number of facets of a strip between two rings: one per direction in which a ring has
 /// a side.

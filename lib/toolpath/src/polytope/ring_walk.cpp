@@ -42,7 +42,7 @@ Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
     const double leg = rho * cross(f.d1, f.d2) / (1 + dot(f.d1, f.d2));
     f.start = corner - leg * f.d1;
     f.end = corner + leg * f.d2;
-    f.centre = f.start + rho * left_of(f.d1);
+    f.centre = f.start + rho * left_normal(f.d1);
     return f;
 }
 
@@ -56,10 +56,10 @@ std::vector<Vec> corners_of(const std::vector<ProfilePoint>& profile, double uni
 }
 
 // Neighbours of a corner. Discs close the profile, so its first and last lines start on the axis.
-Vec before(const std::vector<Vec>& points, std::size_t i) {
+Vec previous_point(const std::vector<Vec>& points, std::size_t i) {
     return i > 0 ? points[i - 1] : Vec{0, points[i].h};
 }
-Vec after(const std::vector<Vec>& points, std::size_t i) {
+Vec next_point(const std::vector<Vec>& points, std::size_t i) {
     return i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].h};
 }
 
@@ -68,13 +68,13 @@ std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double 
     std::vector<Fillet> fillets;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (profile[i].fillet <= 0) continue;
-        fillets.push_back(
-            fillet_of(before(points, i), points[i], after(points, i), profile[i].fillet / unit_mm));
+        fillets.push_back(fillet_of(previous_point(points, i), points[i], next_point(points, i),
+                                    profile[i].fillet / unit_mm));
     }
     return fillets;
 }
 
-double turned(const Fillet& f, Vec d) {
+double turning_angle(const Fillet& f, Vec d) {
     return trig::angle_of(dot(f.d1, d), cross(f.d1, d));
 }
 
@@ -87,7 +87,7 @@ struct Step {
     // Circumscribed: current point, and tangent to continue on. Inscribed: `turned` is the angle
     // reached on the arc.
     Vec at, d;
-    double turned = 0.0;
+    double turned_degrees = 0.0;
     bool has_ring = false;
 };
 
@@ -106,14 +106,14 @@ struct Step {
 // number of facets and the angle reached.
 class Walks {
 public:
-    Walks(const std::vector<RingPolygon>& family, Side side, const ToleranceBand& play,
+    Walks(const std::vector<RingPolygon>& family, Side side, const ToleranceBand& band,
           int most_corners)
         : family_(family),
           side_(side),
           most_corners_(most_corners),
-          tolerance_(std::max(play.within, play.beyond)),
-          inset_(play.within > 0 ? play.within - 1 - kAlmost : 0.0),
-          excess_(play.beyond > 0 ? play.beyond - 1 - kAlmost : 0.0),
+          tolerance_(std::max(band.inside, band.outside)),
+          inset_(band.inside > 0 ? band.inside - 1 - kAlmost : 0.0),
+          excess_(band.outside > 0 ? band.outside - 1 - kAlmost : 0.0),
           most_common_(std::max<std::int64_t>(1, round_down(tolerance_ / 4))) {
         const auto& corners = family[0].corners;
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -123,27 +123,27 @@ public:
             widest_ = std::max(widest_, std::abs(x * v - y * u));
         }
         steps_.emplace_back();
-        here_ = {0};
+        current_walks_ = {0};
     }
 
     std::optional<RingStack> operator()(const std::vector<ProfilePoint>& profile, double unit_mm) {
         const std::vector<Vec> points = corners_of(profile, unit_mm);
         for (std::size_t i = 0; i < profile.size(); ++i) {
-            const Vec from = before(points, i);
-            const Vec to = after(points, i);
+            const Vec from = previous_point(points, i);
+            const Vec to = next_point(points, i);
             const Fillet f = fillet_of(from, points[i], to, profile[i].fillet / unit_mm);
             // Rounding a straight corner leaves it straight.
             constexpr double kLeastTurn = 1e-6;  // degrees
             if (f.rho <= 0 || !(f.turn_degrees > kLeastTurn)) {
                 add_corner(points[i], from, to, i + 1 == points.size());
             } else if (outside()) {
-                go_around(f);
+                walk_arc(f);
             } else {
-                go_within(f);
+                walk_inside_arc(f);
             }
-            if (here_.empty()) return std::nullopt;
+            if (current_walks_.empty()) return std::nullopt;
         }
-        const int best = *std::ranges::min_element(here_, [this](int a, int b) {
+        const int best = *std::ranges::min_element(current_walks_, [this](int a, int b) {
             return std::pair(at(a).facets, at(a).error) < std::pair(at(b).facets, at(b).error);
         });
         RingStack stack;
@@ -225,7 +225,7 @@ private:
     }
 
     // Keeps the cheapest walk of all walks that end here with the same polygon.
-    void arrive(std::vector<int>& there, int step) const {
+    void keep_cheapest(std::vector<int>& there, int step) const {
         if (at(step).corners > most_corners_) return;
         for (int& other : there) {
             if (at(other).ring.polygon != at(step).ring.polygon) continue;
@@ -252,7 +252,7 @@ private:
         const bool is_both = upper_end ? ends_a_cone : begins_a_cone;
         const bool upright = std::abs(p.r - before.r) <= kUpright;
         std::vector<int> there;
-        for (const int under : here_) {
+        for (const int under : current_walks_) {
             if (scale != 0 && !may_follow(under, kFinest, upright)) continue;
             const bool is_rim = outside() && is_both;
             const bool is_upper = upper_end && !is_rim;
@@ -264,9 +264,9 @@ private:
             const double off = error + static_cast<double>(step - 1);
             const int ring = add(under, kFinest, scale, static_cast<double>(height), is_upper, off);
             const bool is_beyond = is_rim && height < round_up(p.h);
-            arrive(there, is_beyond ? add(ring, kFinest, scale, p.h, true, off) : ring);
+            keep_cheapest(there, is_beyond ? add(ring, kFinest, scale, p.h, true, off) : ring);
         }
-        here_ = std::move(there);
+        current_walks_ = std::move(there);
     }
 
     // Walks that continue around the same arc and that no second walk beats.
@@ -278,14 +278,14 @@ private:
             for (const int other : steps) {
                 const Step& b = walks.at(other);
                 if (a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
-                    b.facets <= a.facets && b.turned >= a.turned) {
+                    b.facets <= a.facets && b.turned_degrees >= a.turned_degrees) {
                     return false;
                 }
             }
             std::erase_if(steps, [&](int other) {
                 const Step& b = walks.at(other);
                 return a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
-                       a.facets <= b.facets && a.turned >= b.turned;
+                       a.facets <= b.facets && a.turned_degrees >= b.turned_degrees;
             });
             steps.push_back(step);
             return true;
@@ -298,11 +298,11 @@ private:
     void walk(const Fillet& f, const Next& next) {
         std::vector<int> there;
         std::vector<int> now;
-        for (const int under : here_) {
+        for (const int under : current_walks_) {
             Step start = at(under);
             start.at = f.start;
             start.d = f.d1;
-            start.turned = 0.0;
+            start.turned_degrees = 0.0;
             steps_.push_back(start);
             now.push_back(static_cast<int>(steps_.size()) - 1);
         }
@@ -318,11 +318,11 @@ private:
                 if (front.admit(*this, step)) now.push_back(step);
             }
         }
-        here_ = std::move(there);
+        current_walks_ = std::move(there);
     }
 
     // Returns how far the farthest corners of a ring lie outside the arc.
-    double beyond(const Fillet& f, Vec p, std::size_t polygon) const {
+    double excess_of(const Fillet& f, Vec p, std::size_t polygon) const {
         const double stretched = p.r * (family_[polygon].outer / family_[polygon].inner);
         return norm(Vec{stretched, p.h} - f.centre) - f.rho;
     }
@@ -356,7 +356,7 @@ private:
             const double under = half * half - (dot(u, u) - reach * reach) / dot(v, v);
             if (under <= 0) return;
             const double t = -half + std::sqrt(under);
-            const double end = way_to_end(f, from, d).r;
+            const double end = intersect_profile(f, from, d).r;
             const double radius =
                 d.r > 0 ? std::min(from.r + t * d.r, end) : std::max(from.r + t * d.r, end);
             if (radius <= 0) return;
@@ -365,60 +365,60 @@ private:
             p.r = static_cast<double>(scale) * b;
             p.h = from.h + (p.r - from.r) / d.r * d.h;
         }
-        p.h = outside() ? outward(p.h, d) : inward(p.h, f);
+        p.h = outside() ? round_outward(p.h, d) : round_inward(p.h, f);
         // A ring that is not beyond the tangent's contact with the arc makes no progress.
         if (dot(p - f.centre, d) <= 0) return;
         Vec next = tangent_from(f, p);
         // The end is nearer.
-        if (inset_ > 0 && turned(f, next) >= f.turn_degrees) next = unit(f.end - p);
-        const double degrees = turned(f, next);
-        if (degrees <= at(step).turned || degrees >= f.turn_degrees) return;
-        const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
+        if (inset_ > 0 && turning_angle(f, next) >= f.turn_degrees) next = unit(f.end - p);
+        const double degrees = turning_angle(f, next);
+        if (degrees <= at(step).turned_degrees || degrees >= f.turn_degrees) return;
+        const double error = std::max(f.rho - contact_radius(f), excess_of(f, p, polygon)) + 1;
         if (error > tolerance_) return;
         const bool is_upper = outside() ? d.r <= kUpright : p.h > f.centre.h;
         const int ring = add(step, polygon, scale, p.h, is_upper, error);
-        go_on(ring, p, next, degrees);
+        walk_line(ring, p, next, degrees);
         coming.admit(*this, ring);
     }
 
-    void go_on(int ring, Vec p, Vec d, double degrees) {
+    void walk_line(int ring, Vec p, Vec d, double degrees) {
         Step& made = steps_[static_cast<std::size_t>(ring)];
         made.at = p;
         made.d = d;
-        made.turned = degrees;
+        made.turned_degrees = degrees;
     }
 
-    static double inward(double height, const Fillet& f) {
+    static double round_inward(double height, const Fillet& f) {
         return static_cast<double>(height > f.centre.h ? round_down(height) : round_up(height));
     }
 
     // Returns the intersection of the line from a point and the line on which the profile
     // continues.
-    static Vec way_to_end(const Fillet& f, Vec from, Vec d) {
+    static Vec intersect_profile(const Fillet& f, Vec from, Vec d) {
         return from + (cross(f.end - from, f.d2) / cross(d, f.d2)) * d;
     }
 
     // Returns the radius of the arc that the facets touch.
-    double touched_radius(const Fillet& f) const { return std::max(f.rho - inset_, 0.5 * f.rho); }
+    double contact_radius(const Fillet& f) const { return std::max(f.rho - inset_, 0.5 * f.rho); }
 
     // Returns the tangent direction at `p` of the arc to touch. Requires: `p` is not within the
     // arc's circle.
     Vec tangent_from(const Fillet& f, Vec p) const {
-        const double rho = touched_radius(f);
+        const double rho = contact_radius(f);
         const Vec w = p - f.centre;
         const double squared = dot(w, w);
         const double length = std::sqrt(std::max(0.0, squared - rho * rho));
-        return (1 / squared) * (-length * w + rho * left_of(w));
+        return (1 / squared) * (-length * w + rho * left_normal(w));
     }
 
     // Rounds a height to the lattice, outwards of the line that the point lies on.
-    static double outward(double height, Vec line) {
+    static double round_outward(double height, Vec line) {
         return static_cast<double>(line.r > kUpright ? round_down(height) : round_up(height));
     }
 
     // --- Circumscribed ---
 
-    void go_around(const Fillet& f) {
+    void walk_arc(const Fillet& f) {
         walk(f, [&](int step, std::size_t polygon, Front& coming, std::vector<int>& there) {
             end_tangents(f, step, polygon, there);
             follow_tangent(f, step, polygon, coming);
@@ -430,7 +430,7 @@ private:
     void end_tangents(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
         const Vec from = at(step).at;
         Vec d = at(step).d;
-        Vec meeting = way_to_end(f, from, d);
+        Vec meeting = intersect_profile(f, from, d);
         // The tangent of a smaller arc may lie inside the line that follows. The start of that line
         // is then the limit.
         if (inset_ > 0 && dot(meeting - f.end, f.d2) > 0) {
@@ -454,23 +454,23 @@ private:
             scale = scale_of(meeting.r, polygon) - 1;
             do {
                 p.r = static_cast<double>(++scale) * b;
-                p.h = outward(from.h + (p.r - from.r) / d.r * d.h, d);
+                p.h = round_outward(from.h + (p.r - from.r) / d.r * d.h, d);
             } while (f.d2.r < -kUpright && cross(f.d2, p - f.end) > 0);
             // A ring as wide as an upright part that follows may end at the start of that part,
             // because the upper end of that part may be the upper end of the tool.
             if (std::abs(f.d2.r) <= kUpright) p.h = std::min(p.h, f.end.h);
         }
         if (!may_follow(step, polygon, std::abs(d.r) <= kUpright)) return;
-        const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
+        const double error = std::max(f.rho - contact_radius(f), excess_of(f, p, polygon)) + 1;
         if (error > tolerance_) return;
-        arrive(there, add(step, polygon, scale, p.h, d.r <= kUpright, error));
+        keep_cheapest(there, add(step, polygon, scale, p.h, d.r <= kUpright, error));
     }
 
     // --- Inscribed ---
 
-    void go_within(const Fillet& f) {
+    void walk_inside_arc(const Fillet& f) {
         walk(f, [&](int step, std::size_t polygon, Front& coming, std::vector<int>& there) {
-            if (at(step).turned == 0.0) {
+            if (at(step).turned_degrees == 0.0) {
                 begin_arc(f, step, polygon, coming);
                 return;
             }
@@ -489,15 +489,15 @@ private:
         const double radius = static_cast<double>(scale) * family_[polygon].outer;
         const bool moves = f.d1.r > kUpright;
         const double back = moves ? (f.start.r - radius) / f.d1.r * f.d1.h : 0.0;
-        const double height = inward(f.start.h - back, f);
+        const double height = round_inward(f.start.h - back, f);
         const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
         const double within = cross(f.d1, side - f.start);
         if (within + 2 > tolerance_) return;
         const int ring = add(step, polygon, scale, height, f.start.h > f.centre.h, within + 2);
         // Small arcs may be skipped completely.
-        const bool is_near = within <= f.rho - touched_radius(f);
+        const bool is_near = within <= f.rho - contact_radius(f);
         const Vec d = is_near ? tangent_from(f, side) : unit(f.end - side);
-        go_on(ring, side, d, std::max(kBegun, turned(f, d)));
+        walk_line(ring, side, d, std::max(kBegun, turning_angle(f, d)));
         coming.admit(*this, ring);
     }
 
@@ -510,15 +510,16 @@ private:
         const double x = radius - f.centre.r;
         const double rise = std::sqrt(std::max(0.0, f.rho * f.rho - x * x));
         const bool upper = f.end.h > f.centre.h;
-        const double height = inward(upright ? f.end.h : f.centre.h + (upper ? rise : -rise), f);
+        const double height =
+            round_inward(upright ? f.end.h : f.centre.h + (upper ? rise : -rise), f);
         const Vec from = at(step).at;
         const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
         // Distance of the facets between both rings from the arc.
         const double depth = f.rho - cross(from - f.centre, unit(side - from));
         const double error = std::max(depth, std::abs(f.end.r - side.r)) + 2;
         if (error > tolerance_) return;
-        const double all = std::max(error, f.rho - touched_radius(f) + 2);
-        arrive(there, add(step, polygon, scale, height, upper, all));
+        const double all = std::max(error, f.rho - contact_radius(f) + 2);
+        keep_cheapest(there, add(step, polygon, scale, height, upper, all));
     }
 
     const std::vector<RingPolygon>& family_;
@@ -532,15 +533,15 @@ private:
     // triangle about the centre.
     std::int64_t longest_ = 1, widest_ = 1;
     std::vector<Step> steps_;
-    std::vector<int> here_;  // walks to continue
+    std::vector<int> current_walks_;  // walks to continue
 };
 
 }  // namespace
 
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
-                                    Side side, double unit_mm, const ToleranceBand& play,
+                                    Side side, double unit_mm, const ToleranceBand& band,
                                     int most_corners) {
-    return Walks(family, side, play, most_corners)(piece.profile, unit_mm);
+    return Walks(family, side, band, most_corners)(piece.profile, unit_mm);
 }
 
 double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,
@@ -560,10 +561,10 @@ double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& famil
     }
     double sum = 0.0, area = 0.0;
     for (const Fillet& f : fillets_of(piece.profile, unit_mm)) {
-        const Vec out = -1.0 * left_of(f.d1);
+        const Vec out = -1.0 * left_normal(f.d1);
         for (int k = 0; k < kAlong; ++k) {
             const trig::SinCos a = trig::sin_cos((k + 0.5) * f.turn_degrees / kAlong);
-            const Vec n = a.cos * out + a.sin * left_of(out);
+            const Vec n = a.cos * out + a.sin * left_normal(out);
             if (n.h >= 0) break;
             const double seen = n.h * n.h * n.h * n.h;
             const double weight = seen * f.turn_degrees * f.rho * (f.centre.r + f.rho * n.r);

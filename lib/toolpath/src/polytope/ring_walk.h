@@ -32,16 +32,16 @@ struct RingStack {
 /// Largest depth of facets within the tool, and largest distance of corners outside, around rounded
 /// corners, in lattice units. Circumscribed: {0, tolerance}; inscribed: {tolerance, 0}.
 struct ToleranceBand {
-    double within = 0.0, beyond = 0.0;
+    double inside = 0.0, outside = 0.0;
 };
 
-/// Returns the stack of rings with the fewest facets that keeps to `play` on rounded corners of the
+/// Returns the stack of rings with the fewest facets that keeps to `band` on rounded corners of the
 /// profile. Empty if no such stack has at most `most_corners` corners. Rings at corners without
 /// rounding, and upright parts, use the finest polygon and have its error. Deterministic.
 ///
 /// Cost: O(rings · (polygons · choices)²), where choices are few.
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
-                                    Side side, double unit_mm, const ToleranceBand& play,
+                                    Side side, double unit_mm, const ToleranceBand& band,
                                     int most_corners);
 
 /// Returns how much farther the polytope reaches than the round tool, in lattice units, on average

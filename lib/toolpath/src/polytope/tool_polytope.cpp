@@ -177,7 +177,7 @@ public:
             if (best_.is_there() && (is_met() || !is_rounded_)) break;
             if (tolerance_ > radius_) break;
         }
-        if (is_rounded_ && best_.is_there()) even_out();
+        if (is_rounded_ && best_.is_there()) equalise_strips();
         if (is_rounded_ && best_.is_there() && side_ == Side::Fair) balance();
         return std::move(best_);
     }
@@ -214,9 +214,9 @@ private:
                 const bool is_last = sides == kMaxSides && !is_rounded_;
                 if (azimuth * radius_ > tolerance_ && !is_last) continue;
                 std::vector<RingPolygon> family{finest};
-                if (is_rounded_) family = with_coarser(finest);
+                if (is_rounded_) family = add_coarser(finest);
                 auto stack =
-                    ring_stack(piece_, family, side_, unit_mm_, play(tolerance_), kMaxCorners);
+                    ring_stack(piece_, family, side_, unit_mm_, band(tolerance_), kMaxCorners);
                 if (stack) consider(std::move(family), std::move(*stack));
             }
         }
@@ -256,13 +256,13 @@ private:
     }
 
     // Makes the strips equally wide: searches the smallest error at the same cost.
-    void even_out() {
+    void equalise_strips() {
         constexpr int kHalvings = 8;
         double low = 0.0;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle = (low + best_.stack.error) / 2;
             auto stack =
-                ring_stack(piece_, best_.family, side_, unit_mm_, play(middle), kMaxCorners);
+                ring_stack(piece_, best_.family, side_, unit_mm_, band(middle), kMaxCorners);
             if (stack && stack->error < best_.stack.error && stack->facets <= best_.stack.facets) {
                 best_.stack = std::move(*stack);
             } else {
@@ -274,7 +274,7 @@ private:
     // Returns the play for `tolerance`. Fair: if the corners of square facets on a sphere lie
     // outside by a third of the facets' depth from corner to middle, the polytope reaches as far as
     // the ball on average.
-    ToleranceBand play(double tolerance) const {
+    ToleranceBand band(double tolerance) const {
         switch (side_) {
             case Side::Circumscribed: return {0.0, tolerance};
             case Side::Inscribed: return {tolerance, 0.0};
@@ -315,8 +315,8 @@ private:
         double low = 0.1, high = 0.9;
         for (int i = 0; i < kHalvings; ++i) {
             const double share = (low + high) / 2;
-            const ToleranceBand play{(1 - share) * depth, share * depth};
-            auto stack = ring_stack(piece_, best_.family, side_, unit_mm_, play, kMaxCorners);
+            const ToleranceBand band{(1 - share) * depth, share * depth};
+            auto stack = ring_stack(piece_, best_.family, side_, unit_mm_, band, kMaxCorners);
             if (!stack) {
                 low = share;
                 continue;

@@ -6,7 +6,7 @@
 #include "ncsim/cda/hull.h"
 #include "ncsim/trig/angles.h"
 
-#include "tools/text.h"
+#include "tools/comment_text.h"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@ namespace ncsim::toolpath {
 
 namespace {
 
-Tool of_one_piece(ToolKind kind, std::vector<ProfilePoint> profile) {
+Tool make_one_piece_tool(ToolKind kind, std::vector<ProfilePoint> profile) {
     Tool tool;
     tool.kind = kind;
     tool.pieces.push_back({std::move(profile), true});
@@ -22,7 +22,7 @@ Tool of_one_piece(ToolKind kind, std::vector<ProfilePoint> profile) {
 Tool cylinder(ToolKind kind, double diameter, double corner_radius, double length) {
     const double r = diameter / 2;
     const double fillet = std::min(corner_radius, r);
-    return of_one_piece(kind, {{r, 0, fillet}, {r, std::max(length, fillet), 0}});
+    return make_one_piece_tool(kind, {{r, 0, fillet}, {r, std::max(length, fillet), 0}});
 }
 
 // Makes a tip or a flat, a cone, and a cylinder if the length leaves room.
@@ -35,7 +35,7 @@ Tool cone(ToolKind kind, double diameter, double tip_diameter, double included_a
     std::vector<ProfilePoint> profile{{tip, 0, 0}};
     if (rise > 0) profile.push_back({r, rise, 0});
     if (length > rise) profile.push_back({r, length, 0});
-    return of_one_piece(kind, std::move(profile));
+    return make_one_piece_tool(kind, std::move(profile));
 }
 
 }  // namespace
@@ -111,8 +111,8 @@ Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, d
     // radius - fillet, fillet).
     const double corner = tip_diameter / 2 - fillet + fillet * (1 - a.sin) / a.cos;
     const double height = std::max(length, fillet);
-    return of_one_piece(ToolKind::TaperedEndMill,
-                        {{corner, 0, fillet}, {corner + height * a.sin / a.cos, height, 0}});
+    return make_one_piece_tool(ToolKind::TaperedEndMill,
+                               {{corner, 0, fillet}, {corner + height * a.sin / a.cos, height, 0}});
 }
 
 Tool slot_mill(double diameter, double corner_radius, double length) {
@@ -124,12 +124,13 @@ Tool dovetail_mill(double diameter, double taper, double length) {
     const double slope = trig::tangent(std::clamp(taper, 0.0, 80.0));
     // The upper end keeps a positive radius.
     const double height = slope > 0 ? std::min(length, 0.95 * r / slope) : length;
-    return of_one_piece(ToolKind::DovetailMill, {{r, 0, 0}, {r - slope * height, height, 0}});
+    return make_one_piece_tool(ToolKind::DovetailMill,
+                               {{r, 0, 0}, {r - slope * height, height, 0}});
 }
 
 Tool lollipop_mill(double diameter) {
     const double r = diameter / 2;
-    return of_one_piece(ToolKind::LollipopMill, {{r, 0, r}, {r, diameter, r}});
+    return make_one_piece_tool(ToolKind::LollipopMill, {{r, 0, r}, {r, diameter, r}});
 }
 
 Tool corner_rounding_mill(double diameter, double tip_diameter, double radius, double length) {

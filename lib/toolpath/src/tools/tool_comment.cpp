@@ -262,7 +262,7 @@ std::optional<Triple> named_size(std::string_view s) {
 
 // Returns the position after the name of a block in front of its size: "STOCK 100x50x10", "; Stock
 // Size: 3(X) * 3(Y) * 3(Z) mm".
-std::optional<std::size_t> behind_block_name(std::string_view s) {
+std::optional<std::size_t> find_after_block_name(std::string_view s) {
     static constexpr std::string_view kNames[] = {"RAW STOCK",    "STOCK",     "BLANK",
                                                   "BLOCK",        "WORKPIECE", "MATERIAL",
                                                   "RAW MATERIAL", "ROHTEIL",   "BRUT"};
@@ -463,7 +463,7 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         remark.first = *zero;
         return remark;
     }
-    if (const auto behind = behind_block_name(s)) {
+    if (const auto behind = find_after_block_name(s)) {
         auto size = product_at(s, *behind);
         if (!size) size = named_lengths(s);
         if (size) {

@@ -6,7 +6,7 @@
 #include "ncsim/cda/vec.h"
 #include "ncsim/toolpath/tool_spec.h"
 
-#include "tools/text.h"
+#include "tools/comment_text.h"
 #include "tools/tool_remark.h"
 
 #include <optional>

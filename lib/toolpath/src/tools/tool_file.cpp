@@ -5,9 +5,9 @@
 
 #include "ncsim/trig/angles.h"
 
-#include "tools/messages.h"
-#include "tools/text.h"
+#include "tools/comment_text.h"
 #include "tools/tool_comment.h"
+#include "tools/tool_messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ class Collector {
 public:
     explicit Collector(ToolFile& result, const std::string& file) : result_(result), file_(file) {}
 
-    void tell(const gcode::MessageText& message, gcode::SourceSpan span,
-              std::initializer_list<std::string_view> arguments = {}) {
+    void add_remark(const gcode::MessageText& message, gcode::SourceSpan span,
+                    std::initializer_list<std::string_view> arguments = {}) {
         gcode::Diagnostic d = gcode::diagnostic_of(message, span, arguments);
         d.file = file_;
         result_.diagnostics.push_back(std::move(d));
@@ -36,8 +36,9 @@ public:
 
     void keep(ToolSpec spec, cda::Vec3 offset, gcode::SourceSpan span, std::string text) {
         const std::string number = std::to_string(spec.number);
-        if (find_tool(result_.tools, spec.number)) return tell(Message::ToolTwice, span, {number});
-        if (!is_complete(spec)) return tell(Message::NoDiameter, span, {number});
+        if (find_tool(result_.tools, spec.number))
+            return add_remark(Message::ToolTwice, span, {number});
+        if (!is_complete(spec)) return add_remark(Message::NoDiameter, span, {number});
         ToolEntry entry;
         entry.spec = std::move(spec);
         entry.specified_by = ValueSource::Table;
@@ -136,14 +137,14 @@ void read_table(const gcode::SourceFile& file, double unit, ToolFile& result) {
         line = text::trimmed(line);
         if (line.empty() || line.front() == ';') continue;
         if (!read_table_line(line, number, unit, out)) {
-            return out.tell(any ? Message::NoTableLine : Message::NoTable, {number, 1, 0});
+            return out.add_remark(any ? Message::NoTableLine : Message::NoTable, {number, 1, 0});
         }
         any = true;
     }
     if (any) {
         result.format = "LinuxCNC tool table";
     } else {
-        out.tell(Message::TableEmpty, {1, 1, 0});
+        out.add_remark(Message::TableEmpty, {1, 1, 0});
     }
 }
 
@@ -203,8 +204,8 @@ void read_camotics_tool(int number, const Json& json, Collector& out) {
     spec.description = text_of(json, "description");
     const std::string shape = text::upper(text_of(json, "shape"));
     const auto unknown = [&] {
-        out.tell(Message::ShapeUnknown, {},
-                 {std::to_string(number), text::quoted(text_of(json, "shape"))});
+        out.add_remark(Message::ShapeUnknown, {},
+                       {std::to_string(number), text::quoted(text_of(json, "shape"))});
     };
     if (shape.empty() || shape == "CYLINDRICAL") {
         spec.kind = ToolKind::FlatEndMill;
@@ -352,8 +353,8 @@ void read_fusion_tool(const Json& json, Collector& out) {
     spec.kind = fusion_kind(type);
     spec.description = text_of(json, "description");
     if (!spec.kind) {
-        return out.tell(Message::FusionTypeUnknown, {},
-                        {std::to_string(number), text::quoted(type)});
+        return out.add_remark(Message::FusionTypeUnknown, {},
+                              {std::to_string(number), text::quoted(type)});
     }
     spec.diameter = scaled(positive_of(g, "DC"), unit);
     spec.corner_radius = scaled(positive_of(g, "RE"), unit);
@@ -405,8 +406,8 @@ void read_kiri_tool(const Json& json, Collector& out) {
         if (tip > 0) spec.tip_diameter = std::min(tip, *spec.diameter);
         spec.angle = angle_of_cone(*spec.diameter - tip, *spec.length);
     } else {
-        return out.tell(Message::TypeUnknown, {},
-                        {std::to_string(spec.number), text::quoted(text_of(json, "type"))});
+        return out.add_remark(Message::TypeUnknown, {},
+                              {std::to_string(spec.number), text::quoted(text_of(json, "type"))});
     }
     if (spec.number == 0) return;
     out.keep(std::move(spec), {}, {}, text_of(json, "name"));
@@ -425,9 +426,10 @@ void read_json(const gcode::SourceFile& file, ToolFile& result) {
     try {
         json = Json::parse(file.text);
     } catch (const Json::parse_error& e) {
-        return out.tell(Message::JsonBroken, place_of(file.text, e.byte > 0 ? e.byte - 1 : 0));
+        return out.add_remark(Message::JsonBroken,
+                              place_of(file.text, e.byte > 0 ? e.byte - 1 : 0));
     } catch (const Json::exception&) {
-        return out.tell(Message::JsonNumber, {1, 1, 0});
+        return out.add_remark(Message::JsonNumber, {1, 1, 0});
     }
     const Json& list = json.is_object() && json.contains("data") ? json["data"] : json;
     const bool is_list =
@@ -442,7 +444,7 @@ void read_json(const gcode::SourceFile& file, ToolFile& result) {
         for (const Json& tool : list)
             read_kiri_tool(tool, out);
     } else if (!json.is_object() || !read_camotics(json, result, out)) {
-        out.tell(Message::JsonUnknown, {1, 1, 0});
+        out.add_remark(Message::JsonUnknown, {1, 1, 0});
     }
 }
 

@@ -30,7 +30,7 @@ bool is_length(const Quantity& q) {
 
 // Converts a length to `unit`; a length without unit keeps its value. 0 if `unit` is None and the
 // length has a unit.
-double in_unit(const Quantity& q, Unit unit) {
+double convert_to_unit(const Quantity& q, Unit unit) {
     if (q.unit == unit || q.unit == Unit::None) return q.value;
     if (unit == Unit::Millimetre) return 25.4 * q.value;
     return unit == Unit::Inch ? q.value / 25.4 : 0.0;
@@ -77,7 +77,7 @@ private:
     // Counts segments: parts of a comment with different subjects, as in T1 | 1/4 ENDMILL | H1.
     void take_mark() {
         const Token& t = tokens_[at_];
-        const bool between = !t.glued_left && !t.glued_right;
+        const bool between = !t.joined_left && !t.joined_right;
         if (t.is('|') || t.is(';') || t.is(',') || (between && (t.is('-') || t.is('/'))))
             ++segment_;
         if (t.is('#') && number_at(at_ + 1) && is_whole(tokens_[at_ + 1].quantity)) {
@@ -103,7 +103,7 @@ private:
         }
         if (i >= tokens_.size()) return 0;
         // A single letter is a key only if the number cannot belong to another key.
-        const bool glued = i == key + 1 && tokens_[i].glued_left;
+        const bool glued = i == key + 1 && tokens_[i].joined_left;
         if (tokens_[key].text.size() == 1 && !glued && !separated) return 0;
         // `1/4 DIA 2 FLUTE`
         if (!glued && !separated && counts_flutes(i)) return 0;
@@ -116,7 +116,7 @@ private:
         const Token* next = token(i);
         if (!next || !next->is_word(Role::Flutes) || !is_whole(tokens_[number].quantity))
             return false;
-        return next->text.size() > 1 || tokens_[number].glued_right;
+        return next->text.size() > 1 || tokens_[number].joined_right;
     }
 
     void take_key(Role role, const Quantity& q, bool weak) {
@@ -159,7 +159,7 @@ private:
         const Token* next = token(at_ + 1);
         const bool drill_follows =
             next && next->is_word(Role::Noun) && next->kind == ToolKind::Drill;
-        if (word.text.size() == 1 && drill_follows && !word.glued_left && word.text != "A") {
+        if (word.text.size() == 1 && drill_follows && !word.joined_left && word.text != "A") {
             return take_letter(word.text.front());  // F DRILL
         }
         const bool is_first = words_seen_++ == 0;
@@ -192,7 +192,7 @@ private:
             case Role::Prose: prose_.push_back({at_, segment_}); break;
             case Role::Unknown:
                 if (word.text == "X" || word.text == "BY") break;
-                if (!word.glued_left || at_ == 0 || !tokens_[at_ - 1].is_number()) ++unknown_;
+                if (!word.joined_left || at_ == 0 || !tokens_[at_ - 1].is_number()) ++unknown_;
                 break;
             default: take_key_word(); break;
         }
@@ -211,7 +211,7 @@ private:
         const bool is_register = word.role == Role::Other;
         if (is_register) {
             if (word.text == "H") register_ = q.value;
-            if (word.text == "M" && tokens_[value].glued_left && !word.glued_left) {
+            if (word.text == "M" && tokens_[value].joined_left && !word.joined_left) {
                 add({Size::How::Thread, millimetres(q), value, segment_});
                 skip_pitch(value);
                 return;
@@ -254,13 +254,13 @@ private:
             ++i;
         }
         if (i >= tokens_.size() || !is_whole(tokens_[i].quantity)) return;
-        const bool glued = i == at_ + 1 && tokens_[i].glued_left;
+        const bool glued = i == at_ + 1 && tokens_[i].joined_left;
         if (word.text == "T" && !glued && !hash) return;
-        if (word.text == "T" && word.glued_left) return;
+        if (word.text == "T" && word.joined_left) return;
         if (counts_flutes(i)) return;
         const Quantity& q = tokens_[i].quantity;
         if (tokens_[i].text.find('.') != std::string::npos) return;
-        if (tokens_[i].glued_right && token(i + 1) && token(i + 1)->is_word()) return;  // T15A
+        if (tokens_[i].joined_right && token(i + 1) && token(i + 1)->is_word()) return;  // T15A
         if (q.value < 1 || q.value >= 1e8) return;
         if (number_ == 0) {
             number_ = static_cast<int>(q.value);
@@ -302,8 +302,8 @@ private:
 
     // Skips the turns per inch of #10-32, 1/4-20, 1/4"-20, and keeps the pitch.
     bool skip_thread(std::size_t number) {
-        if (!mark_at(number + 1, '-') || !tokens_[number + 1].glued_left ||
-            !tokens_[number + 1].glued_right || !number_at(number + 2) ||
+        if (!mark_at(number + 1, '-') || !tokens_[number + 1].joined_left ||
+            !tokens_[number + 1].joined_right || !number_at(number + 2) ||
             !is_whole(tokens_[number + 2].quantity) || counts_flutes(number + 2)) {
             return false;
         }
@@ -331,9 +331,9 @@ private:
         const bool follows_x = before && (before->text == "X" || before->is('*')) && at_ > 1 &&
                                tokens_[at_ - 2].is_number();
         if (follows_x) return take_second(q);
-        if (before && before->is_word() && t.glued_left) return;  // DRILL2, H21
+        if (before && before->is_word() && t.joined_left) return;  // DRILL2, H21
         if (take_value_before_key()) return;
-        if (next && next->is_word() && t.glued_right && !q.is_fraction && q.unit == Unit::None &&
+        if (next && next->is_word() && t.joined_right && !q.is_fraction && q.unit == Unit::None &&
             next->text != "X" && (next->role != Role::Diameter || next->text.size() == 1)) {
             return;  // 27BIT, 163A
         }
@@ -360,7 +360,7 @@ private:
             return false;
         }
         const bool one_letter = key->text.size() == 1;  // 3D is not a diameter
-        if (one_letter && !(tokens_[at_].glued_right && key->role == Role::CornerRadius))
+        if (one_letter && !(tokens_[at_].joined_right && key->role == Role::CornerRadius))
             return false;
         const std::size_t value = value_of_key(i);
         // A key has a single number. The number after the key takes precedence, except for degrees,
@@ -514,7 +514,7 @@ private:
     bool shapes_size() const {
         if (is_conical(kind_) && !angle_ && !tip_ && number_ == 0) return false;
         if (number_ > 0) return true;
-        const double mm = in_unit(named_->quantity, Unit::Millimetre);
+        const double mm = convert_to_unit(named_->quantity, Unit::Millimetre);
         return named_->is_explicit() && unknown_ == 0 && mm <= 60.0;
     }
 
@@ -542,7 +542,8 @@ private:
         result.certain = diameter_.has_value();
         const auto length = [&result](const std::optional<Quantity>& q) -> std::optional<double> {
             if (!q) return std::nullopt;
-            const double value = in_unit(*q, result.unit == Unit::None ? unit_of(*q) : result.unit);
+            const double value =
+                convert_to_unit(*q, result.unit == Unit::None ? unit_of(*q) : result.unit);
             const bool same = result.unit != Unit::None || unit_of(*q) == Unit::None;
             return same && value > 0 ? std::optional(value) : std::nullopt;
         };

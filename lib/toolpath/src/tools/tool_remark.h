@@ -5,7 +5,7 @@
 
 #include "ncsim/toolpath/tool_spec.h"
 
-#include "tools/text.h"
+#include "tools/comment_text.h"
 
 namespace ncsim::toolpath {
 

@@ -3,7 +3,7 @@
 // Tools from specifications with assumed values, and the option --tool.
 #include "ncsim/toolpath/tool_spec.h"
 
-#include "tools/text.h"
+#include "tools/comment_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,7 +129,7 @@ double angle_of(const ToolSpec& spec, ToolKind kind) {
     return spec.angle.value_or(kind == ToolKind::Drill ? 118.0 : 90.0);
 }
 
-Tool shaped(const ToolSpec& spec, double length) {
+Tool shape_tool(const ToolSpec& spec, double length) {
     const double d = diameter_of(spec);
     const double corner = spec.corner_radius.value_or(0.0);
     const ToolKind kind = kind_of(spec);
@@ -190,7 +190,7 @@ bool is_complete(const ToolSpec& spec) {
 Tool make_tool(const ToolSpec& spec, double assumed_length) {
     Tool tool;
     if (spec.pieces.empty()) {
-        tool = shaped(spec, length_of(spec, kind_of(spec), assumed_length));
+        tool = shape_tool(spec, length_of(spec, kind_of(spec), assumed_length));
         // Flutes within the holder do not cut.
         const double reach = spec.stick_out.value_or(height_of(tool));
         if (reach < height_of(tool)) {
@@ -253,7 +253,7 @@ void add_contradicting_shape(const ToolSpec& spec, ToolKind kind, Words& all) {
     if (tip > d) all.push_back(value_of("P", tip) + " is more than " + value_of("D", d));
     if (!spec.length) return;
     const double length = *spec.length;
-    const double made = cutting_height_of(shaped(spec, length));
+    const double made = cutting_height_of(shape_tool(spec, length));
     const bool has_cone = is_conical(kind) || kind == ToolKind::Drill;
     if (std::abs(made - length) > slack) {
         all.push_back(value_of("L", length) +
@@ -270,7 +270,7 @@ void add_contradicting_shape(const ToolSpec& spec, ToolKind kind, Words& all) {
 
 }  // namespace
 
-std::vector<std::string> unkept_values(const ToolSpec& specified) {
+std::vector<std::string> unsupported_values(const ToolSpec& specified) {
     const ToolSpec spec = specified_part(specified);
     Words all;
     if (!spec.pieces.empty() || !is_complete(spec)) return all;
@@ -368,12 +368,12 @@ bool has_body(const std::vector<ToolPiece>& pieces) {
 
 }  // namespace
 
-bool tells_shank(const ToolSpec& spec) {
+bool specifies_shank(const ToolSpec& spec) {
     return spec.shank_diameter || spec.neck_diameter || !spec.shaft.empty() ||
            has_body(spec.pieces);
 }
 
-bool tells_holder(const ToolSpec& spec) {
+bool specifies_holder(const ToolSpec& spec) {
     return !spec.holder.empty() || has_body(spec.pieces);
 }
 
@@ -409,7 +409,7 @@ double least_flute_length(const Tool& tool) {
     return std::max(cone, 1.25 * d);
 }
 
-std::string filled_in(const ToolSpec& spec, double assumed_length) {
+std::string assumed_values_text(const ToolSpec& spec, double assumed_length) {
     const ToolSpec part = specified_part(spec);
     if (!part.pieces.empty()) return {};
     std::string result;
@@ -640,7 +640,8 @@ std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& 
             return refuse("a length of that size is no holder's");
         }
     }
-    if (const Words unkept = unkept_values(spec); !unkept.empty()) return refuse(unkept.front());
+    if (const Words unkept = unsupported_values(spec); !unkept.empty())
+        return refuse(unkept.front());
     return spec;
 }
 

@@ -6,9 +6,9 @@
 
 #include "ncsim/gcode/parser.h"
 
-#include "tools/messages.h"
-#include "tools/text.h"
+#include "tools/comment_text.h"
 #include "tools/tool_comment.h"
+#include "tools/tool_messages.h"
 
 #include <algorithm>
 #include <array>

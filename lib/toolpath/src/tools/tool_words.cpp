@@ -282,7 +282,7 @@ bool is_ascii_letter(char c) {
 // True for a mark that may join the words of an entry: END-MILL, END_MILL, DIA. OFF.
 bool joins(const Token& token) {
     const bool mark = token.is('-') || token.is('_') || token.is('.') || token.is('\'');
-    return mark && (token.glued_left || token.glued_right);
+    return mark && (token.joined_left || token.joined_right);
 }
 
 // Returns the end of the words of `entry` that begin at tokens[at]; 0 if the words do not match.
@@ -312,8 +312,8 @@ std::vector<Token> cut(std::string_view s) {
             continue;
         }
         Token token;
-        token.glued_left = !blank_before;
-        if (!tokens.empty()) tokens.back().glued_right = !blank_before;
+        token.joined_left = !blank_before;
+        if (!tokens.empty()) tokens.back().joined_right = !blank_before;
         blank_before = false;
         std::size_t end = at + 1;
         const bool digit = text::is_digit(s[at]) ||
@@ -415,7 +415,7 @@ std::vector<Token> tokens_of(std::string_view plain_upper_text) {
                 token.rank = entry.named.rank;
                 for (std::size_t i = at + 1; i < end; ++i)
                     token.text.append(joins(parts[i]) ? "" : " " + parts[i].text);
-                token.glued_right = parts[end - 1].glued_right;
+                token.joined_right = parts[end - 1].joined_right;
                 break;
             }
         }

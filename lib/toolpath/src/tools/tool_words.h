@@ -6,7 +6,7 @@
 
 #include "ncsim/toolpath/tool.h"
 
-#include "tools/text.h"
+#include "tools/comment_text.h"
 
 #include <cstdint>
 #include <optional>
@@ -46,9 +46,9 @@ struct Token {
     text::Quantity quantity{};  ///< Value of a number.
     Role role = Role::Unknown;  ///< Role of a word.
     std::optional<ToolKind> kind{};
-    int rank = 0;              ///< Precedence of `kind`: the highest in a comment counts.
-    bool glued_left = false;   ///< No blank before the token …
-    bool glued_right = false;  ///< … or after the token.
+    int rank = 0;               ///< Precedence of `kind`: the highest in a comment counts.
+    bool joined_left = false;   ///< No blank before the token …
+    bool joined_right = false;  ///< … or after the token.
     bool is(char mark) const { return form == Form::Mark && text.size() == 1 && text[0] == mark; }
     bool is_word() const { return form == Form::Word; }
     bool is_number() const { return form == Form::Number; }

@@ -21,7 +21,8 @@ std::optional<std::string> needs_air_cuts(const Setup& setup) {
 }
 
 void AirCuts::take(const Move& move) {
-    if (move.motion->kind != gcode::MoveKind::Feed || !move.is_traced || !move.asked) return;
+    if (move.motion->kind != gcode::MoveKind::Feed || !move.is_traced || !move.needs_contacts)
+        return;
     ++blocks_;
     feed_mm_ += move.length_mm;
     const bool air = !move.meets_material && move.length_mm > 0.0;

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kSame = 1e-6;  // mm: rounding of decimal fractions and inches
 
-void tell(const Setup& setup, const Move& move, FindingLog& log, std::string_view rule,
-          std::string message, std::optional<double> off) {
+void add_length_finding(const Setup& setup, const Move& move, FindingLog& log,
+                        std::string_view rule, std::string message, std::optional<double> off) {
     Occurrence s{std::move(message)};
     if (off) s.quantity = Quantity{"tip off by", *off, "mm"};
     s.lasts = true;
@@ -33,11 +33,12 @@ void judge_none(const Setup& setup, const Move& move, FindingLog& log) {
     const Place place{move.motion->file, move.motion->span};
     if (move.tool_length && std::abs(*move.tool_length) <= kSame) return;
     if (setup.uses_length_offsets) {
-        tell(setup, move, log, "no-length-offset",
-             fmt::format("T{} moves without a tool length offset (G43), which the program uses "
-                         "elsewhere",
-                         tool),
-             move.tool_length);
+        add_length_finding(
+            setup, move, log, "no-length-offset",
+            fmt::format("T{} moves without a tool length offset (G43), which the program uses "
+                        "elsewhere",
+                        tool),
+            move.tool_length);
     } else if (setup.cutting_tools.size() > 1) {
         // Some controls, and some operators, set the length at each tool change.
         log.doubt(
@@ -55,11 +56,12 @@ void judge_register(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.tool_length && move.length_specified) {
         const double off = move.length_offset - *move.tool_length;
         if (std::abs(off) <= kSame) return;
-        tell(setup, move, log, "wrong-length-offset",
-             h > 0 && h != tool
-                 ? fmt::format("T{} moves with the length of H{}, which is another", tool, h)
-                 : fmt::format("T{} moves with a length that is not its own", tool),
-             std::abs(off));
+        add_length_finding(
+            setup, move, log, "wrong-length-offset",
+            h > 0 && h != tool
+                ? fmt::format("T{} moves with the length of H{}, which is another", tool, h)
+                : fmt::format("T{} moves with a length that is not its own", tool),
+            std::abs(off));
         return;
     }
     if (h == tool || h == gcode::kStatedLength) return;
@@ -67,8 +69,9 @@ void judge_register(const Setup& setup, const Move& move, FindingLog& log) {
         log.doubt("length-offset", "G44 subtracts the length of the tool, which is not specified",
                   place);
     } else if (setup.tools.contains(h) || setup.cutting_tools.contains(h) || move.tool_length) {
-        tell(setup, move, log, "wrong-length-offset",
-             fmt::format("T{} moves with the length of T{} (H{})", tool, h, h), std::nullopt);
+        add_length_finding(setup, move, log, "wrong-length-offset",
+                           fmt::format("T{} moves with the length of T{} (H{})", tool, h, h),
+                           std::nullopt);
     } else {
         log.doubt("length-offset",
                   fmt::format("T{} moves with H{}, a length of no known tool", tool, h), place);

@@ -40,13 +40,13 @@ std::vector<std::string_view> guesses_of_place(const Setup& setup, const Move& m
 
 // Compares the length of the path with the travel if the work zero is unknown: a longer path does
 // not fit for any zero.
-void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
+void compare_path_length(const Setup& setup, const Move& move, FindingLog& log) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto& travel = setup.machine.travel[static_cast<std::size_t>(axis)];
         if (!travel) continue;
         const double way = move.way.size()[axis];
         const double beyond = way - (travel->max - travel->min);
-        if (beyond <= kTravelRounding || way <= move.way_before.size()[axis]) continue;
+        if (beyond <= kTravelRounding || way <= move.previous_path_box.size()[axis]) continue;
         Occurrence s{fmt::format("the way in {} is longer than the travel of {:.6g} mm",
                                  "XYZ"[axis], travel -> max - travel -> min)};
         s.lasts = true;
@@ -63,7 +63,7 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
     // Under tip control the path of the axes differs from the path of the tip.
     if (!move.is_move || (move.is_tilted_tip && !move.machine_path)) return;
     if (!move.machine_path) {
-        compare_ways(setup, move, log);
+        compare_path_length(setup, move, log);
         return;
     }
     for (int axis = 0; axis < 3; ++axis) {

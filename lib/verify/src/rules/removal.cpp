@@ -22,7 +22,8 @@ std::optional<std::string> needs_limit(const Setup& setup, std::optional<double>
     return fmt::format("no tool has a limit of its {}", what);
 }
 
-Occurrence over(const Setup& setup, const Move& move, std::string message, Quantity quantity) {
+Occurrence limit_occurrence(const Setup& setup, const Move& move, std::string message,
+                            Quantity quantity) {
     Occurrence s{std::move(message)};
     s.quantity = std::move(quantity);
     s.box = move.contact;
@@ -52,10 +53,10 @@ std::optional<std::string> needs_removal_limit(const Setup& setup) {
 void judge_depth(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.motion->kind != gcode::MoveKind::Feed || move.too_deep_mm <= 0.0) return;
     const double limit = *facts_of(setup, move.motion->tool)->max_depth;
-    log.add(
-        "depth-limit", move,
-        over(setup, move, fmt::format("depth of cut above the tool's limit of {:.6g} mm", limit),
-             {"depth", limit + move.too_deep_mm, "mm"}));
+    log.add("depth-limit", move,
+            limit_occurrence(setup, move,
+                             fmt::format("depth of cut above the tool's limit of {:.6g} mm", limit),
+                             {"depth", limit + move.too_deep_mm, "mm"}));
 }
 
 void judge_engagement(const Setup& setup, const Move& move, FindingLog& log) {
@@ -64,11 +65,12 @@ void judge_engagement(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.length_mm <= 0.0) return;
     const double engagement = move.removed_mm3 / move.length_mm;
     if (engagement <= *tool->max_engagement) return;
-    log.add("engagement-limit", move,
-            over(setup, move,
-                 fmt::format("material per path above the tool's limit of {:.6g} mm3/mm",
-                             *tool->max_engagement),
-                 {"engagement", engagement, "mm3/mm"}));
+    log.add(
+        "engagement-limit", move,
+        limit_occurrence(setup, move,
+                         fmt::format("material per path above the tool's limit of {:.6g} mm3/mm",
+                                     *tool->max_engagement),
+                         {"engagement", engagement, "mm3/mm"}));
 }
 
 void judge_removal_rate(const Setup& setup, const Move& move, FindingLog& log) {
@@ -79,10 +81,10 @@ void judge_removal_rate(const Setup& setup, const Move& move, FindingLog& log) {
     const double rate = move.removed_mm3 / move.length_mm * *feed;
     if (rate <= *tool->max_removal_rate) return;
     log.add("removal-rate", move,
-            over(setup, move,
-                 fmt::format("removal rate above the tool's limit of {:.6g} mm3/min",
-                             *tool->max_removal_rate),
-                 {"removal rate", rate, "mm3/min"}));
+            limit_occurrence(setup, move,
+                             fmt::format("removal rate above the tool's limit of {:.6g} mm3/min",
+                                         *tool->max_removal_rate),
+                             {"removal rate", rate, "mm3/min"}));
 }
 
 }  // namespace ncsim::verify

@@ -18,7 +18,7 @@ using gcode::MoveKind;
 namespace {
 
 // Returns an observation with the assumptions of the contact.
-Occurrence seen(const Setup& setup, const Move& move, std::string message) {
+Occurrence contact_occurrence(const Setup& setup, const Move& move, std::string message) {
     Occurrence s{std::move(message)};
     s.lasts = true;
     s.rests_on = guesses_of(setup, move);
@@ -44,9 +44,9 @@ void judge_sideways(const Setup& setup, const Move& move, FindingLog& log) {
     };
     if (!is_aside(move.enters) && !is_aside(move.leaves)) return;
     log.add("sideways-cut", move,
-            seen(setup, move,
-                 fmt::format("T{} is a {} and is fed sideways through material", move.motion->tool,
-                             kind_name(*tool))));
+            contact_occurrence(setup, move,
+                               fmt::format("T{} is a {} and is fed sideways through material",
+                                           move.motion->tool, kind_name(*tool))));
 }
 
 void judge_tap_feed(const Setup& setup, const Move& move, FindingLog& log) {
@@ -60,10 +60,11 @@ void judge_tap_feed(const Setup& setup, const Move& move, FindingLog& log) {
     constexpr double kTolerance = 0.01;
     const double pitch = *feed / move.motion->spindle_rpm;
     if (std::abs(pitch - *tool->pitch) <= kTolerance * *tool->pitch) return;
-    Occurrence s = seen(setup, move,
-                        fmt::format("T{} is a tap with a pitch of {:.4g} mm and is fed {:.4g} mm a "
-                                    "revolution",
-                                    move.motion->tool, *tool->pitch, pitch));
+    Occurrence s = contact_occurrence(
+        setup, move,
+        fmt::format("T{} is a tap with a pitch of {:.4g} mm and is fed {:.4g} mm a "
+                    "revolution",
+                    move.motion->tool, *tool->pitch, pitch));
     s.quantity = Quantity{"feed", pitch, "mm/rev"};
     if (!setup.units_assumption.empty()) s.rests_on.emplace_back("units-guess");
     log.add("tap-feed", move, std::move(s));
@@ -75,12 +76,13 @@ void judge_tap_retract(const Setup& setup, const Move& move, FindingLog& log) {
     const bool at_feed = move.motion->kind == MoveKind::Feed;
     if (at_feed && move.motion->spindle != *move.leaves_cut) return;
     log.add("tap-retract", move,
-            seen(setup, move,
-                 at_feed ? fmt::format("T{} is a tap and leaves its thread without the spindle "
-                                       "reversed",
-                                       move.motion->tool)
-                         : fmt::format("T{} is a tap and leaves its thread at rapid",
-                                       move.motion->tool)));
+            contact_occurrence(
+                setup, move,
+                at_feed ? fmt::format("T{} is a tap and leaves its thread without the spindle "
+                                      "reversed",
+                                      move.motion->tool)
+                        : fmt::format("T{} is a tap and leaves its thread at rapid",
+                                      move.motion->tool)));
 }
 
 void judge_drill_depth(const Setup& setup, const Move& move, FindingLog& log) {
@@ -88,10 +90,11 @@ void judge_drill_depth(const Setup& setup, const Move& move, FindingLog& log) {
     constexpr double kRounding = 1e-6;  // mm
     if (!tool || !tool->flute_length || move.hole_depth_mm <= *tool->flute_length + kRounding)
         return;
-    Occurrence s = seen(setup, move,
-                        fmt::format("T{} drills deeper than its flutes of {:.6g} mm: chips stay in "
-                                    "the hole",
-                                    move.motion->tool, *tool->flute_length));
+    Occurrence s = contact_occurrence(
+        setup, move,
+        fmt::format("T{} drills deeper than its flutes of {:.6g} mm: chips stay in "
+                    "the hole",
+                    move.motion->tool, *tool->flute_length));
     s.quantity = Quantity{"depth", move.hole_depth_mm, "mm"};
     log.add("drill-depth", move, std::move(s));
 }
@@ -120,22 +123,24 @@ void judge_bar_retract(const Setup& setup, const Move& move, FindingLog& log) {
     const bool goes_up = move.leaves.z > 0.0 && move.leaves.x == 0.0 && move.leaves.y == 0.0;
     if (!is_oriented && !goes_up) return;
     log.add("bar-retract", move,
-            seen(setup, move,
-                 is_oriented ? fmt::format("T{} is a boring bar and goes through a bore narrower "
-                                           "than itself without a step aside",
-                                           move.motion->tool)
-                             : fmt::format("T{} is a boring bar and goes back through a bore "
-                                           "narrower than itself without an oriented stop",
-                                           move.motion->tool)));
+            contact_occurrence(
+                setup, move,
+                is_oriented ? fmt::format("T{} is a boring bar and goes through a bore narrower "
+                                          "than itself without a step aside",
+                                          move.motion->tool)
+                            : fmt::format("T{} is a boring bar and goes back through a bore "
+                                          "narrower than itself without an oriented stop",
+                                          move.motion->tool)));
 }
 
 void judge_thread_retract(const Setup& setup, const Move& move, FindingLog& log) {
     if (!move.is_at_wall || !move.has_threaded) return;
     log.add("thread-retract", move,
-            seen(setup, move,
-                 fmt::format("T{} is a thread mill and goes up while it is in the wall of its "
-                             "thread",
-                             move.motion->tool)));
+            contact_occurrence(
+                setup, move,
+                fmt::format("T{} is a thread mill and goes up while it is in the wall of its "
+                            "thread",
+                            move.motion->tool)));
 }
 
 void judge_countersink_depth(const Setup& setup, const Move& move, FindingLog& log) {
@@ -149,10 +154,11 @@ void judge_countersink_depth(const Setup& setup, const Move& move, FindingLog& l
     }
     constexpr double kRounding = 2 * kRaiseStep;
     if (move.hole_depth_mm <= cone + kRounding) return;
-    Occurrence s = seen(setup, move,
-                        fmt::format("T{} is a countersink and goes deeper than its cone, which is "
-                                    "{:.6g} mm high",
-                                    move.motion->tool, cone));
+    Occurrence s = contact_occurrence(
+        setup, move,
+        fmt::format("T{} is a countersink and goes deeper than its cone, which is "
+                    "{:.6g} mm high",
+                    move.motion->tool, cone));
     s.quantity = Quantity{"depth", move.hole_depth_mm, "mm"};
     log.add("countersink-depth", move, std::move(s));
 }
@@ -161,10 +167,11 @@ void judge_tip_cut(const Setup& setup, const Move& move, FindingLog& log) {
     if (!move.tip_cuts) return;
     const ToolFacts* tool = facts_of(setup, move.motion->tool);
     log.add("tip-cut", move,
-            seen(setup, move,
-                 fmt::format("the flat tip of T{} (D{:.6g}), which has no edges, goes sideways "
-                             "through material",
-                             move.motion->tool, tool->flat_tip.value_or(0.0))));
+            contact_occurrence(
+                setup, move,
+                fmt::format("the flat tip of T{} (D{:.6g}), which has no edges, goes sideways "
+                            "through material",
+                            move.motion->tool, tool->flat_tip.value_or(0.0))));
 }
 
 }  // namespace ncsim::verify

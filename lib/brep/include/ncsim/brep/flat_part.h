@@ -22,14 +22,14 @@ bool is_sound_polyhedron(const Part& part, double volume_mm3);
 /// Result of flat_part().
 struct FlatPart {
     Part part;
-    double coarser = 1.0;  ///< Factor of the tolerance within which facets were joined.
+    double tolerance_factor = 1.0;  ///< Factor of the tolerance within which facets were joined.
     /// False if even the coarsest attempt is unsound; `part` is then the finest.
     bool is_sound = true;
 };
 
-/// Returns the facets as a part with the vertices kept apart (apart.h). `facets` returns the facets
-/// joined within `times` a tolerance; the factors tried are 1 and, if the result is unsound, 4, 16
-/// and 64.
+/// Returns the facets as a part with the vertices kept apart (vertex_distance.h). `facets` returns
+/// the facets joined within `times` a tolerance; the factors tried are 1 and, if the result is
+/// unsound, 4, 16 and 64.
 FlatPart flat_part(const std::function<Facets(double times)>& facets);
 
 }  // namespace ncsim::brep

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "ncsim/brep/curve.h"
-#include "ncsim/brep/surface.h"
+#include "ncsim/brep/surface_forms.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/origin.h"
 

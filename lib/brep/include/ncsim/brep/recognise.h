@@ -7,7 +7,7 @@
 
 #include "ncsim/brep/facets.h"
 #include "ncsim/brep/part.h"
-#include "ncsim/brep/swept.h"
+#include "ncsim/brep/swept_surfaces.h"
 
 #include <cstddef>
 #include <functional>
@@ -24,13 +24,13 @@ struct Recognised {
     std::size_t shells_kept = 0;           ///< Number of shells that consist of facets alone.
     /// Number of facets that fit a surface of their source but not the adjacent faces; smaller
     /// facets might fit both. For shells that are kept as facets, the number of the last attempt.
-    std::size_t facets_given_up = 0;
+    std::size_t facets_demoted = 0;
     /// Largest height in mm by which a removed lune is lower than the surface in its place. Balls
     /// leave lunes at corners of the path.
     double mitred_mm = 0.0;
-    /// Worst values of FlatPart::coarser and FlatPart::is_sound over all shells that are facets
-    /// alone.
-    double coarser = 1.0;
+    /// Worst values of FlatPart::tolerance_factor and FlatPart::is_sound over all shells that are
+    /// facets alone.
+    double tolerance_factor = 1.0;
     bool is_sound = true;
 };
 
@@ -47,7 +47,7 @@ struct Recognised {
 /// these (Part::facet_miss_mm); loops are simple; the volume differs from the polyhedron's by at
 /// most area times error. Equal input gives equal bytes.
 /// Cost: expected O(n log n) for n facets.
-Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
                      const std::function<Facets(double times)>& kept);
 
 }  // namespace ncsim::brep

@@ -4,7 +4,7 @@
 // Source: Khronos Group, glTF 2.0 Specification (ISO/IEC 12113:2022).
 #pragma once
 
-#include "ncsim/brep/shading.h"
+#include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/moving_scene.h"
 #include "ncsim/export/provenance.h"

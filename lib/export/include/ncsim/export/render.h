@@ -3,7 +3,7 @@
 // Pictures of a part, drawn off screen: no display and no graphics card are needed.
 #pragma once
 
-#include "ncsim/brep/shading.h"
+#include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/image.h"

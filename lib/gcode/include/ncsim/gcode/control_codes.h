@@ -66,6 +66,6 @@ struct CodeUse {
 /// unknown. A program in another language (Klartext, SINUMERIK …) counts as a single use of the
 /// language. Called files are not read. Lengths of lines and ranges of values are not checked.
 /// Cost: O(length of the program).
-std::vector<CodeUse> lacking_codes(const SourceFile& program, const ControlCodes& control);
+std::vector<CodeUse> missing_codes(const SourceFile& program, const ControlCodes& control);
 
 }  // namespace ncsim::gcode

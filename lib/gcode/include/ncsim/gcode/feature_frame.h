@@ -17,11 +17,11 @@ struct FeatureFrame {
     bool operator==(const FeatureFrame&) const = default;
 
     /// Transforms a position from F to W.
-    Triple outward(const Triple& p_F) const;
+    Triple to_parent(const Triple& p_F) const;
     /// Transforms a position from W to F.
-    Triple inward(const Triple& p_W) const;
+    Triple from_parent(const Triple& p_W) const;
     /// Transforms a direction from F to W.
-    Triple turned(const Triple& d_F) const;
+    Triple direction_to_parent(const Triple& d_F) const;
     /// Returns the Z axis of F in W: the direction of the tool axis.
     Triple normal() const { return {rows[0][2], rows[1][2], rows[2][2]}; }
     /// True if the axes of F are not parallel to the axes of W.

@@ -213,7 +213,7 @@ struct Interpretation {
     bool uses_length_offsets = false;  ///< The program contains G43 or a similar code.
     /// Positions of the tip with joints not at 0 were requested; later positions depend on the
     /// solver.
-    bool asked_for_places = false;
+    bool requested_tip_positions = false;
     /// Angle by which a part is misaligned according to G54.4, degrees. Under G54.4, motions are at
     /// the programmed positions on the part; positions of the machine axes differ.
     double setting_askew = 0.0;

@@ -24,12 +24,12 @@ public:
     virtual bool turns() const = 0;
 
     /// Tip of a tool, and the direction from the tip to the spindle, on the part.
-    struct Stand {
+    struct TipPose {
         Triple tip{};
         Triple axis{0, 0, 1};
     };
     /// Returns the tip and direction of a tool of length `length_mm` with the joints at `joints`.
-    virtual Stand stand_of(const Axes& joints, double length_mm) const = 0;
+    virtual TipPose tip_pose(const Axes& joints, double length_mm) const = 0;
 
     /// Returns `joints` with X, Y and Z replaced so that the tip is at `tip`; nullopt if no X, Y
     /// and Z do this.
@@ -38,14 +38,14 @@ public:
 
     /// Returns the vector `v`, fixed to the table, after the table moved from the joints `from` to
     /// the joints `to`. `v` and the result are in machine coordinates, mm.
-    virtual Triple with_table(const Triple& v, const Axes& from, const Axes& to) const = 0;
+    virtual Triple rotate_with_table(const Triple& v, const Axes& from, const Axes& to) const = 0;
 
     /// Choice among several solutions: the preference of the machine, or the first joint in the
     /// kinematic chain moves up or down.
     enum class Way : unsigned char { Specified, Up, Down };
     /// Joint values that orient the tool; without `joints` there is no solution, and `why_not`
     /// states the reason.
-    struct Turned {
+    struct Solution {
         std::optional<Axes> joints;
         /// A joint may have any value; the solution keeps the present value.
         bool singular = false;
@@ -53,7 +53,8 @@ public:
     };
     /// Returns rotary axis values that give the tool the direction `axis`, of unit length, starting
     /// from `joints`.
-    virtual Turned turned_to(const Triple& axis, const Axes& joints, Way way) const = 0;
+    virtual Solution joints_for_direction(const Triple& axis, const Axes& joints,
+                                          Way way) const = 0;
 };
 
 }  // namespace ncsim::gcode

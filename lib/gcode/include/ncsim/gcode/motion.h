@@ -57,7 +57,7 @@ struct Arc {
 /// Returns `arc` with the ends in the frame of the plane; the result is not tilted.
 Arc in_own_frame(const Arc& arc);
 /// Transforms X, Y and Z of `p` from `frame` (mm) to the parent frame; the other axes stay.
-Position outward(const FeatureFrame& frame, const Position& p);
+Position to_parent(const FeatureFrame& frame, const Position& p);
 
 /// A non-uniform rational B-spline (G5, G5.1, G5.2) in X and Y of W, the other axes constant.
 struct Spline {

@@ -63,8 +63,8 @@ private:
     std::string clean_;
     std::vector<std::uint32_t> columns_;
 
-    struct Kept;  // Parsed lines by start offset.
-    std::shared_ptr<Kept> kept_;
+    struct LineCache;  // Parsed lines by start offset.
+    std::shared_ptr<LineCache> kept_;
 };
 
 /// Returns the tool number of a comment that consists of a tool change: 3 for "( M6 T3 )"; -1 for

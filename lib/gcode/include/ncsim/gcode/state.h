@@ -50,14 +50,14 @@ struct CycleState {
 
 /// G68, G51 and G16 of Fanuc and similar controls: transformation of programmed coordinates,
 /// applied first.
-struct Programmed {
+struct ProgrammedTransform {
     bool rotated = false, scaled = false, polar = false;
     Plane plane = Plane::XY;  ///< Plane of G68 and G16.
     double angle = 0.0;       ///< Degrees, G68.
     double centre_1 = 0.0, centre_2 = 0.0;
     std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< G51; a negative factor mirrors.
     std::array<double, 3> scale_centre{};
-    bool operator==(const Programmed&) const = default;
+    bool operator==(const ProgrammedTransform&) const = default;
 };
 
 /// Reference of a coordinate system's origin for each axis (X, Y, Z). 0: the machine; any nonzero
@@ -134,14 +134,14 @@ struct MachineState {
     std::array<bool, 3> clamped{};     ///< A, B and C are clamped.
     /// G12.1 (polar interpolation): X and C are positions in the plane normal to the axis of C, in
     /// a separate plane_frame.
-    struct Face {
+    struct PolarInterpolation {
         double angle = 0.0;       ///< Direction of the frame's X axis on the part, degrees.
         double start = 0.0;       ///< Position of C at G12.1, degrees.
         double sign = 1.0;        ///< Sense of C seen on the part: 1 or -1.
         Plane plane = Plane::XY;  ///< Plane before G12.1.
-        bool operator==(const Face&) const = default;
+        bool operator==(const PolarInterpolation&) const = default;
     };
-    std::optional<Face> face;
+    std::optional<PolarInterpolation> polar_interpolation;
     /// G7.1 (cylindrical interpolation): a rotary axis turns a cylinder.
     struct Cylinder {
         std::size_t axis = 5;
@@ -151,9 +151,9 @@ struct MachineState {
     std::optional<Cylinder> cylinder;
     /// G254, G54.2, G54.4: displacement of the zero of the system with the table, in machine
     /// coordinates, active units.
-    std::optional<std::array<double, 3>> carried;
-    /// G54.2 and G54.4: `carried` with all rotary axes at 0.
-    std::array<double, 3> carried_home{};
+    std::optional<std::array<double, 3>> dynamic_offset;
+    /// G54.2 and G54.4: `dynamic_offset` with all rotary axes at 0.
+    std::array<double, 3> dynamic_offset_home{};
     int table_offset = 0;           ///< Number of the offset (P); 0: none.
     bool is_setting_error = false;  ///< The offset is a setting error (G54.4).
 
@@ -186,7 +186,7 @@ struct MachineState {
     std::array<bool, 3> is_zero_by_hand{};  ///< X, Y, Z of zero_92 are set, to 0 or another value.
     std::array<double, 2> last_pq{};        ///< P and Q of the last G5.
 
-    Programmed programmed;
+    ProgrammedTransform programmed;
     CycleState cycle;
 
     double unit_mm() const { return inches ? 25.4 : 1.0; }

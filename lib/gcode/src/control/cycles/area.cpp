@@ -17,7 +17,7 @@ namespace {
 /// Rounding tolerances of strokes and of connections, relative to the sum of the distance and the
 /// height of the outline.
 constexpr double kRounding = 1e-12;
-constexpr double kOfWays = 1e-9;
+constexpr double kPathRounding = 1e-9;
 
 double cross(PlanePoint o, PlanePoint a, PlanePoint b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
@@ -88,7 +88,7 @@ Area::Area(std::vector<PlanePoint> outline, double distance) : outline_(std::mov
     highest_ = high->y - distance;
     const double size = distance + high->y - low->y;
     of_strokes_ = std::max(0.0, distance - kRounding * size);
-    of_ways_ = std::max(0.0, distance - kOfWays * size);
+    path_margin_ = std::max(0.0, distance - kPathRounding * size);
 }
 
 bool Area::contains(PlanePoint p) const {
@@ -96,7 +96,7 @@ bool Area::contains(PlanePoint p) const {
     for (std::size_t i = 0; i < outline_.size(); ++i) {
         const PlanePoint& a = outline_[i];
         const PlanePoint& b = outline_[(i + 1) % outline_.size()];
-        if (distance(p, a, b) < of_ways_) return false;
+        if (distance(p, a, b) < path_margin_) return false;
         if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
             inside = !inside;
         }
@@ -106,7 +106,7 @@ bool Area::contains(PlanePoint p) const {
 
 bool Area::contains(PlanePoint a, PlanePoint b) const {
     for (std::size_t i = 0; i < outline_.size(); ++i) {
-        if (distance(a, b, outline_[i], outline_[(i + 1) % outline_.size()]) < of_ways_)
+        if (distance(a, b, outline_[i], outline_[(i + 1) % outline_.size()]) < path_margin_)
             return false;
     }
     return true;

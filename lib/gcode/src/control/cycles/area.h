@@ -42,9 +42,9 @@ public:
 private:
     std::vector<PlanePoint> outline_;
     // `distance` minus a rounding tolerance, so points at exactly `distance` count as inside.
-    // of_ways_ < of_strokes_, so a connection between ends of strokes along an edge of the area is
-    // inside.
-    double of_strokes_, of_ways_;
+    // path_margin_ < of_strokes_, so a connection between ends of strokes along an edge of the area
+    // is inside.
+    double of_strokes_, path_margin_;
     double lowest_ = 0.0, highest_ = 0.0;
 };
 

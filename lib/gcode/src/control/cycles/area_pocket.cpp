@@ -24,7 +24,7 @@ constexpr double kMostPieces = 2000.0;      // Segments of an arc.
 constexpr double kChord = 0.001;
 
 /// Largest distance between the ends of a closed outline, mm.
-constexpr double kMeets = 0.005;
+constexpr double kMaxClosingGap = 0.005;
 
 /// An arc whose ends subtend at most this angle at the centre is a full circle, degrees.
 constexpr double kNoTurn = 1e-9 * 180.0 / std::numbers::pi;
@@ -39,7 +39,7 @@ double sweep_of(const OutlineMove& move) {
     return move.turns > 0 ? sweep : -sweep;
 }
 
-PlanePoint along(const OutlineMove& move, double share) {
+PlanePoint point_at(const OutlineMove& move, double share) {
     if (move.turns == 0) {
         return {move.from.x + share * (move.to.x - move.from.x),
                 move.from.y + share * (move.to.y - move.from.y)};
@@ -65,7 +65,7 @@ std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double 
             pieces = static_cast<int>(std::ceil(std::clamp(wanted, 4.0, kMostPieces)));
         }
         for (int i = 0; i < pieces; ++i)
-            points.push_back(along(move, static_cast<double>(i) / pieces));
+            points.push_back(point_at(move, static_cast<double>(i) / pieces));
     }
     return points;
 }
@@ -94,7 +94,7 @@ void Machine::end_outline() {
     if (control_.corner) settle_corner();
     restore(outline_->before);
     contour_ = std::move(outline_->moves);
-    heard_well_ = !outline_->is_foreign;
+    is_outline_valid_ = !outline_->is_foreign;
     outline_.reset();
 }
 
@@ -112,7 +112,7 @@ bool Machine::belongs_to_outline(const Command& command) {
 }
 
 /// Records a move of the outline: a line to `end`, or the arc `arc`.
-bool Machine::hear(const Axes& end, const ProgramArc* arc) {
+bool Machine::record_outline_move(const Axes& end, const ProgramArc* arc) {
     const Axes& from = state_.position;
     OutlineMove move;
     move.from = {from[kX], from[kY]};
@@ -169,13 +169,14 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
         return needs("an increment of depth (Q) above 0, and not that small");
 
     // The outline without the line from the starting hole; must be closed.
-    if (!heard_well_ || contour_.size() < 2) return needs("an outline of G1, G2 and G3 in X and Y");
+    if (!is_outline_valid_ || contour_.size() < 2)
+        return needs("an outline of G1, G2 and G3 in X and Y");
     if (contour_.front().turns != 0)
         return needs("a line (G1) from the starting hole to the outline");
     const std::vector<OutlineMove> loop(contour_.begin() + 1, contour_.end());
     const double unit = state_.unit_mm();
     if (trig::length_of(loop.back().to.x - loop.front().from.x,
-                        loop.back().to.y - loop.front().from.y) > kMeets / unit) {
+                        loop.back().to.y - loop.front().from.y) > kMaxClosingGap / unit) {
         return needs("an outline that ends where it begins");
     }
     const double cutter = std::abs(radius_of_register(command, span));
@@ -206,7 +207,7 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
         Axes to = state_.position;
         to[kX] = x, to[kY] = y, to[kZ] = z;
         const AxisMask moved = z != state_.position[kZ] ? kHeight : kPlane;
-        if (to != state_.position) path_.straight(state_, to, kind, moved);
+        if (to != state_.position) path_.linear_move(state_, to, kind, moved);
     };
     const auto z = [&] { return state_.position[kZ]; };
     go(hole.x, hole.y, z(), MoveKind::Rapid);
@@ -239,10 +240,10 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
                 go(b.x, b.y, z(), MoveKind::Feed);
             }
         }
-        if (!mill_around(loop, inside, cutter + allowance, area, along_y, level, clear))
+        if (!mill_outline(loop, inside, cutter + allowance, area, along_y, level, clear))
             return false;
         const bool finishes = i == levels && allowance > 0.0;
-        if (finishes && !mill_around(loop, inside, cutter, on_size, along_y, level, clear))
+        if (finishes && !mill_outline(loop, inside, cutter, on_size, along_y, level, clear))
             return false;
     }
     go(state_.position[kX], state_.position[kY], clear, MoveKind::Rapid);
@@ -251,10 +252,10 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
 
 /// Mills around the outline at the distance `radius` inside, starting at the middle of the first
 /// move.
-bool Machine::mill_around(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
-                          const Area& area, bool along_y, double level, double clear) {
+bool Machine::mill_outline(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
+                           const Area& area, bool along_y, double level, double clear) {
     const OutlineMove& first = loop.front();
-    const PlanePoint middle = along(first, 0.5);
+    const PlanePoint middle = point_at(first, 0.5);
     PlanePoint ahead{first.to.x - first.from.x, first.to.y - first.from.y};
     if (first.turns != 0) {
         const double turn = first.turns > 0 ? 1.0 : -1.0;
@@ -262,23 +263,23 @@ bool Machine::mill_around(const std::vector<OutlineMove>& loop, CutterSide side,
     }
     const double length = trig::length_of(ahead.x, ahead.y);
     const double in = side == CutterSide::Left ? radius / length : -radius / length;
-    const PlanePoint beside{middle.x - in * ahead.y, middle.y + in * ahead.x};
+    const PlanePoint offset_point{middle.x - in * ahead.y, middle.y + in * ahead.x};
 
     Axes to = state_.position;
     const PlanePoint here{to[kX], to[kY]};
     const auto seen = [&](PlanePoint p) { return along_y ? PlanePoint{p.y, p.x} : p; };
     constexpr AxisMask kPlane = 1U << kX | 1U << kY;
     constexpr AxisMask kHeight = 1U << kZ;
-    const bool straight = area.contains(seen(here), seen(beside));
+    const bool straight = area.contains(seen(here), seen(offset_point));
     if (!straight) {
         to[kZ] = clear;
-        path_.straight(state_, to, MoveKind::Rapid, kHeight);
+        path_.linear_move(state_, to, MoveKind::Rapid, kHeight);
     }
-    to[kX] = beside.x, to[kY] = beside.y;
-    path_.straight(state_, to, straight ? MoveKind::Feed : MoveKind::Rapid, kPlane);
+    to[kX] = offset_point.x, to[kY] = offset_point.y;
+    path_.linear_move(state_, to, straight ? MoveKind::Feed : MoveKind::Rapid, kPlane);
     if (!straight) {
         to[kZ] = level;
-        path_.straight(state_, to, MoveKind::Feed, kHeight);
+        path_.linear_move(state_, to, MoveKind::Feed, kHeight);
     }
     const auto follow = [&](const OutlineMove& move, PlanePoint end) {
         Axes target = state_.position;
@@ -289,7 +290,7 @@ bool Machine::mill_around(const std::vector<OutlineMove>& loop, CutterSide side,
         path_.arc(state_, arc, kPlane);
         return true;
     };
-    if (radius > 0.0) compensation_.begin_beside(side, radius, state_.position);
+    if (radius > 0.0) compensation_.begin_at_offset(side, radius, state_.position);
     state_.position[kX] = middle.x;
     state_.position[kY] = middle.y;
     bool good = follow(first, first.to);

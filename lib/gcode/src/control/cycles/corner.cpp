@@ -35,12 +35,12 @@ bool Machine::ends_in_corner(const Command& command) const {
 }
 
 /// True for a line in the coordinate frame of the line before.
-bool Machine::goes_on_from_corner(const Command& command) const {
+bool Machine::continues_from_corner(const Command& command) const {
     for (const Group group :
          {Group::Plane, Group::Units, Group::CutterSide, Group::ToolLength, Group::WorkOffset,
-          Group::Polar, Group::TiltedPlane, Group::Orient, Group::Face, Group::Cylinder,
-          Group::Carried, Group::Rotation, Group::Feed, Group::Diameter, Group::NotSimulated,
-          Group::Unsupported}) {
+          Group::Polar, Group::TiltedPlane, Group::Orient, Group::PolarInterpolation,
+          Group::Cylinder, Group::DynamicOffset, Group::Rotation, Group::Feed, Group::Diameter,
+          Group::NotSimulated, Group::Unsupported}) {
         if (command.group(group) != Code::None) return false;
     }
     return is_line(command) && command.group(MGroup::Stop) == kNone &&
@@ -138,7 +138,7 @@ bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramA
     if (made && second) made = feed_straight(*second, MoveKind::Feed, held.mask);
     if (made && arc) {
         if (outline_) {
-            made = hear(arc->end, arc);
+            made = record_outline_move(arc->end, arc);
         } else if (compensation_.is_on()) {
             made = compensation_.arc(state_, *arc, held.mask, span_, file_);
         } else {
@@ -160,8 +160,8 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
         return fail(Message::AngleForm, command.angle_span, {what});
     };
     const PlaneAxes axes = axes_of(state_.plane);
-    const Axes from = programmed_from(state_.position);
-    Axes to = programmed_from(end);
+    const Axes from = to_programmed(state_.position);
+    Axes to = to_programmed(end);
     for (std::size_t i = 0; i < to.size(); ++i) {
         if (i != axes.first && i != axes.second && (mask & 1U << i) != 0)
             return refuse("a line in the plane (G17, G18, G19)");
@@ -188,7 +188,7 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
         to[axes.first] = from[axes.first] + y * (d.cos / d.sin);
         if (is_known(axes.first)) mask |= 1U << axes.first;
     }
-    end = programmed_to(to);
+    end = from_programmed(to);
     return true;
 }
 
@@ -232,8 +232,8 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
         return refuse("one coordinate of its end, or a next line with both and its own ,A (G90)");
     }
     if (!stays_in_plane(state_.position, next)) return refuse("a next line in the plane");
-    const Axes from = programmed_from(state_.position);
-    const Axes to = programmed_from(next);
+    const Axes from = to_programmed(state_.position);
+    const Axes to = to_programmed(next);
     const trig::SinCos a = trig::sin_cos(*held.angle);
     const trig::SinCos b = trig::sin_cos(command.angle);
     const double cross = a.cos * b.sin - a.sin * b.cos;
@@ -244,7 +244,7 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     Axes corner = from;
     corner[axes.first] += length * a.cos;
     corner[axes.second] += length * a.sin;
-    held.end = programmed_to(corner);
+    held.end = from_programmed(corner);
     held.angle.reset();
     record_move(state_, held.mask, false);
     state_.position = held.end;

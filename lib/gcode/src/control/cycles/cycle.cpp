@@ -184,7 +184,7 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
     if (slants ? cycle.initial < r && (rules_.strict || height != r) : height < r) {
         Axes up = state_.position;
         up[depth_axis] = r;
-        path_.straight(state_, up, MoveKind::Rapid, 1U << depth_axis);
+        path_.linear_move(state_, up, MoveKind::Rapid, 1U << depth_axis);
     }
     const double now = state_.position[depth_axis];
     const double across = slants && !(now > r) ? clear : now;
@@ -197,14 +197,14 @@ bool Machine::hole_at(Drilling& drilling, const Axes& hole, AxisMask mask) {
     Axes above = hole;
     above[depth_axis] = drilling.height;
     const bool rises = drilling.height != state_.position[depth_axis];
-    path_.straight(state_, above, MoveKind::Rapid, rises ? mask | 1U << depth_axis : mask);
+    path_.linear_move(state_, above, MoveKind::Rapid, rises ? mask | 1U << depth_axis : mask);
     drilling.height = drilling.clear;
     if (above[depth_axis] != drilling.r) {
         above[depth_axis] = drilling.r;
         const SpindleTurning turning = state_.spindle;
         if (drilling.motion == Code::G87 && drilling.bottom > drilling.r) orient_in_cycle();
-        path_.straight(state_, above, MoveKind::Rapid, 1U << depth_axis);
-        turn_again(turning);
+        path_.linear_move(state_, above, MoveKind::Rapid, 1U << depth_axis);
+        restart_spindle(turning);
     }
     return drill(drilling, above);
 }
@@ -216,7 +216,7 @@ void Machine::orient_in_cycle() {
     state_.steps_aside = state_.cycle.q > 0.0;
 }
 
-void Machine::turn_again(SpindleTurning turning) {
+void Machine::restart_spindle(SpindleTurning turning) {
     state_.spindle = turning;
     state_.spindle_oriented = false;
     state_.steps_aside.reset();
@@ -258,7 +258,7 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
     const auto to = [&](double height, MoveKind kind) {
         Axes end = above;
         end[drilling.depth_axis] = height;
-        path_.straight(state_, end, kind, mask);
+        path_.linear_move(state_, end, kind, mask);
     };
     const CycleState& cycle = state_.cycle;
     const SpindleTurning turning = state_.spindle;
@@ -311,7 +311,7 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
             state_.spindle = SpindleTurning::Stopped;
             if (motion == Code::G76 || (motion == Code::G87 && bottom > r)) orient_in_cycle();
             to(clear, MoveKind::Rapid);
-            turn_again(turning);
+            restart_spindle(turning);
             break;
         case Code::G89:
             path_.dwell(state_, seconds);

@@ -56,7 +56,7 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
     std::optional<Drilling> drilling = begin_drilling(command, motion);
     if (!drilling) return false;
 
-    const Axes centre = programmed_from(at);
+    const Axes centre = to_programmed(at);
     const double sense = command['I'] < 0.0 ? -1.0 : 1.0;
     // An axis with an unknown position stays unknown after the holes.
     for (const std::size_t axis : {kX, kY}) {
@@ -71,7 +71,7 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
         Axes hole = centre;
         hole[kX] += distance * direction.cos;
         hole[kY] += distance * direction.sin;
-        if (!hole_at(*drilling, programmed_to(hole), mask)) return false;
+        if (!hole_at(*drilling, from_programmed(hole), mask)) return false;
     }
     return true;
 }

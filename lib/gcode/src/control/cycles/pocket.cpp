@@ -85,7 +85,7 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     const double down = end[kZ] - state_.position[kZ];
     Axes centre = end;
     centre[kZ] = state_.position[kZ];
-    if ((mask & ~kDepth) != 0) path_.straight(state_, centre, MoveKind::Rapid, mask & ~kDepth);
+    if ((mask & ~kDepth) != 0) path_.linear_move(state_, centre, MoveKind::Rapid, mask & ~kDepth);
     // An axis with an unknown position stays unknown after the circles.
     AxisMask plane = 0;
     for (const std::size_t axis : {kX, kY}) {
@@ -94,7 +94,7 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     for (int pass = 0; pass < static_cast<int>(passes); ++pass) {
         if ((mask & kDepth) != 0) {
             centre[kZ] = state_.incremental ? state_.position[kZ] + down : end[kZ];
-            path_.straight(state_, centre, MoveKind::Feed, kDepth);
+            path_.linear_move(state_, centre, MoveKind::Feed, kDepth);
         }
         mill_circles(centre, radii, code == Code::G12, plane);
     }
@@ -107,22 +107,22 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
 void Machine::mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
                            AxisMask mask) {
     const int turns = clockwise ? -1 : 1;
-    const Axes origin = programmed_from(centre);
-    const auto beside = [&](double x) {
+    const Axes origin = to_programmed(centre);
+    const auto offset_point = [&](double x) {
         Axes p = origin;
         p[kX] += x;
-        p = programmed_to(p);
+        p = from_programmed(p);
         p[kZ] = centre[kZ];
         return p;
     };
     const auto around = [&](const Axes& end, double about) {
-        const Axes c = beside(about);
+        const Axes c = offset_point(about);
         path_.arc(state_, {end, c[kX], c[kY], turns}, mask);
     };
     double at = 0.0;
     for (const double radius : radii) {
         const double next = at > 0.0 ? -radius : radius;
-        const Axes side = beside(next);
+        const Axes side = offset_point(next);
         around(side, (at + next) / 2.0);
         around(side, 0.0);
         at = next;

@@ -21,12 +21,12 @@ bool Machine::home(const Command& command, bool second) {
     for (std::size_t i = 0; i < via.size(); ++i) {
         if (state_.incremental && via[i] == state_.position[i]) moved &= ~(1U << i);
     }
-    path_.straight(state_, via, MoveKind::Rapid, moved);
+    path_.linear_move(state_, via, MoveKind::Rapid, moved);
     Store& store = control_.store.change();
     store.via = via;
     store.has_via = command.axis_words;
 
-    std::optional<Suspended> before;
+    std::optional<SavedCoordinates> before;
     if (hides_joints()) before = as_joints();
     Axes target = machine_position();
     const Axes& home = store.homes[second ? 1 : 0];
@@ -34,7 +34,7 @@ bool Machine::home(const Command& command, bool second) {
         if ((mask & 1U << i) != 0) target[i] = is_rotary(i) ? home[i] : home[i] / state_.unit_mm();
     }
     path_.set_machine_coordinates(true);
-    path_.straight(state_, from_machine(target), MoveKind::Rapid, mask);
+    path_.linear_move(state_, from_machine(target), MoveKind::Rapid, mask);
     path_.set_machine_coordinates(false);
     if (before) resume(*before);
     if (rules_.home_cancels_length) state_.length_register = kNoLength;
@@ -56,7 +56,7 @@ bool Machine::seek_home(const Command& command) {
         if (command.has(kLetters[i])) named |= 1U << i;
     }
     if (named == 0) named = 1U << kX | 1U << kY | 1U << kZ;
-    std::optional<Suspended> before;
+    std::optional<SavedCoordinates> before;
     if (hides_joints()) before = as_joints();
     constexpr AxisMask kUp = 1U << kZ;
     for (const AxisMask mask : {named & kUp, named & ~kUp}) {
@@ -68,7 +68,7 @@ bool Machine::seek_home(const Command& command) {
                 target[i] = is_rotary(i) ? home[i] : home[i] / state_.unit_mm();
         }
         path_.set_machine_coordinates(true);
-        path_.straight(state_, from_machine(target), MoveKind::Rapid, mask);
+        path_.linear_move(state_, from_machine(target), MoveKind::Rapid, mask);
         path_.set_machine_coordinates(false);
     }
     if (before) resume(*before);
@@ -80,8 +80,9 @@ bool Machine::return_from_home(const Command& command) {
     Axes end{};
     AxisMask mask = 0;
     if (!find_ends(command, end, mask)) return false;
-    if (control_.store->has_via) path_.straight(state_, control_.store->via, MoveKind::Rapid, mask);
-    path_.straight(state_, end, MoveKind::Rapid, mask);
+    if (control_.store->has_via)
+        path_.linear_move(state_, control_.store->via, MoveKind::Rapid, mask);
+    path_.linear_move(state_, end, MoveKind::Rapid, mask);
     return true;
 }
 

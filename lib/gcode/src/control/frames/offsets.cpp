@@ -29,12 +29,12 @@ double mm_of(double value, std::size_t axis, double unit) {
 }  // namespace
 
 Axes Machine::machine_position() const {
-    Axes m = out_of_plane(state_, state_.position);
+    Axes m = to_untilted(state_, state_.position);
     trig::rotate(m[kX], m[kY], state_.rotation);
     for (std::size_t i = 0; i < m.size(); ++i)
         m[i] += state_.work_offset[i] + state_.tool_offset[i];
-    for (std::size_t i = 0; state_.carried && i < 3; ++i)
-        m[i] += (*state_.carried)[i];
+    for (std::size_t i = 0; state_.dynamic_offset && i < 3; ++i)
+        m[i] += (*state_.dynamic_offset)[i];
     return m;
 }
 
@@ -42,14 +42,14 @@ Axes Machine::from_machine(const Axes& machine) const {
     Axes p = machine;
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.work_offset[i] + state_.tool_offset[i];
-    for (std::size_t i = 0; state_.carried && i < 3; ++i)
-        p[i] -= (*state_.carried)[i];
+    for (std::size_t i = 0; state_.dynamic_offset && i < 3; ++i)
+        p[i] -= (*state_.dynamic_offset)[i];
     trig::rotate(p[kX], p[kY], -state_.rotation);
     if (state_.plane_frame) {
         const auto& outer = state_.outer_92;
-        std::ranges::copy(
-            state_.plane_frame->inward({p[kX] - outer[kX], p[kY] - outer[kY], p[kZ] - outer[kZ]}),
-            p.begin());
+        std::ranges::copy(state_.plane_frame->from_parent(
+                              {p[kX] - outer[kX], p[kY] - outer[kY], p[kZ] - outer[kZ]}),
+                          p.begin());
     }
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.offset_92[i];
@@ -137,7 +137,7 @@ void Machine::assume_same_zero(Axes& machine) {
 /// the active system to G54.
 /// Returns: false, without effect, if X, Y and Z are not axis positions.
 bool Machine::place_at_start() {
-    if (state_.plane_frame || state_.carried || state_.coordinates != Coordinates::Axes)
+    if (state_.plane_frame || state_.dynamic_offset || state_.coordinates != Coordinates::Axes)
         return false;
     const double unit = state_.unit_mm();
     Axes machine = machine_position();
@@ -659,8 +659,8 @@ bool Machine::set_cutter_side(const Command& command) {
 
 // --- G68, G51, G16 ---
 
-Axes Machine::programmed_to(const Axes& programmed) const {
-    const Programmed& t = state_.programmed;
+Axes Machine::from_programmed(const Axes& programmed) const {
+    const ProgrammedTransform& t = state_.programmed;
     Axes p = programmed;
     if (t.scaled) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -678,8 +678,8 @@ Axes Machine::programmed_to(const Axes& programmed) const {
     return p;
 }
 
-Axes Machine::programmed_from(const Axes& position) const {
-    const Programmed& t = state_.programmed;
+Axes Machine::to_programmed(const Axes& position) const {
+    const ProgrammedTransform& t = state_.programmed;
     Axes p = position;
     if (t.rotated) {
         const PlaneAxes axes = axes_of(t.plane);
@@ -698,7 +698,7 @@ Axes Machine::programmed_from(const Axes& position) const {
 }
 
 bool Machine::set_programmed(const Command& command) {
-    Programmed& t = state_.programmed;
+    ProgrammedTransform& t = state_.programmed;
     if (const Code code = command.group(Group::Polar); code != Code::None)
         t.polar = code == Code::G16;
     const Code rotation = command.group(Group::Rotation);
@@ -706,7 +706,7 @@ bool Machine::set_programmed(const Command& command) {
     if (rotation == Code::G68) {
         if (!command.has('R'))
             return fail(Message::RotationWithoutAngle, span_of_g(command, Code::G68));
-        const Axes at = programmed_from(state_.position);
+        const Axes at = to_programmed(state_.position);
         t.plane = state_.plane;
         const PlaneAxes axes = axes_of(t.plane);
         t.centre_1 = command.get(kAxisNames[axes.first], at[axes.first]);
@@ -717,7 +717,7 @@ bool Machine::set_programmed(const Command& command) {
     const Code scaling = command.group(Group::Scaling);
     if (scaling == Code::G50) t.scaled = false;
     if (scaling == Code::G51) {
-        const Axes at = programmed_from(state_.position);
+        const Axes at = to_programmed(state_.position);
         double all = command.get('P', 1.0);
         if (all >= 100.0 && all == std::floor(all)) all /= 1000.0;  // P2000 is 2.0 on Fanuc.
         const char factors[] = {'I', 'J', 'K'};

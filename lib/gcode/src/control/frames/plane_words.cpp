@@ -69,13 +69,13 @@ Triple ijk_of(const Command& command) {
 }
 
 // Returns a sequence of rotations about axes that turn along (intrinsic rotations).
-FeatureFrame turned_along(const std::array<int, 3>& order, const Triple& angles) {
+FeatureFrame intrinsic_rotation(const std::array<int, 3>& order, const Triple& angles) {
     return turn_about(order[0], angles[0]) * turn_about(order[1], angles[1]) *
            turn_about(order[2], angles[2]);
 }
 
 // Returns a sequence of rotations about fixed axes; I, J and K belong to X, Y and Z.
-FeatureFrame turned_at_rest(const std::array<int, 3>& order, const Triple& angles) {
+FeatureFrame fixed_axis_rotation(const std::array<int, 3>& order, const Triple& angles) {
     const auto by = [&](int axis) {
         return turn_about(axis, angles[static_cast<std::size_t>(axis)]);
     };
@@ -86,7 +86,7 @@ PlaneRead fault(std::string_view wants) {
     return {std::nullopt, wants};
 }
 
-PlaneRead by_angles(const Command& command, PlaneDialect dialect, int form) {
+PlaneRead plane_by_angles(const Command& command, PlaneDialect dialect, int form) {
     const bool rolls = form == 1;
     const double usual = dialect == PlaneDialect::Haas ? 321.0 : rolls ? 123.0 : 313.0;
     const bool has_order = rolls || dialect == PlaneDialect::LinuxCnc;
@@ -95,12 +95,12 @@ PlaneRead by_angles(const Command& command, PlaneDialect dialect, int form) {
         return fault("an order of turns that is one (Q, such as 123, 313)");
     const Triple angles = ijk_of(command);
     const bool along = !rolls || dialect == PlaneDialect::LinuxCnc;
-    return {along ? turned_along(*order, angles) : turned_at_rest(*order, angles), {}};
+    return {along ? intrinsic_rotation(*order, angles) : fixed_axis_rotation(*order, angles), {}};
 }
 
 // Returns the plane through three points: X points from the first to the second; the third is on
 // the positive side of Y.
-PlaneRead through(const Triple& p1, const Triple& p2, const Triple& p3) {
+PlaneRead plane_through(const Triple& p1, const Triple& p2, const Triple& p3) {
     const auto x = unit(minus(p2, p1));
     const auto aside = unit(minus(p3, p1));
     if (!x || !aside) return fault("three points that differ");
@@ -109,7 +109,7 @@ PlaneRead through(const Triple& p1, const Triple& p2, const Triple& p3) {
     return {with_axes(*x, *z), {}};
 }
 
-PlaneRead by_vectors(const Triple& along_x, const Triple& along_z) {
+PlaneRead plane_by_vectors(const Triple& along_x, const Triple& along_z) {
     const auto x = unit(along_x), z = unit(along_z);
     if (!x || !z) return fault("two vectors that have a length");
     constexpr double kSkew = 0.087;  // Sine of five degrees.
@@ -122,11 +122,11 @@ PlaneRead by_vectors(const Triple& along_x, const Triple& along_z) {
 
 // Returns the plane spanned by X turned by I about Y, and Y turned by J about X; K turns the plane
 // about the normal.
-PlaneRead by_projections(const Triple& angles) {
+PlaneRead plane_by_projections(const Triple& angles) {
     const FeatureFrame about_y = turn_about(kAboutY, angles[0]);
     const FeatureFrame about_x = turn_about(kAboutX, angles[1]);
-    const Triple a = about_y.turned({1, 0, 0});
-    const Triple b = about_x.turned({0, 1, 0});
+    const Triple a = about_y.direction_to_parent({1, 0, 0});
+    const Triple b = about_x.direction_to_parent({0, 1, 0});
     const auto z = unit(cross(a, b));
     if (!z) return fault("angles that span a plane");
     return {with_axes(a, *z) * turn_about(kAboutZ, angles[2]), {}};
@@ -150,18 +150,18 @@ PlaneRead take_part(const Command& command, PlaneDialect dialect, int form, Plan
     Triple origin{};
     if (form == 2) {
         if (!all[1] || !all[2] || !all[3] || (linuxcnc && !all[0])) return {};
-        read = through(all[1]->xyz, all[2]->xyz, all[3]->xyz);
+        read = plane_through(all[1]->xyz, all[2]->xyz, all[3]->xyz);
         if (!read.frame) return read;
         turn = all[0] ? all[0]->r : 0.0;
         // Fanuc: Q0 is a shift in the plane from the first point. LinuxCNC: Q0 is the origin.
         read.frame->origin = linuxcnc ? Triple{} : all[1]->xyz;
-        origin = linuxcnc ? all[0]->xyz : all[0] ? read.frame->outward(all[0]->xyz) : all[1]->xyz;
+        origin = linuxcnc ? all[0]->xyz : all[0] ? read.frame->to_parent(all[0]->xyz) : all[1]->xyz;
     } else {
         const auto& one = all[linuxcnc ? 0 : 1];
         const auto& two = all[linuxcnc ? 1 : 2];
         if (!one || !two) return {};
         // LinuxCNC gives a point on the X axis, not the direction.
-        read = by_vectors(linuxcnc ? minus(one->ijk, one->xyz) : one->ijk, two->ijk);
+        read = plane_by_vectors(linuxcnc ? minus(one->ijk, one->xyz) : one->ijk, two->ijk);
         if (!read.frame) return read;
         turn = linuxcnc ? one->r : 0.0;
         origin = one->xyz;
@@ -187,7 +187,7 @@ PlaneRead read_plane(const Command& command, PlaneDialect dialect, PlaneParts& p
     if (form == 2 || form == 3) return take_part(command, dialect, form, parts);
     parts = {};
     PlaneRead read =
-        form == 4 ? by_projections(ijk_of(command)) : by_angles(command, dialect, form);
+        form == 4 ? plane_by_projections(ijk_of(command)) : plane_by_angles(command, dialect, form);
     if (!read.frame) return read;
     if (linuxcnc) read.frame = turn_about(kAboutZ, command.get('R', 0.0)) * *read.frame;
     read.frame->origin = xyz_of(command);

@@ -22,7 +22,7 @@ PlaneDialect dialect_of(Code code, const Rules& rules) {
 // --- Places of joints and of the tip ---
 
 /// Returns the axis positions in the convention of JointSolver: mm, without the tool length.
-Axes Machine::stand() const {
+Axes Machine::axis_positions() const {
     Axes at = machine_position();
     for (std::size_t i = 0; i < at.size(); ++i) {
         at[i] -= state_.tool_offset[i];
@@ -32,8 +32,8 @@ Axes Machine::stand() const {
 }
 
 /// Converts axis positions of JointSolver to machine_position() coordinates.
-Axes Machine::from_axis_positions(const Axes& stand) const {
-    Axes at = stand;
+Axes Machine::from_axis_positions(const Axes& axis_positions) const {
+    Axes at = axis_positions;
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (!is_rotary(i)) at[i] /= state_.unit_mm();
         at[i] += state_.tool_offset[i];
@@ -47,7 +47,7 @@ double Machine::length_mm() const {
 
 /// Updates the knowledge of X, Y and Z after a rotation: each new coordinate depends on all three
 /// old coordinates.
-void Machine::mix_knowledge() {
+void Machine::update_knowledge() {
     if (!state_.known.all()) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
     const auto all_or_none = [](const KnownAxes& axes) {
         return axes.any() ? KnownAxes{} : kNothing;
@@ -63,20 +63,22 @@ void Machine::take_coordinates(Coordinates coordinates) {
     state_.coordinates = coordinates;
     if (!is_turned()) return;
     if (!options_.joints) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
-    asked_for_places_ = true;
-    Axes at = stand();
+    requested_tip_positions_ = true;
+    Axes at = axis_positions();
     // Positions of the tip refer to the table at 0; so does the zero that moves with the table.
-    const bool is_carried = state_.table_offset != 0;
-    if (is_carried && coordinates == Coordinates::Tip) state_.carried = state_.carried_home;
-    if (is_carried && coordinates != Coordinates::Tip) state_.carried = carried_at(at);
+    const bool has_dynamic_offset = state_.table_offset != 0;
+    if (has_dynamic_offset && coordinates == Coordinates::Tip)
+        state_.dynamic_offset = state_.dynamic_offset_home;
+    if (has_dynamic_offset && coordinates != Coordinates::Tip)
+        state_.dynamic_offset = dynamic_offset_at(at);
     if (coordinates == Coordinates::Tip) {
-        const JointSolver::Stand found = options_.joints->stand_of(at, length_mm());
+        const JointSolver::TipPose found = options_.joints->tip_pose(at, length_mm());
         std::ranges::copy(found.tip, at.begin());
-        mix_knowledge();
+        update_knowledge();
     } else {
         const auto joints = options_.joints->joints_for({at[kX], at[kY], at[kZ]}, at, length_mm());
         if (joints) at = *joints;
-        mix_knowledge();
+        update_knowledge();
         if (!joints) set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
     }
     recompute_position(from_axis_positions(at));
@@ -104,18 +106,18 @@ void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
     state_.plane_frame = frame;
     recompute_position(machine);
     state_.cycle = {};
-    if (mixes) mix_knowledge();
+    if (mixes) update_knowledge();
 }
 
 /// Makes X, Y and Z positions of the joints until resume().
-Machine::Suspended Machine::as_joints() {
-    const Suspended before{state_.plane_frame, state_.coordinates, state_.offset_92};
+Machine::SavedCoordinates Machine::as_joints() {
+    const SavedCoordinates before{state_.plane_frame, state_.coordinates, state_.offset_92};
     set_plane_frame(std::nullopt);
     take_coordinates(Coordinates::Axes);
     return before;
 }
 
-void Machine::resume(const Suspended& before) {
+void Machine::resume(const SavedCoordinates& before) {
     take_coordinates(before.coordinates);
     set_plane_frame(before.frame);
     const Axes machine = machine_position();
@@ -131,15 +133,15 @@ bool Machine::hides_joints() const {
 
 /// Makes a move with rotary words in a tilted plane: all axes move linearly to the joint positions
 /// that bring the tip to `end`.
-bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) {
+bool Machine::linear_move_of_joints(const Axes& end, MoveKind kind, AxisMask mask) {
     const Axes start = state_.position;
     const bool has_lengths = (mask & ~kRotaryAxes) != 0;
     Axes target;
     if (has_lengths) {
         state_.position = end;
-        target = stand();
+        target = axis_positions();
         state_.position = start;
-        asked_for_places_ = true;
+        requested_tip_positions_ = true;
         const auto joints =
             options_.joints->joints_for({target[kX], target[kY], target[kZ]}, target, length_mm());
         if (!joints) return fail(Message::OutOfReach, span_, {"the place"});
@@ -148,12 +150,12 @@ bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) 
     Axes turned{};
     for (std::size_t i = kA; i <= kC; ++i)
         turned[i] = end[i];
-    const Suspended before = as_joints();
+    const SavedCoordinates before = as_joints();
     Axes goal = state_.position;
     if (has_lengths) goal = from_machine(from_axis_positions(target));
     for (std::size_t i = kA; i <= kC; ++i)
         goal[i] = turned[i];
-    path_.straight(state_, goal, kind, has_lengths ? kAllAxes : mask);
+    path_.linear_move(state_, goal, kind, has_lengths ? kAllAxes : mask);
     resume(before);
     return true;
 }
@@ -242,9 +244,9 @@ std::optional<FeatureFrame> Machine::plane_of_tool(const Command& command, Plane
         return std::nullopt;
     }
     take_coordinates(Coordinates::Tip);
-    if (is_turned()) asked_for_places_ = true;
-    Triple axis = options_.joints->stand_of(stand(), length_mm()).axis;
-    axis = turn_about(2, -state_.rotation).turned(axis);
+    if (is_turned()) requested_tip_positions_ = true;
+    Triple axis = options_.joints->tip_pose(axis_positions(), length_mm()).axis;
+    axis = turn_about(2, -state_.rotation).direction_to_parent(axis);
     FeatureFrame frame = plane_across(axis, command.get('R', 0.0));
     const bool here = has_none && dialect == PlaneDialect::Fanuc;
     for (std::size_t i = 0; i < 3; ++i)
@@ -267,11 +269,12 @@ void Machine::end_plane() {
 
 /// Returns the rotary positions that give the tool the direction `axis`, in program coordinates;
 /// nullopt after reporting an error.
-std::optional<Axes> Machine::turned_to(const Triple& axis, JointSolver::Way way, Code code,
-                                       SourceSpan span) {
-    Triple d = state_.plane_frame ? state_.plane_frame->turned(axis) : axis;
-    d = turn_about(2, state_.rotation).turned(d);
-    const JointSolver::Turned turned = options_.joints->turned_to(d, stand(), way);
+std::optional<Axes> Machine::joints_for_direction(const Triple& axis, JointSolver::Way way,
+                                                  Code code, SourceSpan span) {
+    Triple d = state_.plane_frame ? state_.plane_frame->direction_to_parent(axis) : axis;
+    d = turn_about(2, state_.rotation).direction_to_parent(d);
+    const JointSolver::Solution turned =
+        options_.joints->joints_for_direction(d, axis_positions(), way);
     if (!turned.joints) {
         stop_with(Message::Unreachable, span, {name_of(code), turned.why_not});
         return std::nullopt;
@@ -301,7 +304,7 @@ bool Machine::orient(const Command& command) {
         set_plane_frame(specified);
         control_.store.change().specified_plane.reset();
     }
-    const auto turned = turned_to({0, 0, 1}, way, code, span);
+    const auto turned = joints_for_direction({0, 0, 1}, way, code, span);
     if (!turned) return false;
     const bool feeds =
         !linuxcnc && state_.feed > 0.0 &&
@@ -323,13 +326,13 @@ bool Machine::orient(const Command& command) {
             if (!find_ends(in_plane, end, moved)) return false;
             mask |= moved;
         }
-        path_.straight(state_, turn(end), kind, mask);
+        path_.linear_move(state_, turn(end), kind, mask);
         return true;
     }
     // The linear axes stay.
-    const Suspended before = as_joints();
+    const SavedCoordinates before = as_joints();
     const Axes end = turn(state_.position);
-    if (end != state_.position) path_.straight(state_, end, kind, mask);
+    if (end != state_.position) path_.linear_move(state_, end, kind, mask);
     resume(before);
     return true;
 }
@@ -346,7 +349,7 @@ bool Machine::turn_to_vector(const Command& command, Axes& end, AxisMask& mask) 
         return stop_with(Message::PlaneForm, span, {"G43.5", "a direction that has a length"});
     for (double& component : axis)
         component /= length;
-    const auto turned = turned_to(axis, JointSolver::Way::Specified, Code::G43_5, span);
+    const auto turned = joints_for_direction(axis, JointSolver::Way::Specified, Code::G43_5, span);
     if (!turned) return false;
     for (std::size_t i = kA; i <= kC; ++i)
         end[i] = (*turned)[i];

@@ -73,7 +73,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
     AxisMask mask = 0;
     if (!find_ends(command, out.end, mask)) return false;
     bool turns_clockwise = clockwise;
-    const Programmed& t = state_.programmed;
+    const ProgrammedTransform& t = state_.programmed;
     if (t.scaled && t.scale[axes.first % 3] * t.scale[axes.second % 3] < 0.0) {
         turns_clockwise = !turns_clockwise;  // Mirrored.
     }
@@ -98,7 +98,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
         if (!tolerate(Message::ArcTooSmall, command.span, {name})) return false;
         return feed_straight(out.end, MoveKind::Feed, mask);
     }
-    if (outline_) return hear(out.end, &out);
+    if (outline_) return record_outline_move(out.end, &out);
     out.is_open = by_radius;
     if (is_huge(out, radius) && !rules_.is_linuxcnc()) {
         out.is_open = true;
@@ -210,7 +210,7 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     const double y0 = state_.position[axes.second];
     const double x1 = arc.end[axes.first];
     const double y1 = arc.end[axes.second];
-    const Axes start = programmed_from(state_.position);
+    const Axes start = to_programmed(state_.position);
     const bool transformed = state_.programmed.rotated || state_.programmed.scaled;
 
     const auto centre = [&](bool absolute) {
@@ -225,7 +225,7 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
             Axes c = start;
             c[axes.first] = cx;
             c[axes.second] = cy;
-            c = programmed_to(c);
+            c = from_programmed(c);
             cx = c[axes.first];
             cy = c[axes.second];
         }

@@ -39,7 +39,7 @@ void Compensation::begin(CutterSide side, double radius, CompensationStart start
     s_.followers = {};
 }
 
-void Compensation::begin_beside(CutterSide side, double radius, const Axes& at) {
+void Compensation::begin_at_offset(CutterSide side, double radius, const Axes& at) {
     begin(side, radius, CompensationStart::SquareToItself);
     s_.entering = false;
     s_.at = at;
@@ -71,12 +71,12 @@ Compensation::Vec Compensation::end_tangent(const Element& e) const {
     return {-turn * (e.to.y - e.centre.y) / r, turn * (e.to.x - e.centre.x) / r};
 }
 
-Compensation::Vec Compensation::beside(Vec point, Vec tangent) const {
+Compensation::Vec Compensation::offset_point(Vec point, Vec tangent) const {
     return {point.x - s_.side * s_.radius * tangent.y, point.y + s_.side * s_.radius * tangent.x};
 }
 
-bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
-                            SourceSpan span, std::uint32_t file) {
+bool Compensation::linear_move(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
+                               SourceSpan span, std::uint32_t file) {
     const PlaneAxes axes = axes_of(state.plane);
     const Vec from{state.position[axes.first], state.position[axes.second]};
     const Vec to{end[axes.first], end[axes.second]};
@@ -89,7 +89,7 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
                 beside_end[axes.first] = s_.at[axes.first];
                 beside_end[axes.second] = s_.at[axes.second];
             }
-            path_.straight(state, beside_end, kind, mask);
+            path_.linear_move(state, beside_end, kind, mask);
             if (s_.made) {
                 s_.at = state.position;
                 state.position = end;
@@ -193,7 +193,7 @@ bool Compensation::enter(MachineState& state, Element& element) {
 bool Compensation::place_centre(Element& element, const Axes& at) const {
     constexpr double kSquare = 1e-4;
     const PlaneAxes axes = axes_of(element.state.plane);
-    const Vec end = beside(element.to, end_tangent(element));
+    const Vec end = offset_point(element.to, end_tangent(element));
     const double chord_x = at[axes.first] - end.x;
     const double chord_y = at[axes.second] - end.y;
     const double radius = radius_of(element);
@@ -218,7 +218,7 @@ bool Compensation::join(const Element& next) {
         trig::angle_of(in.x * out.x + in.y * out.y, cross(in.x, in.y, out.x, out.y));
     const bool is_flat = std::abs(turn) < kFlat;
     if (is_flat || (s_.held_enters && s_.start == CompensationStart::SquareToNext)) {
-        if (!is_made) emit(held, beside(corner, out));
+        if (!is_made) emit(held, offset_point(corner, out));
         return true;
     }
     const bool outside = turn * s_.side < 0.0 || std::abs(turn) > 180.0 - kReversal;
@@ -232,12 +232,12 @@ bool Compensation::join(const Element& next) {
         emit(held, point);
         return true;
     }
-    if (!is_made) emit(held, beside(corner, in));
+    if (!is_made) emit(held, offset_point(corner, in));
     // The arc around the corner belongs to the next move.
     MachineState state = next.state;
     state.position = s_.at;
     const PlaneAxes axes = axes_of(state.plane);
-    const Vec to = beside(corner, out);
+    const Vec to = offset_point(corner, out);
     ProgramArc arc;
     arc.end = s_.at;
     arc.end[axes.first] = to.x;
@@ -247,7 +247,7 @@ bool Compensation::join(const Element& next) {
     arc.turns = s_.side > 0.0 ? -1 : 1;
     path_.set_origin(next.span, next.file);
     if (is_linuxcnc_ && next.kind == MoveKind::Rapid) {
-        path_.straight(state, arc.end, MoveKind::Rapid, 0);
+        path_.linear_move(state, arc.end, MoveKind::Rapid, 0);
     } else {
         path_.arc(state, arc, 0);
     }
@@ -261,7 +261,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     std::vector<Vec> candidates;
     const auto line_circle = [&](const Element& line, const Circle& circle) {
         const Vec d = start_tangent(line);
-        const Vec p = beside(line.from, d);
+        const Vec p = offset_point(line.from, d);
         const double along = (circle.centre.x - p.x) * d.x + (circle.centre.y - p.y) * d.y;
         const double distance = cross(d.x, d.y, circle.centre.x - p.x, circle.centre.y - p.y);
         const double square = circle.radius * circle.radius - distance * distance;
@@ -280,8 +280,8 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     if (!a.is_arc && !b.is_arc) {
         const Vec d = start_tangent(a);
         const Vec e = start_tangent(b);
-        const Vec p = beside(corner, d);
-        const Vec q = beside(corner, e);
+        const Vec p = offset_point(corner, d);
+        const Vec q = offset_point(corner, e);
         const double denominator = cross(d.x, d.y, e.x, e.y);
         const double step = cross(q.x - p.x, q.y - p.y, e.x, e.y) / denominator;
         candidates.push_back({p.x + step * d.x, p.y + step * d.y});
@@ -314,7 +314,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         return (to.x - from.x) * d.x + (to.y - from.y) * d.y < -1e-9;
     };
     if (!a.is_arc && backwards(a, start, point)) return false;
-    return b.is_arc || !backwards(b, point, beside(b.to, end_tangent(b)));
+    return b.is_arc || !backwards(b, point, offset_point(b.to, end_tangent(b)));
 }
 
 void Compensation::emit(Element element, Vec end) {
@@ -334,7 +334,7 @@ void Compensation::emit(Element element, Vec end) {
         arc.is_open = element.is_open;
         path_.arc(state, arc, element.mask);
     } else {
-        path_.straight(state, target, element.kind, element.mask);
+        path_.linear_move(state, target, element.kind, element.mask);
     }
     s_.at = state.position;
     for (Follower follower : s_.followers) {
@@ -347,23 +347,23 @@ void Compensation::emit(Element element, Vec end) {
         Axes to = follower.end;
         to[axes.first] = end.x;
         to[axes.second] = end.y;
-        path_.straight(follower.state, to, follower.kind, follower.mask);
+        path_.linear_move(follower.state, to, follower.kind, follower.mask);
         s_.at = follower.state.position;
     }
     s_.followers = {};
     s_.held.reset();
 }
 
-void Compensation::make_held() {
+void Compensation::finish_held() {
     if (!s_.held) return;
     const Element held = *s_.held;
-    emit(held, beside(held.to, end_tangent(held)));
+    emit(held, offset_point(held.to, end_tangent(held)));
     s_.made = held;
 }
 
 void Compensation::flush(MachineState& state) {
     if (!s_.held && !s_.made) return;
-    make_held();
+    finish_held();
     s_.made.reset();
     s_.programmed.reset();
     state.position = s_.at;

@@ -82,22 +82,22 @@ public:
     void begin(CutterSide side, double radius, CompensationStart start);
     /// Starts compensation with the tool already at the offset position `at` of the next move's
     /// start.
-    void begin_beside(CutterSide side, double radius, const Axes& at);
+    void begin_at_offset(CutterSide side, double radius, const Axes& at);
     bool is_on() const { return s_.radius > 0.0; }
     /// True if on, and the next move starts the compensation.
     bool is_entering() const { return is_on() && s_.entering; }
 
     // Same as the functions of Path, for programmed moves. Return false after reporting a move that
     // cannot be made.
-    bool straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
-                  SourceSpan span, std::uint32_t file);
+    bool linear_move(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
+                     SourceSpan span, std::uint32_t file);
     bool arc(MachineState& state, const ProgramArc& arc, AxisMask mask, SourceSpan span,
              std::uint32_t file);
     void dwell(const MachineState& state, double seconds, SourceSpan span, std::uint32_t file);
 
     /// Makes the held move to the end without regard to the next move, which continues from there
     /// (a stop on LinuxCNC).
-    void make_held();
+    void finish_held();
     /// Returns the programmed end of the last move; nullopt before the first move.
     std::optional<Axes> programmed_end() const { return s_.programmed; }
     /// Selects the behaviour of LinuxCNC: outside corners before a rapid are straight, and a first
@@ -124,7 +124,7 @@ private:
     void emit(Element element, Vec end);
     Vec start_tangent(const Element& e) const;
     Vec end_tangent(const Element& e) const;
-    Vec beside(Vec point, Vec tangent) const;
+    Vec offset_point(Vec point, Vec tangent) const;
     double offset_radius(const Element& e) const;
     double radius_of(const Element& e) const;
 

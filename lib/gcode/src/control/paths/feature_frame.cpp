@@ -7,14 +7,14 @@
 
 namespace ncsim::gcode {
 
-Triple FeatureFrame::outward(const Triple& p_F) const {
-    Triple p = turned(p_F);
+Triple FeatureFrame::to_parent(const Triple& p_F) const {
+    Triple p = direction_to_parent(p_F);
     for (std::size_t i = 0; i < 3; ++i)
         p[i] += origin[i];
     return p;
 }
 
-Triple FeatureFrame::inward(const Triple& p_W) const {
+Triple FeatureFrame::from_parent(const Triple& p_W) const {
     Triple p{};
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k)
@@ -23,7 +23,7 @@ Triple FeatureFrame::inward(const Triple& p_W) const {
     return p;
 }
 
-Triple FeatureFrame::turned(const Triple& d_F) const {
+Triple FeatureFrame::direction_to_parent(const Triple& d_F) const {
     Triple d{};
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k)
@@ -34,10 +34,10 @@ Triple FeatureFrame::turned(const Triple& d_F) const {
 
 FeatureFrame operator*(const FeatureFrame& X_WF, const FeatureFrame& X_FG) {
     FeatureFrame X_WG;
-    X_WG.origin = X_WF.outward(X_FG.origin);
+    X_WG.origin = X_WF.to_parent(X_FG.origin);
     for (std::size_t column = 0; column < 3; ++column) {
-        const Triple d =
-            X_WF.turned({X_FG.rows[0][column], X_FG.rows[1][column], X_FG.rows[2][column]});
+        const Triple d = X_WF.direction_to_parent(
+            {X_FG.rows[0][column], X_FG.rows[1][column], X_FG.rows[2][column]});
         for (std::size_t i = 0; i < 3; ++i)
             X_WG.rows[i][column] = d[i];
     }

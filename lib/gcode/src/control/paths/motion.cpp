@@ -19,8 +19,8 @@ const Position* place(const Motion& motion, bool start) {
 
 }  // namespace
 
-Position outward(const FeatureFrame& frame, const Position& p) {
-    const Triple at = frame.outward({p.x.mm(), p.y.mm(), p.z.mm()});
+Position to_parent(const FeatureFrame& frame, const Position& p) {
+    const Triple at = frame.to_parent({p.x.mm(), p.y.mm(), p.z.mm()});
     Position out = p;
     out.x = Length::from_mm(at[0]);
     out.y = Length::from_mm(at[1]);
@@ -30,16 +30,16 @@ Position outward(const FeatureFrame& frame, const Position& p) {
 
 Arc in_own_frame(const Arc& arc) {
     if (!arc.tilted) return arc;
-    const auto inward = [&](Position p) {
-        const Triple at = arc.tilted->inward({p.x.mm(), p.y.mm(), p.z.mm()});
+    const auto from_parent = [&](Position p) {
+        const Triple at = arc.tilted->from_parent({p.x.mm(), p.y.mm(), p.z.mm()});
         p.x = Length::from_mm(at[0]);
         p.y = Length::from_mm(at[1]);
         p.z = Length::from_mm(at[2]);
         return p;
     };
     Arc own = arc;
-    own.from = inward(arc.from);
-    own.to = inward(arc.to);
+    own.from = from_parent(arc.from);
+    own.to = from_parent(arc.to);
     own.tilted.reset();
     return own;
 }

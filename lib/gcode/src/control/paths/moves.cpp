@@ -73,8 +73,8 @@ bool Machine::move(const Command& command, Code motion) {
         return fail(Message::SplineKnots, command.span);
     }
     switch (motion) {
-        case Code::G0: return straight(command, MoveKind::Rapid);
-        case Code::G1: return needs_feed(command, "G1") && straight(command, MoveKind::Feed);
+        case Code::G0: return linear_move(command, MoveKind::Rapid);
+        case Code::G1: return needs_feed(command, "G1") && linear_move(command, MoveKind::Feed);
         case Code::G2: return needs_feed(command, "G2") && arc(command, true);
         case Code::G3: return needs_feed(command, "G3") && arc(command, false);
         case Code::G5:
@@ -147,12 +147,12 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     const bool transformed = state_.programmed.rotated || state_.programmed.scaled;
     const bool incremental = state_.incremental && !machine;
     Axes at = machine ? machine_position() : state_.position;
-    if (transformed && !machine) at = programmed_from(at);
+    if (transformed && !machine) at = to_programmed(at);
     end = at;
     for (std::size_t i = 0; i < kLetters.size(); ++i) {
         if (!command.has(kLetters[i])) continue;
         double value = command[kLetters[i]];
-        if (state_.face && i == kC && !machine) {  // A length, normal to X.
+        if (state_.polar_interpolation && i == kC && !machine) {  // A length, normal to X.
             mask |= 1U << kY;
             end[kY] = incremental ? at[kY] + value : value;
             continue;
@@ -166,7 +166,7 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     if (machine) {
         end = from_machine(end);
     } else if (transformed) {
-        end = programmed_to(end);
+        end = from_programmed(end);
     }
     return true;
 }
@@ -197,7 +197,7 @@ double Machine::rotary_end(std::size_t axis, double value, double at) const {
 /// "@" and "^" of RS274/NGC have the same meaning without a mode, about the origin.
 bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
     const PlaneAxes axes = axes_of(state_.plane);
-    const Axes at = programmed_from(state_.position);
+    const Axes at = to_programmed(state_.position);
     const double x = at[axes.first];
     const double y = at[axes.second];
     double radius = trig::length_of(x, y);
@@ -222,22 +222,22 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
     return true;
 }
 
-bool Machine::straight(const Command& command, MoveKind kind) {
+bool Machine::linear_move(const Command& command, MoveKind kind) {
     if (command.group(Group::OneShot) != Code::G53 || !hides_joints())
-        return straight_as_specified(command, kind);
-    const Suspended before = as_joints();
-    const bool done = straight_as_specified(command, kind);
+        return linear_move_as_specified(command, kind);
+    const SavedCoordinates before = as_joints();
+    const bool done = linear_move_as_specified(command, kind);
     resume(before);
     return done;
 }
 
-bool Machine::straight_as_specified(const Command& command, MoveKind kind) {
+bool Machine::linear_move_as_specified(const Command& command, MoveKind kind) {
     Axes end{};
     AxisMask mask = 0;
     const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));
     if (!command.axis_words && !by_vector) {
         // "G1" or "G1 F100" alone: the mode is already set.
-        if (rules_.strict) path_.straight(state_, state_.position, kind, 0);
+        if (rules_.strict) path_.linear_move(state_, state_.position, kind, 0);
         return true;
     }
     if (!find_ends(command, end, mask)) return false;
@@ -259,24 +259,24 @@ bool Machine::straight_as_specified(const Command& command, MoveKind kind) {
         if (meets && end == state_.position && command.corner == 0) return true;
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
-    if (!machine) go_with_table(end, mask);
-    if (state_.face && (mask & kRotaryAxes) != 0 && !machine)
+    if (!machine) follow_table(end, mask);
+    if (state_.polar_interpolation && (mask & kRotaryAxes) != 0 && !machine)
         return fail(Message::PlaneForbids, command.span, {"a rotary axis"});
     if (state_.cylinder && !machine && (mask & 1U << state_.cylinder->axis) != 0) {
         if (compensation_.is_on())
             return fail(Message::ForbiddenWithCompensation, command.span, {"a cylinder (G7.1)"});
-        return straight_on_cylinder(end, kind, mask);
+        return linear_move_on_cylinder(end, kind, mask);
     }
     const bool by_joints =
         state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotaryAxes) != 0;
     if (by_joints && !machine) {
         if (compensation_.is_on())
             return fail(Message::ForbiddenWithCompensation, command.span, {"a rotary axis"});
-        return straight_of_joints(end, kind, mask);
+        return linear_move_of_joints(end, kind, mask);
     }
     if (!machine) return feed_straight(end, kind, mask);
     path_.set_machine_coordinates(true);
-    path_.straight(state_, end, kind, mask);
+    path_.linear_move(state_, end, kind, mask);
     path_.set_machine_coordinates(false);
     return true;
 }
@@ -295,8 +295,8 @@ bool Machine::threading(const Command& command, Code motion) {
     const FeedMode mode = state_.feed_mode;
     state_.feed = command.get('K', 0.0);
     state_.feed_mode = FeedMode::PerRevolution;
-    path_.straight(state_, end, MoveKind::Feed, mask);
-    if (motion == Code::G33_1) path_.straight(state_, start, MoveKind::Feed, mask);
+    path_.linear_move(state_, end, MoveKind::Feed, mask);
+    if (motion == Code::G33_1) path_.linear_move(state_, start, MoveKind::Feed, mask);
     state_.feed = feed;
     state_.feed_mode = mode;
     return true;
@@ -314,7 +314,7 @@ bool Machine::probe(const Command& command, Code motion) {
         return lacks(command, name_of(motion), "a target other than its start");
     }
     warn(Message::ProbeAssumed, command.span, {name_of(motion)});
-    path_.straight(state_, end, MoveKind::Probe, mask);
+    path_.linear_move(state_, end, MoveKind::Probe, mask);
     control_.store.change().probed = state_.position;
     control_.store.change().has_probed = true;
     return true;

@@ -77,19 +77,19 @@ std::string name_of_system(int system) {
 
 }  // namespace
 
-Axes out_of_plane(const MachineState& state, const Axes& p) {
+Axes to_untilted(const MachineState& state, const Axes& p) {
     Axes out = p;
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] += state.offset_92[i];
     if (!state.plane_frame) return out;
-    const Triple outward = state.plane_frame->outward({out[kX], out[kY], out[kZ]});
+    const Triple to_parent = state.plane_frame->to_parent({out[kX], out[kY], out[kZ]});
     for (std::size_t i = 0; i < 3; ++i)
-        out[i] = outward[i] + state.outer_92[i];
+        out[i] = to_parent[i] + state.outer_92[i];
     return out;
 }
 
 Path::Place Path::place(const MachineState& state, const Axes& at_plane) {
-    const Axes p = out_of_plane(state, at_plane);
+    const Axes p = to_untilted(state, at_plane);
     const double mm = state.unit_mm();
     double x = p[kX];
     double y = p[kY];
@@ -106,10 +106,10 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane) {
     at.u = Length::from_mm(mm * (p[kU] + g5x[kU]));
     at.v = Length::from_mm(mm * (p[kV] + g5x[kV]));
     at.w = Length::from_mm(mm * (p[kW] + g5x[kW]));
-    if (state.carried) {
-        at.x += Length::from_mm(mm * (*state.carried)[kX]);
-        at.y += Length::from_mm(mm * (*state.carried)[kY]);
-        at.z += Length::from_mm(mm * (*state.carried)[kZ]);
+    if (state.dynamic_offset) {
+        at.x += Length::from_mm(mm * (*state.dynamic_offset)[kX]);
+        at.y += Length::from_mm(mm * (*state.dynamic_offset)[kY]);
+        at.z += Length::from_mm(mm * (*state.dynamic_offset)[kZ]);
     }
     out.frame = state.frame;
     return out;
@@ -226,7 +226,7 @@ void Path::shift_unspecified(std::size_t axis, double distance_mm) {
     const auto shift = [&](Place& place) {
         if (place.frame[axis] > 0) coordinate(place.machine, axis) += distance;
     };
-    for (Held& held : held_) {
+    for (HeldMotion& held : held_) {
         shift(held.from);
         shift(held.to);
         if (held.origin_frame[axis] > 0)
@@ -234,11 +234,12 @@ void Path::shift_unspecified(std::size_t axis, double distance_mm) {
     }
     if (bound_ && frame_W_[axis] > 0) result_.workpiece.origin[axis] += distance_mm;
     if (!at_) return;
-    const bool goes_on = at_machine_ && *at_machine_ == at_->machine && at_->frame[axis] > 0;
+    const bool goes_on =
+        last_end_machine_ && *last_end_machine_ == at_->machine && at_->frame[axis] > 0;
     shift(*at_);
     // A machine position has a different position in W after the shift.
-    if (goes_on) at_machine_ = at_->machine;
-    if (!goes_on) at_W_.reset();
+    if (goes_on) last_end_machine_ = at_->machine;
+    if (!goes_on) last_end_W_.reset();
 }
 
 /// Compares the origin at the first cut in the system of `frame` with the origin that the options
@@ -283,16 +284,16 @@ void Path::bind(int system, const WorkOffset& workpiece,
     for (std::size_t i = 0; i < 3; ++i) {
         if (is_zero_by_hand[i]) result_.workpiece.frame[i] = system;
     }
-    for (Held& held : held_)
-        let_out(held.motion, held.frame, held.from, held.to, held.centre, held.plane_origin);
+    for (HeldMotion& held : held_)
+        emit_motion(held.motion, held.frame, held.from, held.to, held.centre, held.plane_origin);
     held_ = {};
 }
 
-void Path::bind(const Held& held) {
+void Path::bind(const HeldMotion& held) {
     const double unit = held.frame.inches ? 25.4 : 1.0;
     WorkOffset workpiece = zero_of(held.frame.work_offset, held.zero_92, held.frame.rotation, unit);
     for (std::size_t i = 0; i < 3; ++i)
-        workpiece.origin[i] += unit * held.carried_home[i];
+        workpiece.origin[i] += unit * held.dynamic_offset_home[i];
     workpiece.frame = held.origin_frame;
     compare_offset(held.frame, held.origin_frame, held.is_zero_by_hand);
     bind(held.frame.system, workpiece, held.is_zero_by_hand);
@@ -301,13 +302,13 @@ void Path::bind(const Held& held) {
 void Path::finish() {
     if (bound_ || held_.empty()) return;
     // Without a cut, the last system of the program counts, as at the first motion in the system.
-    const auto speaks = [](const Held& h) {
+    const auto has_known_state = [](const HeldMotion& h) {
         return !h.motion.machine_coordinates && start_of(h.motion);
     };
-    const auto last = std::find_if(held_.rbegin(), held_.rend(), speaks);
-    const Held& chosen = last == held_.rend() ? held_.back() : *last;
-    bind(Held(*std::ranges::find_if(held_, [&](const Held& h) {
-        return &h == &chosen || (speaks(h) && h.origin_frame == chosen.origin_frame);
+    const auto last = std::find_if(held_.rbegin(), held_.rend(), has_known_state);
+    const HeldMotion& chosen = last == held_.rend() ? held_.back() : *last;
+    bind(HeldMotion(*std::ranges::find_if(held_, [&](const HeldMotion& h) {
+        return &h == &chosen || (has_known_state(h) && h.origin_frame == chosen.origin_frame);
     })));
 }
 
@@ -321,19 +322,20 @@ void Path::emit(const MachineState& state, const Place& from, const Place& to,
         ProgramFrame frame;
         frame.system = state.system;
         if (options_.observe_frame) frame = frame_of(state);
-        let_out(motion_, frame, from, to, centre, plane_origin);
+        emit_motion(motion_, frame, from, to, centre, plane_origin);
         return;
     }
     held_.push_back({motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92,
-                     state.is_zero_by_hand, state.carried_home, state.frame});
-    if (cuts || held_.size() >= kMostHeld) bind(Held(held_.back()));
+                     state.is_zero_by_hand, state.dynamic_offset_home, state.frame});
+    if (cuts || held_.size() >= kMostHeld) bind(HeldMotion(held_.back()));
 }
 
-void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
-                   const Position& centre, const std::optional<Place>& plane_origin) {
+void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& from,
+                       const Place& to, const Position& centre,
+                       const std::optional<Place>& plane_origin) {
     // A motion begins at the end of the motion before, in whatever coordinates the end was given.
-    const bool goes_on = at_W_ && *at_machine_ == from.machine;
-    const Position from_W = goes_on ? *at_W_ : in_workpiece(from);
+    const bool goes_on = last_end_W_ && *last_end_machine_ == from.machine;
+    const Position from_W = goes_on ? *last_end_W_ : in_workpiece(from);
     const Position to_W = in_workpiece(to);
     // At a machine height (G28, G53) the move to the height is checked; the origin of X and Y does
     // not matter.
@@ -386,8 +388,8 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
     } else if (auto* change = std::get_if<ToolChange>(&motion.what)) {
         change->at = to_W;
     }
-    at_machine_ = to.machine;
-    at_W_ = to_W;
+    last_end_machine_ = to.machine;
+    last_end_W_ = to_W;
     if (ends_elsewhere && start_of(motion)) warn_of_frame(motion, to, frame.system);
     if (options_.observe_frame) options_.observe_frame(motion, frame);
     if (sink_) sink_(motion);
@@ -407,7 +409,7 @@ void Path::warn_of_frame(const Motion& motion, const Place& to, int system) {
     log_.add(Message::OffsetUnknown, motion.span, {name, other});
 }
 
-void Path::arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask) {
+void Path::set_end(MachineState& state, const Axes& end, const Place& target, AxisMask mask) {
     at_ = target;
     state.position = end;
     record_move(state, mask, machine_coordinates_);
@@ -416,7 +418,7 @@ void Path::arrive(MachineState& state, const Axes& end, const Place& target, Axi
 
 // --- Motions ---
 
-void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask) {
+void Path::linear_move(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask) {
     const Place from = start(state);
     const Place to = target(state, from, end, mask);
     const Position& a = from.machine;
@@ -443,7 +445,7 @@ void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMas
     constexpr KnownAxes kNothing{false, false, false};
     if (is_lost) motion_.known_start = motion_.known_end = kNothing;
     emit(state, from, to);
-    arrive(state, end, to, mask);
+    set_end(state, end, to, mask);
     if (is_lost) set_knowledge(state, Knowledge{kNothing, kNothing, kNothing});
 }
 
@@ -491,7 +493,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     }
     motion_.what = out;
     emit(state, from, to, arc_centre.machine, plane_origin);
-    arrive(state, end, to, mask);
+    set_end(state, end, to, mask);
 }
 
 void Path::spline(MachineState& state, const Spline& spline, const Axes& end, AxisMask mask) {
@@ -510,7 +512,7 @@ void Path::spline(MachineState& state, const Spline& spline, const Axes& end, Ax
     if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
     motion_.what = std::move(out);
     emit(state, from, to);
-    arrive(state, end, to, mask);
+    set_end(state, end, to, mask);
 }
 
 void Path::dwell(const MachineState& state, double seconds) {

@@ -61,7 +61,7 @@ void set_knowledge(MachineState& state, const Knowledge& knows);
 void record_move(MachineState& state, AxisMask mask, bool to_machine);
 
 /// Converts program coordinates to coordinates outside of the tilted plane, including G92 and G52.
-Axes out_of_plane(const MachineState& state, const Axes& p);
+Axes to_untilted(const MachineState& state, const Axes& p);
 
 /// Makes motions and passes the motions to the sink.
 class Path {
@@ -75,7 +75,7 @@ public:
 
     // Each of the functions moves `state.position` to the end of the motion and makes the axes of
     // `mask` known.
-    void straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask);
+    void linear_move(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask);
     void arc(MachineState& state, const ProgramArc& arc, AxisMask mask);
     /// `spline` is in program coordinates of X and Y, lengths in active units.
     void spline(MachineState& state, const Spline& spline, const Axes& end, AxisMask mask);
@@ -101,7 +101,7 @@ private:
         Position machine;
         OriginFrame frame{};
     };
-    struct Held {
+    struct HeldMotion {
         Motion motion;  // Machine coordinates.
         ProgramFrame frame;
         Place from, to;
@@ -109,7 +109,7 @@ private:
         std::optional<Place> plane_origin;  // Origin of the tilted plane of an arc.
         Axes zero_92{};
         std::array<bool, 3> is_zero_by_hand{};
-        std::array<double, 3> carried_home{};
+        std::array<double, 3> dynamic_offset_home{};
         OriginFrame origin_frame{};
     };
 
@@ -129,11 +129,11 @@ private:
     void fill(const MachineState& state, MoveKind kind, AxisMask mask = 0);
     void emit(const MachineState& state, const Place& from, const Place& to,
               const Position& centre = {}, const std::optional<Place>& plane_origin = {});
-    void let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
-                 const Position& centre, const std::optional<Place>& plane_origin);
+    void emit_motion(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
+                     const Position& centre, const std::optional<Place>& plane_origin);
     void bind(int system, const WorkOffset& workpiece, const std::array<bool, 3>& is_zero_by_hand);
-    void bind(const Held& held);
-    void arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask);
+    void bind(const HeldMotion& held);
+    void set_end(MachineState& state, const Axes& end, const Place& target, AxisMask mask);
 
     const InterpreterOptions& options_;
     const MotionSink& sink_;
@@ -142,12 +142,13 @@ private:
     SourceSpan span_;
     std::uint32_t file_ = 0;
     bool machine_coordinates_ = false;
-    std::optional<Place> at_;                    // End of the last motion.
-    std::uint32_t length_changes_ = 0;           // Value of MachineState::length_changes for `at_`.
-    std::optional<Position> at_machine_, at_W_;  // End of the last motion passed to the sink.
+    std::optional<Place> at_;           // End of the last motion.
+    std::uint32_t length_changes_ = 0;  // Value of MachineState::length_changes for `at_`.
+    std::optional<Position> last_end_machine_,
+        last_end_W_;  // End of the last motion passed to the sink.
     bool bound_ = false;
     OriginFrame frame_W_{};  // Reference of W. Valid if bound_.
-    std::vector<Held> held_;
+    std::vector<HeldMotion> held_;
     std::map<int, ProgramPlace> offset_places_;  // Blocks that set origins, by system.
     std::set<int> compared_;                     // Systems with a cut.
     Motion motion_;                              // Reused because a motion is large.

@@ -179,7 +179,7 @@ bool Machine::nurbs_with_knots(const Command& command) {
     start[kX] = curve.points.front().x.mm();
     start[kY] = curve.points.front().y.mm();
     if (start != state_.position) {
-        path_.straight(state_, start, MoveKind::Feed, 1U << kX | 1U << kY);
+        path_.linear_move(state_, start, MoveKind::Feed, 1U << kX | 1U << kY);
     }
     finish_curve({curve.knots.begin(), curve.knots.end()});
     return true;

@@ -77,10 +77,10 @@ struct Chain {
 Joint along_tool(char letter);
 
 /// Rotates `p` by `value` degrees about the axis of the joint, or moves `p` by `value` mm along it.
-cda::Vec3 moved(const Joint& joint, double value, cda::Vec3 p);
+cda::Vec3 move_by_joint(const Joint& joint, double value, cda::Vec3 p);
 /// Returns the motion of the joint as a pose.
 Pose pose_of(const Joint& joint, double value);
 /// Rotates `direction` with the joint; a linear joint leaves `direction` unchanged.
-cda::Vec3 turned(const Joint& joint, double value, cda::Vec3 direction);
+cda::Vec3 rotate_by_joint(const Joint& joint, double value, cda::Vec3 direction);
 
 }  // namespace ncsim::machine

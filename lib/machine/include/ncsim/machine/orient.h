@@ -20,11 +20,11 @@ using Travels = std::map<char, Travel>;
 
 /// Preference among solutions, by the motion or the end position of the master joint.
 enum class SolutionPreference {
-    Shortest,   ///< Shortest motion.
-    WayUp,      ///< Positive motion only (LinuxCNC's tilted planes, P1).
-    WayDown,    ///< Negative motion only (P2).
-    StandUp,    ///< End position at 0 or above, whatever the motion (SEQ+).
-    StandDown,  ///< End position at 0 or below (SEQ-).
+    Shortest,        ///< Shortest motion.
+    PositiveMotion,  ///< Positive motion only (LinuxCNC's tilted planes, P1).
+    NegativeMotion,  ///< Negative motion only (P2).
+    EndPositive,     ///< End position at 0 or above, whatever the motion (SEQ+).
+    EndNegative,     ///< End position at 0 or below (SEQ-).
 };
 
 /// Returns the master joint, which carries the second rotary joint: the joint next to the bed if

@@ -40,13 +40,14 @@ struct Ball {
     double speed = 0.0, bend = 0.0;
 };
 
-/// Returns the ball after `chain` has moved the body over the stretch `going`. For a rotation by θ
-/// about an axis at distance at most d, of points with speed v and second derivative a,
+/// Returns the ball after `chain` has moved the body over the stretch `joint_motion`. For a
+/// rotation by θ about an axis at distance at most d, of points with speed v and second derivative
+/// a,
 ///
 ///     |x'| <= θ d + v        |x''| <= θ² d + 2 θ v + a
 ///
 /// joint by joint from the body on; X, Y and Z are perpendicular. Each point stays within `speed`
 /// of its start, and within bend / 8 of the chord between its ends.
-Ball moved(const Chain& chain, const JointMotion& going, Ball body);
+Ball move_ball(const Chain& chain, const JointMotion& joint_motion, Ball body);
 
 }  // namespace ncsim::machine

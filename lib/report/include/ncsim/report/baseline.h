@@ -50,13 +50,13 @@ public:
 
     const std::string& file() const { return file_; }
     /// Marks the known findings of `checked`. Lists the known findings that were not found again in
-    /// `checked.no_longer`, if their rules were checked. If there are more indistinguishable
+    /// `checked.resolved`, if their rules were checked. If there are more indistinguishable
     /// findings than known findings, all of these findings count as new.
     /// Cost: O(n²) for findings with the same text.
     void accept(Checked& checked, const verify::Selection& selection) const;
 
     /// Returns the known findings of a program in one line. Equal lines give equal verdicts.
-    std::string about(const std::string& program) const;
+    std::string key_of_program(const std::string& program) const;
     /// Returns the number of known findings for each program, by the path from the working
     /// directory.
     std::map<std::string, std::size_t> programs() const;

@@ -32,7 +32,7 @@ std::string demotion_text(const verify::Demotion& demotion);
 /// verdict: "34 of 36 rules by --ignore; accepted stock-guess"; empty if there are none.
 std::string scope_of(const Checked& checked);
 /// Returns the rules that were not checked, a line for each reason; empty if there are none.
-std::string skipped_of(const Checked& checked);
+std::string skipped_rules_text(const Checked& checked);
 
 /// Returns the text after the texts of all programs. For a single program (`many` is false): the
 /// skipped rules. For many programs: remedies and skipped rules of all programs, the programs that

@@ -22,7 +22,7 @@
 namespace ncsim::report {
 
 /// A machine around the part, as a page shows it.
-struct MachineLook {
+struct MachinePageData {
     /// Joint as in machine::Joint; `axis` is the index into Stand::values.
     struct Joint {
         std::size_t axis = 0;
@@ -38,7 +38,7 @@ struct MachineLook {
         std::int32_t tool = -1;  ///< Body of this tool (Stand::tool); -1: body of the machine.
     };
     /// Positions of the joints at the end of a line of the program, and the tool in the spindle.
-    struct Stand {
+    struct LinePose {
         std::array<double, 9> values{};
         std::int32_t tool = -1;
     };
@@ -46,11 +46,11 @@ struct MachineLook {
     std::vector<Joint> part_moved_by;
     cda::Vec3 zero;  ///< Origin of the program's frame, with all joints at 0.
     /// By line; for a line that runs several times, the last time.
-    std::map<std::uint32_t, Stand> stands;
+    std::map<std::uint32_t, LinePose> line_poses;
 };
 
 /// Additional data for a page.
-struct Look {
+struct PageData {
     std::string source;      ///< Text of the program.
     cda::TriangleMesh mesh;  ///< Surface of the part; empty if nothing was simulated.
     /// For each triangle, the line that cut the triangle; 0: the stock.
@@ -59,11 +59,11 @@ struct Look {
     std::vector<cda::Vec3> normals;
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
     /// A specified machine with bodies and motion; otherwise nullopt.
-    std::optional<MachineLook> machine;
+    std::optional<MachinePageData> machine;
 };
 
 /// A finding of a baseline that was not found again.
-struct NoLonger {
+struct ResolvedFinding {
     std::string rule, severity;
     std::uint32_t line = 0;  ///< Line in the baseline.
     std::string what;        ///< Message and quantity.
@@ -86,12 +86,12 @@ struct Checked {
     std::string not_simulated;  ///< Reason why the program was not simulated.
     std::string settings;  ///< Settings file (ncsim.toml) with options of the program; empty: none.
     std::string baseline;  ///< File of known findings; empty: none.
-    std::vector<NoLonger> no_longer;  ///< Findings of the baseline that were not found.
-    std::string stock;                ///< Stock, as text.
-    std::string time;                 ///< Machining time, as text; empty: no motion.
+    std::vector<ResolvedFinding> resolved;  ///< Findings of the baseline that were not found.
+    std::string stock;                      ///< Stock, as text.
+    std::string time;                       ///< Machining time, as text; empty: no motion.
     std::uint64_t moves = 0;
     std::optional<DesignFacts> design;  ///< Only if the part was compared with a design.
-    std::optional<Look> look;           ///< Only if a page is written.
+    std::optional<PageData> page_data;  ///< Only if a page is written.
 };
 
 /// Returns "part.nc (O0101)": the path, and the program if the file has several.

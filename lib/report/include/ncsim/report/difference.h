@@ -13,7 +13,7 @@
 namespace ncsim::report {
 
 /// Material that only one of the two parts has.
-struct OneSided {
+struct OneSidedMaterial {
     double volume_mm3 = 0.0;  ///< Exact except for the rounding of sums.
     std::vector<verify::Region> regions;
     std::vector<std::string> files;  ///< Files with the lines of the regions.
@@ -38,8 +38,8 @@ struct Difference {
     double tolerance_mm3 = 0.0;      ///< Volume up to which differences do not count.
     bool differs = false;
     double old_mm3 = 0.0, new_mm3 = 0.0;  ///< Volumes of the parts.
-    OneSided only_old;                    ///< Removed only by the new program.
-    OneSided only_new;                    ///< Removed only by the old program.
+    OneSidedMaterial only_old;            ///< Removed only by the new program.
+    OneSidedMaterial only_new;            ///< Removed only by the old program.
     /// True if both programs make the same motions with the same tools, so no simulation was
     /// needed.
     bool same_motions = false;

@@ -26,9 +26,9 @@ struct Entry {
     /// Text: rules and doubts that the user switched off or accepted, "34 of 36 rules"; empty:
     /// none.
     std::string scope;
-    std::string to_tell;  ///< Text: remedies, a line for each reason for doubt.
-    std::string skipped;  ///< Text: rules that were not checked, a line for each reason.
-    std::string json;     ///< One line of JSON; so are the next two.
+    std::string remedy_text;  ///< Text: remedies, a line for each reason for doubt.
+    std::string skipped;      ///< Text: rules that were not checked, a line for each reason.
+    std::string json;         ///< One line of JSON; so are the next two.
     std::string sarif;
     std::string junit;
     std::string github;  ///< Annotations, one a line.

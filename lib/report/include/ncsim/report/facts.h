@@ -28,7 +28,7 @@ struct ProgramFacts {
     std::uint64_t moves = 0;
     std::uint64_t feed_moves = 0;
     /// Moves with an unspecified start, which are not cut.
-    std::uint64_t moves_from_nowhere = 0;
+    std::uint64_t moves_without_start = 0;
     std::array<bool, 3> turns{};  ///< True for A, B, C if the program rotates about X, Y, Z.
     std::string rotation;         ///< Text: how the rotation moves the tool.
     /// Axes X, Y, Z that the program never specifies although it cuts; the positions count as 0.

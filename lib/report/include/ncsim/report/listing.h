@@ -30,12 +30,13 @@ gcode::Diagnostics list_motions(const gcode::SourceFile& program,
                                 const TextSink& sink);
 
 /// Numbers of codes (gcode::CodeUse) that a control lacks, and of codes that cannot be judged.
-struct Lacking {
+struct MissingCodes {
     std::size_t lacking = 0, unknown = 0;
 };
 
 /// Lists the codes in `program` that `control` lacks, may lack, or has as an option, one a line.
-Lacking list_lacking(const gcode::SourceFile& program, const gcode::ControlCodes& control,
-                     bool as_json, const TextSink& sink);
+MissingCodes list_missing_codes(const gcode::SourceFile& program,
+                                const gcode::ControlCodes& control, bool as_json,
+                                const TextSink& sink);
 
 }  // namespace ncsim::report

@@ -23,9 +23,9 @@ std::string one_line(std::string_view text);
 
 /// Returns `path` in one line, for the start of a line or a cell of a table. A name that looks like
 /// a command or a formula gets the prefix "./", which leads to the same file.
-std::string shown_path(std::string_view path);
+std::string printable_path(std::string_view path);
 
 /// Returns equivalent JSON without markers that CI services recognise anywhere in a line.
-std::string shown_json(std::string text);
+std::string printable_json(std::string text);
 
 }  // namespace ncsim::report

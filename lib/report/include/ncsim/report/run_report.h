@@ -43,8 +43,8 @@ struct SolidFacts {
     std::optional<Cut> own_cut{};
     /// Largest height of the lunes omitted at path corners of ball end mills; 0: none.
     double mitred_mm = 0.0;
-    /// Factor on the tolerance for shells of facets alone (FlatPart::coarser).
-    double coarser = 1.0;
+    /// Factor on the tolerance for shells of facets alone (FlatPart::tolerance_factor).
+    double tolerance_factor = 1.0;
 };
 
 /// Section of the part.

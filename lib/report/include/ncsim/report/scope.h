@@ -11,10 +11,10 @@
 namespace ncsim::report {
 
 /// An entry of a folder or a list that is not judged.
-struct LeftOut {
+struct ExcludedEntry {
     std::string path;
     std::string why;  ///< Kind of the entry: "binary file", "FIFO", "link out of the folder" …
-    bool operator==(const LeftOut&) const = default;
+    bool operator==(const ExcludedEntry&) const = default;
 };
 
 /// A subprogram in a file of its own, judged with the program that calls it.
@@ -25,7 +25,7 @@ struct CalledFile {
 
 /// Files that a check met but did not judge on their own.
 struct Scope {
-    std::vector<LeftOut> left_out;
+    std::vector<ExcludedEntry> excluded;
     std::vector<CalledFile> called;
     std::string job{};  ///< Job file of all programs; empty: none.
 };
@@ -40,11 +40,11 @@ std::vector<CalledFile> called_files(const Entries& all);
 
 /// Returns `all` without `called`; subprograms that are judged as programs come last.
 /// Requires: `all` outlives the result.
-Entries without_called(const Entries& all, const std::vector<CalledFile>& called);
+Entries remove_called(const Entries& all, const std::vector<CalledFile>& called);
 
-/// Returns one line for each kind of `left_out` with a count and the first names; empty if there is
+/// Returns one line for each kind of `excluded` with a count and the first names; empty if there is
 /// none.
-std::string text_of(const std::vector<LeftOut>& left_out);
+std::string text_of(const std::vector<ExcludedEntry>& excluded);
 
 /// Returns "; 1 subprogram, judged with its caller; 3 files left out"; empty if there are none.
 std::string counts_of(const Scope& scope);

@@ -35,10 +35,10 @@ struct Placed {
 /// Returns "shard-0003-of-0200.ndjson"; the names sort in the order of the numbers.
 std::string shard_file_name(std::uint32_t shard, std::uint32_t of);
 
-/// Writes `entries`, which are in the order of the list. `left_out` are the files of the list that
+/// Writes `entries`, which are in the order of the list. `excluded` are the files of the list that
 /// were left out.
-void write_shard(std::ostream& out, const ShardHead& head, const std::vector<LeftOut>& left_out,
-                 std::span<const Placed> entries);
+void write_shard(std::ostream& out, const ShardHead& head,
+                 const std::vector<ExcludedEntry>& excluded, std::span<const Placed> entries);
 
 /// True if `file` is the complete result of the shard described by `head`.
 bool is_whole(const std::string& file, const ShardHead& head);
@@ -46,8 +46,8 @@ bool is_whole(const std::string& file, const ShardHead& head);
 /// Returns the indices of the programs of shard `shard` of `of`, ascending. `sizes` are the sizes
 /// of all programs. The largest program goes first, to the shard with the smallest load so far. The
 /// loads are similar, and every process computes the same distribution without communication.
-std::vector<std::size_t> dealt(std::span<const std::uint64_t> sizes, std::uint32_t shard,
-                               std::uint32_t of);
+std::vector<std::size_t> programs_of_shard(std::span<const std::uint64_t> sizes,
+                                           std::uint32_t shard, std::uint32_t of);
 
 /// All shards of a list.
 class Shards {
@@ -61,7 +61,7 @@ public:
     std::uint64_t programs() const { return places_.size(); }
     std::size_t files() const { return files_.size(); }
     /// Returns the files that any of the shards left out.
-    const std::vector<LeftOut>& left_out() const { return left_out_; }
+    const std::vector<ExcludedEntry>& excluded() const { return excluded_; }
     /// Returns the entries in the order of the list, read one at a time.
     /// Throws: as the constructor.
     Entries entries() const;
@@ -79,7 +79,7 @@ private:
     std::vector<std::string> files_;
     std::vector<Place> places_;
     ShardHead head_;
-    std::vector<LeftOut> left_out_;
+    std::vector<ExcludedEntry> excluded_;
 };
 
 }  // namespace ncsim::report

@@ -33,7 +33,7 @@ struct TileFile {
     TileHead head;
     /// Motions, from 1, and the number of their hulls that met the stock; only those that this tile
     /// counts.
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> met;
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> stock_contacts;
     std::string evidence;  ///< For `check`: lines of verify::bytes_of(), none of which is empty.
     std::string tile;      ///< Output of WorkpieceModel::write_tile; for `check`, possibly empty.
     std::string digest;    ///< Digest of all preceding bytes, in a file that was read.
@@ -55,7 +55,7 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
 /// Throws: std::runtime_error with the name of the file if a tile is missing, if two files of a
 ///     tile differ, or if the program, the options or the input files differ from those of the
 ///     first file.
-std::vector<std::size_t> in_order(const std::vector<TileFile>& files,
-                                  const std::vector<std::string>& names);
+std::vector<std::size_t> order_tiles(const std::vector<TileFile>& files,
+                                     const std::vector<std::string>& names);
 
 }  // namespace ncsim::report

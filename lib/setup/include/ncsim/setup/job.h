@@ -10,7 +10,7 @@
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/job_options.h"
 #include "ncsim/toolpath/tool_table.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 #include <cstddef>
 #include <optional>

@@ -11,7 +11,7 @@
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/project_file.h"
 #include "ncsim/toolpath/tool_table.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 #include <cstdint>
 #include <iosfwd>

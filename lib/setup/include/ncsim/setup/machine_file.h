@@ -100,7 +100,7 @@
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/machine_body.h"
 #include "ncsim/setup/specified_kinematics.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 #include "ncsim/verify/setup.h"
 
 #include <array>
@@ -125,7 +125,7 @@ struct MachineFile {
     /// Joints that move the part and the tool, as in MachineBody::moved_by.
     machine::Chain part_moved_by, tool_moved_by;
     /// Pairs without collision check, and adjacent pairs with collision check.
-    std::vector<verify::NamePair> ignored, asked;
+    std::vector<verify::NamePair> ignored, checked_neighbours;
     gcode::TipControl tip_control;
     gcode::TableOffsets fixture_offsets, setting_errors;
     std::array<gcode::RotaryWay, 3> rotary_ways{};  ///< For A, B and C.

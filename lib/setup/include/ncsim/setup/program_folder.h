@@ -13,8 +13,8 @@ namespace ncsim::setup {
 
 /// Programs of a folder, and the files left out.
 struct ProgramFolder {
-    std::vector<std::string> programs;      ///< Sorted by name.
-    std::vector<report::LeftOut> left_out;  ///< Sorted by name.
+    std::vector<std::string> programs;            ///< Sorted by name.
+    std::vector<report::ExcludedEntry> excluded;  ///< Sorted by name.
 };
 
 /// Lists the files in `folder` and below. A regular file is a program if its name or its text

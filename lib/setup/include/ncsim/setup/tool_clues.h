@@ -6,7 +6,7 @@
 
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 
 #include <array>
 #include <cstddef>

@@ -10,7 +10,7 @@
 namespace ncsim::simulation {
 
 /// A plan with the survey of its program.
-struct Surveyed {
+struct SurveyedPlan {
     Plan plan;
     Survey survey;
 };
@@ -20,6 +20,6 @@ struct Surveyed {
 /// Requires: both programs are ready and have the same stock. Throws: std::invalid_argument if a
 /// model does not verify. Cost: up to two simulations of each program; of `a` alone if both make
 /// the same motions with the same tools.
-report::Difference compare_parts(const Surveyed& a, const Surveyed& b);
+report::Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b);
 
 }  // namespace ncsim::simulation

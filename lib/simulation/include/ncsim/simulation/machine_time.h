@@ -6,14 +6,14 @@
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/ledger.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 namespace ncsim::simulation {
 
 /// Sums the times that `check` gives for the program on this machine: feed, rapid, the rest. Times
 /// that depend on an unknown rate of the machine are empty. Rows of blocks are empty.
 /// Cost: one interpretation of the program.
-verify::Ledger times_on(const Plan& plan, const Survey& survey,
-                        const verify::MachineDescription& machine);
+verify::Ledger machining_times(const Plan& plan, const Survey& survey,
+                               const verify::MachineDescription& machine);
 
 }  // namespace ncsim::simulation

@@ -8,7 +8,7 @@
 #include "ncsim/setup/budget.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/setup/machine_file.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 
 #include <cstdint>
 #include <memory>
@@ -20,16 +20,16 @@ namespace ncsim::simulation {
 
 /// A motion that met the stock. Tiles share this search in turns: tile i of n examines the motions
 /// i, i + n, …
-struct MetStock {
+struct StockContact {
     std::uint64_t motion = 0;  ///< Number in the order of execution, from 1.
     std::uint64_t hulls = 0;   ///< Number of cells that met the stock.
-    bool operator==(const MetStock&) const = default;
+    bool operator==(const StockContact&) const = default;
 };
 
 /// Results of all tiles.
 struct CutTiles {
     std::shared_ptr<const cda::Tiles> tiles;
-    std::vector<MetStock> met;  ///< Sorted by motion.
+    std::vector<StockContact> stock_contacts;  ///< Sorted by motion.
 };
 
 /// Directions of a model of rays. Chosen: by choose_rays(), along Z alone if possible.
@@ -70,7 +70,7 @@ struct Plan {
     bool keep_boundary = false;
     bool needs_exact = false;  ///< True if a result is requested that only exact models have.
     bool keep_paths = false;   ///< Path of the tip.
-    bool keep_carved = false;  ///< Removed cells, of circumscribed tools.
+    bool keep_removed_cells = false;  ///< Removed cells, of circumscribed tools.
     /// Volumes by tool: if the program has several tools, the part is measured at each tool change.
     bool tool_volumes = true;
     /// Volume that each block removed; this takes several times the work.

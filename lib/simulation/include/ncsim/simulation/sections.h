@@ -22,7 +22,7 @@ struct SectionView {
 /// Returns the section of `solid`, compared with the boundary of `simulation`, from which the solid
 /// was made. Areas may differ by the errors of round tools and arcs. Throws: std::logic_error if
 /// the boundary itself has no section.
-SectionView cut_open(const Plan& plan, const Simulation& simulation, const Solid& solid,
-                     const brep::SectionPlane& plane);
+SectionView make_section_view(const Plan& plan, const Simulation& simulation, const Solid& solid,
+                              const brep::SectionPlane& plane);
 
 }  // namespace ncsim::simulation

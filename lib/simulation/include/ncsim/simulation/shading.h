@@ -3,7 +3,7 @@
 // Shading of the part with the surfaces that the program's motions left.
 #pragma once
 
-#include "ncsim/brep/shading.h"
+#include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/simulate.h"

@@ -10,7 +10,7 @@
 #include "ncsim/report/facts.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
-#include "ncsim/toolpath/pose.h"
+#include "ncsim/toolpath/tool_pose.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/verifier.h"
 
@@ -38,7 +38,7 @@ struct Simulation : report::PartFacts {
     std::optional<cda::Boundary> boundary;  ///< Boundary of `part`, if kept.
     std::uint64_t steps = 0;                ///< Steps from pose to pose, with or without contact.
     std::vector<cda::Cell> carved;          ///< Removed cells, if kept.
-    std::vector<MetStock> met;              ///< For a tile: motions that met the stock.
+    std::vector<StockContact> stock_contacts;  ///< For a tile: motions that met the stock.
     /// For all tiles, by motion: the origin in `provenance` of each motion, which tiles name by its
     /// number.
     std::vector<std::pair<std::uint64_t, std::uint64_t>> origins;
@@ -46,11 +46,11 @@ struct Simulation : report::PartFacts {
     std::uint64_t last_motion = 0;  ///< Number of that motion, from 1 in the order of execution.
     std::uint32_t line = 0;         ///< Line of the last motion; 0 if there is none.
     /// Position of the tool, after its first motion.
-    struct Standing {
+    struct ToolPosition {
         int tool = 0;
         toolpath::Pose X_WT;
     };
-    std::optional<Standing> standing;
+    std::optional<ToolPosition> tool_position;
     /// The last move; only on a specified machine.
     std::optional<gcode::Motion> last_move;
     std::vector<exporter::PathLine> paths;  ///< Path of the tip, if kept.
@@ -68,9 +68,9 @@ cda::Boundary surface_of(const Simulation& simulation);
 using ProgressSink = std::function<void(std::uint64_t)>;
 
 /// Observer of the part while it is cut.
-struct Onlooker {
+struct CutObserver {
     std::uint64_t every = 0;  ///< Number of moves between two calls; 0: never.
-    std::function<void(const Simulation& so_far)> look;
+    std::function<void(const Simulation& so_far)> observe;
 };
 
 /// Parameters of a verification during the simulation.
@@ -78,7 +78,7 @@ struct Verification {
     /// Receives every motion; null without verification. Requires: a model that verifies.
     verify::Verifier* verifier = nullptr;
     toolpath::RapidPath rapid;
-    toolpath::Watch watch;
+    toolpath::WatchedParts watch;
     /// Side of the error of the tools that cut the part. Certain results need a known side.
     toolpath::Side side = toolpath::Side::Fair;
     /// Body that is cut, on the lattice of the stock; null for the whole stock.
@@ -100,7 +100,7 @@ struct StepLimit {};
 /// Simulates the program. The result depends on `plan` and `verification` only. `progress` may be
 /// empty. Motions after plan.at_line are left out. Requires: survey.is_ready().
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
-                    const ProgressSink& progress, const Onlooker& onlooker = {});
+                    const ProgressSink& progress, const CutObserver& observer = {});
 
 /// Surveys the program and simulates it. Throws: std::runtime_error with the reason if the program
 /// cannot be simulated.

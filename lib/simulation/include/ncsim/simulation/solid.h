@@ -26,7 +26,7 @@ struct Solid {
     double tool_tolerance_mm = 0.0, arc_tolerance_mm = 0.0;
 };
 
-/// Does the same, with further cuts. A further cut is made while `facets_given_up` facets are too
+/// Does the same, with further cuts. A further cut is made while `facets_demoted` facets are too
 /// large for the adjacent faces: any such facet in a part of at most 20,000 facets, or more than a
 /// hundredth of the faces. Parts of more than 60,000 facets (20,000 if a shell consists of facets
 /// alone) are not cut again. The program is simulated again with other tolerances, mostly finer, up

@@ -26,7 +26,7 @@ struct FeedPieces {
 
 /// Result of the survey.
 struct Survey : report::ProgramFacts {
-    bool cuts_from_nowhere = false;  ///< True if a feed move has an unknown start.
+    bool has_cut_without_start = false;  ///< True if a feed move has an unknown start.
     /// True if there are only rapid moves and the stock is unspecified; then the program is not
     /// ready.
     bool only_rapid = false;
@@ -53,10 +53,10 @@ struct Survey : report::ProgramFacts {
 Survey survey(Plan& plan);
 
 /// Returns why the program cannot be simulated: the first error.
-std::string reason_against(const Survey& survey);
+std::string reason_not_simulated(const Survey& survey);
 
 /// Makes a survey with `only_rapid` ready, with an empty stock, to check the tools against further
 /// bodies.
-void cut_nothing(Survey& survey);
+void set_empty_stock(Survey& survey);
 
 }  // namespace ncsim::simulation

@@ -5,7 +5,7 @@
 
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 
 namespace ncsim::toolpath {
 

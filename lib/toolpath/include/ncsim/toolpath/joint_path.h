@@ -6,7 +6,7 @@
 
 #include "ncsim/gcode/motion.h"
 #include "ncsim/machine/relative.h"
-#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/walk.h"
 
 #include <memory>
@@ -29,8 +29,8 @@ public:
     std::optional<machine::Values> at(double t) const;
     /// Returns the motion of the joints from `t0` to `t1`, where the joints are at `from` and `to`.
     /// Empty under tip control if the machine has a rotary axis between its linear axes.
-    std::optional<machine::JointMotion> going(double t0, const machine::Values& from, double t1,
-                                              const machine::Values& to) const;
+    std::optional<machine::JointMotion> joint_motion(double t0, const machine::Values& from,
+                                                     double t1, const machine::Values& to) const;
     /// Returns the tip in the workpiece frame from `t0` to `t1`: path length and bend, as
     /// Ball::speed and Ball::bend, in mm. Empty if the motion is not under tip control.
     std::optional<machine::Ball> tip(double t0, double t1) const;

@@ -6,9 +6,9 @@
 #pragma once
 
 #include "ncsim/gcode/motion.h"
-#include "ncsim/toolpath/machine.h"
-#include "ncsim/toolpath/pose.h"
-#include "ncsim/toolpath/turning.h"
+#include "ncsim/toolpath/kinematics.h"
+#include "ncsim/toolpath/rotation_bounds.h"
+#include "ncsim/toolpath/tool_pose.h"
 
 #include <cstdint>
 #include <optional>
@@ -39,23 +39,23 @@ struct SampleBounds {
 struct Samples {
     std::vector<Pose> poses;  ///< X_WT from start to end, at least two for a move.
     SampleBounds bounds;      ///< Bounds over all steps.
-    Turning turning;          ///< Bounds on the rotation in each step.
+    RotationBounds turning;   ///< Bounds on the rotation in each step.
 };
 
 /// Returns poses at equal steps of the motion's parameter. The first and the last pose are exactly
 /// the ends. Empty for dwells and tool changes. Only places inside `place` (mm, W) matter. The part
 /// of the tool above samples.turning.top_mm does not reach these places. A rotating tool is assumed
-/// to be cut off above that height, as by cut_off(), and cut into slabs, as by in_slabs() with
-/// samples.turning.slab_mm.
+/// to be cut off above that height, as by cut_off(), and cut into slabs, as by split_into_slabs()
+/// with samples.turning.slab_mm.
 ///
 /// Arcs, helices and spirals become chords. With r the largest radius, δ the angle of a step (rad)
 /// and Δr the change of radius in a step, both bounds are (r δ² + 2 Δr δ)/8 for the tool's centre
 /// line, and so for every tool that does not rotate.
 ///
-/// If the tool rotates, the bounds of turning.h are added, and the number of steps is large enough
-/// to keep them. The first bound is that of the chords of rotating points: (θ²ρ + 2 θ s)/8 with θ
-/// the angle of a step, ρ the distance from the axis and s the distance moved in the rotating
-/// frame.
+/// If the tool rotates, the bounds of rotation_bounds.h are added, and the number of steps is large
+/// enough to keep them. The first bound is that of the chords of rotating points: (θ²ρ + 2 θ s)/8
+/// with θ the angle of a step, ρ the distance from the axis and s the distance moved in the
+/// rotating frame.
 ///
 /// On a specified machine (last parameter, not null) the rotary axes may lie anywhere. θ is the sum
 /// over all rotary axes. ρ is the largest distance of the tip, over the motion, from a rotary axis
@@ -80,6 +80,7 @@ Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const Sampli
 /// move or an arc, rotation about the tool's own axis excepted. `reach_mm` is the largest distance
 /// of a point of the tool from the tip; `poses` belongs to `motion`. The bound is fast to compute
 /// and larger than the true distance. Empty for splines.
-std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses, double reach_mm);
+std::optional<double> max_deviation_mm(const gcode::Motion& motion, const Poses& poses,
+                                       double reach_mm);
 
 }  // namespace ncsim::toolpath

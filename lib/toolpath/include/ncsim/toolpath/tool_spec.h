@@ -81,15 +81,15 @@ Tool make_tool(const ToolSpec& spec, double assumed_length);
 /// the stick-out are in the holder and count as kept. Radii and lengths may differ by a hundredth
 /// of the diameter, because CAM systems round.
 /// Requires: is_complete().
-std::vector<std::string> unkept_values(const ToolSpec& spec);
+std::vector<std::string> unsupported_values(const ToolSpec& spec);
 
 /// True if the shape of the cutting part is assumed: the kind of tool, the angle of a cone, or the
 /// height of a disc is unspecified.
 bool guesses_shape(const ToolSpec& spec);
 /// True if the part between flutes and holder is specified.
-bool tells_shank(const ToolSpec& spec);
+bool specifies_shank(const ToolSpec& spec);
 /// True if the holder is specified.
-bool tells_holder(const ToolSpec& spec);
+bool specifies_holder(const ToolSpec& spec);
 
 /// Returns the least flute length (mm) of a tool of this kind and diameter, from the shortest
 /// standard series: 1.25 diameters for end mills (DIN 6527, short), 3 for drills (DIN 6539), a
@@ -102,7 +102,7 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length);
 
 /// Returns the values that make_tool() would assume, in words for the assumption sheet: "length 45
 /// mm". Empty if there are none.
-std::string filled_in(const ToolSpec& spec, double assumed_length);
+std::string assumed_values_text(const ToolSpec& spec, double assumed_length);
 
 /// Returns a one-line description, including the parts above the flutes: "flat end mill D10 L22,
 /// D12 to 52, D40 to 77".

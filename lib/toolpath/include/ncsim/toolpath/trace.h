@@ -6,10 +6,10 @@
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/hull.h"
 #include "ncsim/cda/lattice.h"
-#include "ncsim/toolpath/pose.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool.h"
 #include "ncsim/toolpath/tool_polytope.h"
+#include "ncsim/toolpath/tool_pose.h"
 
 #include <array>
 #include <cstddef>
@@ -31,7 +31,7 @@ struct SweepSimplification {
     double slab_mm = std::numeric_limits<double>::infinity();
 };
 /// Returns the simplifications under which the bounds of a step hold.
-SweepSimplification liberties_of(const Turning& turning, double slack_mm = 0.0);
+SweepSimplification simplification_of(const RotationBounds& turning, double slack_mm = 0.0);
 
 /// Cutting pieces of a tool as polytopes on a lattice, ready to be moved.
 class Cutter {
@@ -102,8 +102,8 @@ private:
     Oriented& oriented(const Rotation& rows);
     // Returns the corners of the part `kept` of a piece, rotated by `rows`. Infinite heights cut
     // nothing off.
-    std::vector<cda::LatticePoint> turned(const Rotation& rows, std::size_t piece,
-                                          const Slab& kept) const;
+    std::vector<cda::LatticePoint> rotate_corners(const Rotation& rows, std::size_t piece,
+                                                  const Slab& kept) const;
 
     cda::Lattice lattice_;
     cda::Rounding rounding_ = cda::Rounding::Outward;

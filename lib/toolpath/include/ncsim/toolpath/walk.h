@@ -44,15 +44,15 @@ struct Step {
     std::span<const cda::Cell> cells;
     /// Fewer cells for the material that this step and the preceding steps removed, if this step
     /// ends a whole turn that leaves no core. Cells outside the wanted place are included.
-    std::span<const cda::Cell> covering;
+    std::span<const cda::Cell> merged_cells;
     /// Cells for the material that the preceding straight steps along a line removed, over at most
     /// the tool's diameter, if this step does not continue that line.
-    std::span<const cda::Cell> straight;
-    /// Round sweeps instead of cells, after leave_round().
+    std::span<const cda::Cell> preceding_cells;
+    /// Round sweeps instead of cells, after prefer_sweeps().
     std::span<const cda::RoundSweep> sweeps;
-    bool is_near = false;  ///< True if the stock is near enough for cells.
-    SampleBounds bounds;   ///< Bounds of the motion that the step belongs to.
-    Turning turning;       ///< Rotation of the tool in the step, for further parts.
+    bool is_near = false;    ///< True if the stock is near enough for cells.
+    SampleBounds bounds;     ///< Bounds of the motion that the step belongs to.
+    RotationBounds turning;  ///< Rotation of the tool in the step, for further parts.
 };
 
 /// Returns the straight move of `motion` if the rotary axes are 0 at both ends and tip control is
@@ -61,7 +61,7 @@ const gcode::Linear* straight_upright(const gcode::Motion& motion);
 
 /// Places and parts of the tool to follow in addition to the cutter in the stock. `bounds` and
 /// `turning` of the steps hold there, too.
-struct Watch {
+struct WatchedParts {
     cda::Box place;  ///< Further place where the tool's motion matters, such as fixtures; mm, W.
     bool shanks = false;  ///< True to follow the pieces that do not cut, too.
 };
@@ -72,26 +72,26 @@ public:
     /// Starts a traversal. Cells whose bounds do not overlap `stock` (mm, W) are left out. The last
     /// parameter is the specified machine, or null.
     Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
-         const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {},
+         const SamplingOptions& sampling, RapidPath rapid = {}, const WatchedParts& watch = {},
          std::shared_ptr<const Kinematics> specified = nullptr);
 
     /// Makes the following steps have `sweeps` instead of cells, whatever the accuracy, for tools
     /// whose cutting pieces are all cda::RoundSweep's, while the tool is upright.
-    void leave_round() { leaves_round_ = true; }
+    void prefer_sweeps() { prefers_sweeps_ = true; }
     /// Makes the following steps have no `covering` and no `straight`.
-    void tell_steps_alone() { covers_ = false; }
+    void disable_merged_cells() { merges_cells_ = false; }
     /// Adds `tool` under `number`. The first tool of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
     /// Limits the following cells to tools near `place` (mm, W); all cells if empty.
-    void want_cells(const std::optional<cda::Box>& place) {
-        wanted_ = place;
-        passes_by_ = false;
+    void restrict_cells(const std::optional<cda::Box>& place) {
+        region_ = place;
+        skips_motions_ = false;
     }
-    /// Does the same as want_cells(); in addition, a straight move or an arc that stays away from
-    /// `place` is a single step from end to end, without bounds.
-    void want_nothing_but(const std::optional<cda::Box>& place) {
-        want_cells(place);
-        passes_by_ = place.has_value();
+    /// Does the same as restrict_cells(); in addition, a straight move or an arc that stays away
+    /// from `place` is a single step from end to end, without bounds.
+    void restrict_motions(const std::optional<cda::Box>& place) {
+        restrict_cells(place);
+        skips_motions_ = place.has_value();
     }
     /// Returns the cutter of tool `number`; null if there is none.
     const Cutter* cutter(int number) const;
@@ -103,11 +103,11 @@ public:
                       const std::function<void(const Step&)>& step);
     /// Calls `step` for the tool at rest at the end of a motion with an unknown start. The path is
     /// unknown, but the end is certain. Does nothing if the end is unknown, too.
-    void arrive(const gcode::Motion& motion, cda::Origin origin,
-                const std::function<void(const Step&)>& step);
+    void at_end_position(const gcode::Motion& motion, cda::Origin origin,
+                         const std::function<void(const Step&)>& step);
 
 private:
-    struct Known {
+    struct ToolData {
         Cutter cutter;
         ToolExtent followed;
         std::vector<ToolPiece> pieces;
@@ -118,28 +118,28 @@ private:
         cda::Box bounds(const Pose& X_WA, const Pose& X_WB);
     };
     // Successive arcs about one centre.
-    struct Round {
+    struct ArcRun {
         std::vector<cda::LatticePoint> way;
         Cutter::Rotation rows = {};
         double centre_1 = 0.0, centre_2 = 0.0;  // mm, in the plane of the arc
         int tool = 0;
     };
     // Successive straight moves along one line.
-    struct Run {
+    struct LineRun {
         cda::LatticePoint start;
         std::vector<cda::LatticePoint> ends;
         std::vector<cda::StraightSteps::Step> steps;
-        Known* tool = nullptr;
+        ToolData* tool = nullptr;
         cda::Origin origin = cda::kStockOrigin;  // the last that met the stock, or kStockOrigin
     };
-    void go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
-               cda::Origin origin);
-    void end_run();
-    bool go_round(const Cutter& cutter, const gcode::Motion& motion);
-    void close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin);
-    bool passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
-                   const Pose& X_WA, const Pose& X_WB) const;
-    void trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+    void extend_line_run(ToolData& tool, const gcode::Motion& motion, const Pose& X_WA,
+                         const Pose& X_WB, cda::Origin origin);
+    void end_line_run();
+    bool extend_arc_run(const Cutter& cutter, const gcode::Motion& motion);
+    void close_arc_run(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin);
+    bool stays_outside_region(const ToolData& tool, const gcode::Motion& motion, const Poses& poses,
+                              const Pose& X_WA, const Pose& X_WB) const;
+    void trace(ToolData& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                const SweepSimplification& liberties);
 
     cda::Lattice lattice_;
@@ -149,20 +149,20 @@ private:
     double gain_mm_;   // allowed gain of the hulls of rotating tools
     double slack_mm_;  // largest part of gain_mm_ for leaving out facets
     RapidPath rapid_;
-    Watch watch_;
+    WatchedParts watch_;
     std::shared_ptr<const Kinematics> specified_;
     cda::Box place_;                  // stock and watched place
-    std::optional<cda::Box> wanted_;  // place of wanted cells
-    bool passes_by_ = false;          // whether motions away from wanted_ are single steps
+    std::optional<cda::Box> region_;  // place of wanted cells
+    bool skips_motions_ = false;      // whether motions away from region_ are single steps
     Cutter::Rotation upright_ = pose_at({}).rows;
-    std::map<int, Known> tools_;
-    bool leaves_round_ = false;
-    bool covers_ = true;
-    std::vector<cda::Cell> cells_;     // of one step; kept to reuse its memory
-    std::vector<cda::Cell> covering_;  // as cells_
-    std::vector<cda::Cell> straight_;  // as cells_
-    Round round_;
-    Run run_;
+    std::map<int, ToolData> tools_;
+    bool prefers_sweeps_ = false;
+    bool merges_cells_ = true;
+    std::vector<cda::Cell> cells_;            // of one step; kept to reuse its memory
+    std::vector<cda::Cell> merged_cells_;     // as cells_
+    std::vector<cda::Cell> preceding_cells_;  // as cells_
+    ArcRun arc_run_;
+    LineRun line_run_;
     std::vector<cda::RoundSweep> sweeps_;  // as cells_
     bool is_near_ = false;                 // whether the step is near the stock
 };

@@ -6,7 +6,7 @@
 
 #include "ncsim/cda/mesh.h"
 #include "ncsim/machine/chain.h"
-#include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_description.h"
 
 #include <cstddef>
 #include <memory>
@@ -42,7 +42,7 @@ struct LinkBodies {
     machine::Chain part_moved_by, tool_moved_by;  ///< Chains as in LinkBody::moved_by.
     std::vector<NamePair> ignored;                ///< Pairs that are not checked.
     /// Pairs of neighbours that are checked nevertheless.
-    std::vector<NamePair> asked;
+    std::vector<NamePair> checked_neighbours;
 };
 
 /// Links as bodies in convex pieces. Immutable, so threads may share an object.
@@ -62,14 +62,14 @@ public:
     /// Returns the body of link `link`; null without a mesh.
     const RigidBody* body(std::size_t link) const { return links_[link].shape.get(); }
     /// Returns the reason why the hull replaces the mesh of link `link`; empty: it does not.
-    const std::string& why_hull(std::size_t link) const { return links_[link].why_hull; }
+    const std::string& hull_reason(std::size_t link) const { return links_[link].hull_reason; }
     /// True if a link has a mesh.
     bool has_meshes() const;
 
 private:
     struct Body {
         std::unique_ptr<const RigidBody> shape;  // null: no mesh
-        std::string why_hull;
+        std::string hull_reason;
     };
     LinkBodies specified_;
     std::vector<Body> links_;

@@ -6,8 +6,8 @@
 #include "ncsim/toolpath/tool.h"
 #include "ncsim/toolpath/tool_polytope.h"
 #include "ncsim/toolpath/walk.h"
-#include "ncsim/verify/machine.h"
 #include "ncsim/verify/machine_bodies.h"
+#include "ncsim/verify/machine_description.h"
 #include "ncsim/verify/selection.h"
 #include "ncsim/verify/suppression.h"
 
@@ -61,7 +61,7 @@ struct OpenContact {
 };
 
 /// Decides an open contact with finer tools: Certain, still open (Within), or empty: no contact.
-using SecondLook = std::function<std::optional<Certainty>(const OpenContact&)>;
+using ContactRefiner = std::function<std::optional<Certainty>(const OpenContact&)>;
 
 /// Tools, machine, stock, selection of rules and assumptions of a verification.
 struct Setup {
@@ -104,7 +104,7 @@ struct Setup {
     std::set<int> cutting_tools;  ///< All tools that cut in the program.
     /// Modes that the program does not set before the first move: "units (G20, G21)".
     std::vector<std::string> inherited_modes;
-    SecondLook refine_contact;  ///< Empty: open contacts stay open.
+    ContactRefiner refine_contact;  ///< Empty: open contacts stay open.
     /// Ids of doubts that the user accepted.
     std::set<std::string, std::less<>> accepted;
     /// Values that must be specified; elements of kRequirements.

@@ -6,7 +6,7 @@
 //     if (verifier.needs_account()) part.track_removal();  // before the first cell
 //     verifier.begin(motion, &part);  // each motion has its own origin
 //     walk.take(motion, origin, [&](const toolpath::Step& step) {
-//         verifier.look(step, part);
+//         verifier.before_cut(step, part);
 //         for (const cda::Cell& cell : step.cells) part.subtract(cell);
 //         verifier.after_cut(step, part, removed);
 //     });
@@ -27,7 +27,7 @@
 namespace ncsim::verify {
 
 /// Returns the places and parts of tools that a walk must follow for a Verifier with this setup.
-toolpath::Watch watch_of(const Setup& setup);
+toolpath::WatchedParts watched_parts(const Setup& setup);
 
 /// Verifier of one program, or of one tile of its part.
 class Verifier {
@@ -45,13 +45,13 @@ public:
     void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part = nullptr);
     /// Observes `step` before the cells are removed from `part`.
     /// Requires: the model of the part supports verification.
-    void look(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void before_cut(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Observes `step` after the cells are removed. `removed` is the removed volume (mm³); only
     /// used if measures_all().
     void after_cut(const toolpath::Step& step, const cda::WorkpieceModel& part,
                    double removed = 0.0);
     /// Observes the tool at rest at the end of a motion with an unknown start.
-    void arrive(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void at_end_position(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// Ends the motion. `part` is the part after the motion.
     void end(const cda::WorkpieceModel* part = nullptr);
     /// True if after_cut() needs the removed volume of every step.

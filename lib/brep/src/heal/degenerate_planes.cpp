@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heal/degenerate_planes.h"
+
+#include "heal/non_simple_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace ncsim::brep {
+
+namespace {
+
+// Planes whose edges are all so short that readers lose them, and then hang together with nothing.
+std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
+    constexpr double kNoSize = 3e-5;  // mm
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const Face& face = part.faces[f];
+        const bool are_short = std::ranges::all_of(face.loops, [&](const Loop& loop) {
+            return std::ranges::all_of(loop, [&](const EdgeUse& use) {
+                const Edge& edge = part.edges[use.edge];
+                return std::holds_alternative<Line>(edge.curve) &&
+                       cda::norm(part.vertices[edge.to] - part.vertices[edge.from]) < kNoSize;
+            });
+        });
+        if (are_short && std::holds_alternative<Plane>(face.surface.form)) found.push_back(f);
+    }
+    return found;
+}
+
+// How far each corner is off the planes around it, at most: readers take what is nearer for it.
+std::vector<double> width_of_corners(const Part& part) {
+    std::vector<double> width(part.vertices.size(), 0.0);
+    for (const Face& face : part.faces) {
+        if (!std::holds_alternative<Plane>(face.surface.form)) continue;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part.edges[use.edge];
+                for (const std::uint32_t v : {edge.from, edge.to})
+                    width[v] =
+                        std::max(width[v], std::abs(distance(face.surface.form, part.vertices[v])));
+            }
+        }
+    }
+    return width;
+}
+
+// Is what a loop of a plane goes round narrower than so many of its corners are wide? Not where it
+// has round edges.
+bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
+                  const std::vector<double>& width_of, double corners) {
+    double perimeter = 0.0, twice_area = 0.0, widest = 0.0;
+    for (const EdgeUse& use : loop) {
+        const Edge& edge = part.edges[use.edge];
+        if (!std::holds_alternative<Line>(edge.curve)) return false;
+        const Vec3 a = part.vertices[edge.from] - plane.origin;
+        const Vec3 b = part.vertices[edge.to] - plane.origin;
+        const double turn = cda::dot(plane.normal, cda::cross(a, b));
+        twice_area += use.is_forward ? turn : -turn;
+        perimeter += cda::norm(b - a);
+        widest = std::max({widest, width_of[edge.from], width_of[edge.to]});
+    }
+    return std::abs(twice_area) < corners * widest * perimeter;
+}
+
+// Planes that readers lose in their corners, or holes of theirs.
+std::vector<std::uint32_t> planes_of_no_width(const Part& part) {
+    const std::vector<double> width_of = width_of_corners(part);
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const auto* plane = std::get_if<Plane>(&part.faces[f].surface.form);
+        if (!plane) continue;
+        // Of a hole readers may not even tell that it is one.
+        constexpr double kOutline = 1.0, kHole = 2.0;
+        const std::vector<Loop>& loops = part.faces[f].loops;
+        const auto is_narrow = [&](const Loop& loop) {
+            return has_no_width(part, *plane, loop, width_of,
+                                &loop == &loops.front() ? kOutline : kHole);
+        };
+        if (std::ranges::any_of(loops, is_narrow)) found.push_back(f);
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> degenerate_planes(const Part& part) {
+    std::vector<std::uint32_t> found = crossed_planes(part);
+    for (const auto& more : {planes_of_no_size(part), planes_of_no_width(part)})
+        found.insert(found.end(), more.begin(), more.end());
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+}  // namespace ncsim::brep

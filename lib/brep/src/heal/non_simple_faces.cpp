@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heal/non_simple_faces.h"
+
+#include "ncsim/brep/frames.h"
+#include "ncsim/brep/measure.h"
+
+#include "geometry/no_index.h"
+#include "query/part_check.h"
+#include "topology/angular_extent.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+using Numbers = std::vector<std::uint32_t>;
+
+bool is_plane(const Face& face) {
+    return std::holds_alternative<Plane>(face.surface.form);
+}
+
+std::uint32_t begin_of(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    return use.is_forward ? edge.from : edge.to;
+}
+
+std::uint32_t end_of(const Part& part, const EdgeUse& use) {
+    return begin_of(part, {use.edge, !use.is_forward});
+}
+
+class TouchingCorners {
+public:
+    TouchingCorners(Part& part, double near_mm)
+        : part_(part),
+          near_(near_mm),
+          is_flat_edge_(part.edges.size(), true),
+          is_flat_(part.vertices.size(), true) {
+        for (const Face& face : part.faces) {
+            for (const Loop& loop : face.loops) {
+                for (const EdgeUse& use : loop) {
+                    const Edge& edge = part.edges[use.edge];
+                    if (is_plane(face) && std::holds_alternative<Line>(edge.curve)) continue;
+                    is_flat_edge_[use.edge] = false;
+                    is_flat_[edge.from] = is_flat_[edge.to] = false;
+                }
+            }
+        }
+    }
+
+    bool join(const Numbers& faces) {
+        for (const std::uint32_t f : faces) {
+            if (is_plane(part_.faces[f])) find_touches(part_.faces[f]);
+        }
+        for (auto& [edge, on] : points_on_edge_)
+            merge_into(on, current(part_.edges[edge].from), current(part_.edges[edge].to));
+        std::erase_if(points_on_edge_, [](const auto& edge) { return edge.second.empty(); });
+        for (Edge& edge : part_.edges) {
+            edge.from = current(edge.from);
+            edge.to = current(edge.to);
+        }
+        if (!merged_into_.empty()) drop_points();
+        divide();
+        return !merged_into_.empty() || !points_on_edge_.empty();
+    }
+
+private:
+    // Pairs of its corners, and corners and edges; those that come near along the axis along which
+    // it is longest.
+    void find_touches(const Face& face) {
+        Numbers corners;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop)
+                corners.push_back(begin_of(part_, use));
+        }
+        Vec3 low = part_.vertices[corners.front()], high = low;
+        for (const std::uint32_t v : corners) {
+            const Vec3 p = part_.vertices[v];
+            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+        }
+        const Vec3 size = high - low;
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const auto place = [&](std::uint32_t v) { return part_.vertices[v][axis]; };
+        std::sort(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return std::pair(place(a), a) < std::pair(place(b), b);
+        });
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            for (std::size_t j = i + 1; j < corners.size(); ++j) {
+                if (place(corners[j]) > place(corners[i]) + near_) break;
+                join_corners(face, corners[i], corners[j]);
+            }
+        }
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                if (!is_flat_edge_[use.edge]) continue;
+                const Edge& edge = part_.edges[use.edge];
+                const auto [from, to] = std::minmax({place(edge.from), place(edge.to)});
+                const auto first = std::ranges::lower_bound(corners, from - near_, {}, place);
+                for (auto v = first; v != corners.end() && place(*v) <= to + near_; ++v)
+                    join_to_edge(*v, use.edge);
+            }
+        }
+    }
+
+    // Not the ends of an edge of the face: there would be nothing between them.
+    void join_corners(const Face& face, std::uint32_t a, std::uint32_t b) {
+        if (norm(part_.vertices[b] - part_.vertices[a]) > near_) return;
+        a = current(a);
+        b = current(b);
+        if (a == b) return;
+        if (!is_flat_[b]) std::swap(a, b);
+        const bool is_edge = std::ranges::any_of(face.loops, [&](const Loop& loop) {
+            return std::ranges::any_of(loop, [&](const EdgeUse& use) {
+                const std::uint32_t from = current(part_.edges[use.edge].from);
+                const std::uint32_t to = current(part_.edges[use.edge].to);
+                return (from == a && to == b) || (from == b && to == a);
+            });
+        });
+        if (is_flat_[b] && !is_edge) merged_into_[b] = a;
+    }
+
+    void join_to_edge(std::uint32_t v, std::uint32_t number) {
+        const Edge& edge = part_.edges[number];
+        const Vec3 p = part_.vertices[v], from = part_.vertices[edge.from];
+        const Vec3 to = part_.vertices[edge.to], along = to - from;
+        if (v == edge.from || v == edge.to || norm(p - from) <= near_ || norm(p - to) <= near_)
+            return;
+        const double t = dot(p - from, along) / dot(along, along);
+        if (t <= 0.0 || t >= 1.0 || norm(p - from - t * along) > near_) return;
+        auto& on = points_on_edge_[number];
+        if (std::ranges::find(on, current(v), [&](const auto& at) { return current(at.second); }) ==
+            on.end())
+            on.emplace_back(t, v);
+    }
+
+    // What a corner has become.
+    std::uint32_t current(std::uint32_t v) const {
+        for (auto at = merged_into_.find(v); at != merged_into_.end(); at = merged_into_.find(v))
+            v = at->second;
+        return v;
+    }
+
+    // What the corners on an edge with these ends have become, in order: some of them an end.
+    void merge_into(std::vector<std::pair<double, std::uint32_t>>& on, std::uint32_t from,
+                    std::uint32_t to) const {
+        std::sort(on.begin(), on.end());
+        for (auto& at : on)
+            at.second = current(at.second);
+        std::erase_if(
+            on, [&](const auto& at) { return from == to || at.second == from || at.second == to; });
+        const auto is_same = [](const auto& a, const auto& b) { return a.second == b.second; };
+        on.erase(std::unique(on.begin(), on.end(), is_same), on.end());
+    }
+
+    // Edges of other faces both ends of which have become one.
+    void drop_points() {
+        for (Face& face : part_.faces) {
+            for (Loop& loop : face.loops) {
+                std::erase_if(loop, [&](const EdgeUse& use) {
+                    const Edge& edge = part_.edges[use.edge];
+                    return edge.from == edge.to && std::holds_alternative<Line>(edge.curve);
+                });
+            }
+            if (face.loops.size() > 1)
+                std::erase_if(face.loops, [](const Loop& loop) { return loop.empty(); });
+        }
+    }
+
+    void divide() {
+        std::map<std::uint32_t, Numbers> pieces;
+        for (const auto& [number, on] : points_on_edge_) {
+            const std::uint32_t end = part_.edges[number].to;
+            Numbers& made = pieces[number] = {number};
+            for (const auto& [t, v] : on) {
+                part_.edges[made.back()].to = v;
+                made.push_back(static_cast<std::uint32_t>(part_.edges.size()));
+                part_.edges.push_back({v, end, Line{}});
+            }
+        }
+        if (pieces.empty()) return;
+        for (Face& face : part_.faces) {
+            for (Loop& loop : face.loops) {
+                Loop divided;
+                for (const EdgeUse& use : loop) {
+                    const auto found = pieces.find(use.edge);
+                    if (found == pieces.end()) {
+                        divided.push_back(use);
+                        continue;
+                    }
+                    Numbers order = found->second;
+                    if (!use.is_forward) std::ranges::reverse(order);
+                    for (const std::uint32_t e : order)
+                        divided.push_back({e, use.is_forward});
+                }
+                loop = std::move(divided);
+            }
+        }
+    }
+
+    Part& part_;
+    double near_;
+    std::vector<bool> is_flat_edge_, is_flat_;  // planes beside it, or around it, and lines alone
+    std::map<std::uint32_t, std::uint32_t> merged_into_;
+    // Of edges: which corners lie on them, and how far from their start, of 1.
+    std::map<std::uint32_t, std::vector<std::pair<double, std::uint32_t>>> points_on_edge_;
+};
+
+bool revisits_vertex(const Part& part, const Loop& loop) {
+    Numbers corners;
+    for (const EdgeUse& use : loop)
+        corners.push_back(begin_of(part, use));
+    std::sort(corners.begin(), corners.end());
+    return std::ranges::adjacent_find(corners) != corners.end();
+}
+
+// Loops that come to each corner once.
+std::vector<Loop> simple_loops(const Part& part, const Loop& loop) {
+    std::vector<Loop> simple;
+    Loop path;
+    for (const EdgeUse& use : loop) {
+        path.push_back(use);
+        const auto back = std::ranges::find(
+            path, end_of(part, use), [&](const EdgeUse& before) { return begin_of(part, before); });
+        if (back == path.end()) continue;
+        simple.emplace_back(back, path.end());
+        path.erase(back, path.end());
+    }
+    return simple;
+}
+
+Face copy_with_loops(const Face& face, std::vector<Loop> loops) {
+    return {face.surface, face.frame, std::move(loops), face.origin, face.origins, face.is_facet};
+}
+
+// The same surface with one loop, to measure: as copy_with_loops(), without the motions that cut
+// it.
+Face copy_with_loop(const Face& face, const Loop& loop) {
+    return {face.surface, face.frame, {loop}, face.origin, {}, face.is_facet};
+}
+
+// For each face that there is to be, its loops; the outline first. Nothing where that cannot be
+// told.
+std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
+    std::vector<std::vector<Loop>> parts;
+    std::vector<Loop> holes;
+    for (const Loop& loop : face.loops) {
+        for (Loop& simple : simple_loops(part, loop)) {
+            const double area = measure(part, copy_with_loop(face, simple), face.frame.origin).area;
+            if (area > 0.0) {
+                parts.push_back({std::move(simple)});
+            } else {
+                holes.push_back(std::move(simple));
+            }
+        }
+    }
+    for (Loop& hole : holes) {
+        const auto enclosing = std::ranges::find_if(parts, [&](const auto& loops) {
+            return parts.size() == 1 || encloses(part, face, loops.front(), hole);
+        });
+        if (enclosing == parts.end()) return {};
+        enclosing->push_back(std::move(hole));
+    }
+    return parts;
+}
+
+// Are its loops another outline than the first, or does that not go round?
+bool has_other_outline(const Part& part, const Face& face) {
+    if (face.loops.size() < 2) return false;
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+        const double area =
+            measure(part, copy_with_loop(face, face.loops[l]), face.frame.origin).area;
+        if ((area > 0.0) != (l == 0)) return true;
+    }
+    return false;
+}
+
+bool is_straight(const Part& part, const Face& face) {
+    return std::ranges::all_of(face.loops, [&](const Loop& loop) {
+        return std::ranges::all_of(loop, [&](const EdgeUse& use) {
+            return std::holds_alternative<Line>(part.edges[use.edge].curve);
+        });
+    });
+}
+
+// Does its only loop turn to the left in each corner, once round, as far as readers can tell?
+bool is_convex(const Part& part, const Face& face) {
+    constexpr double kLeastTurn = 1e-6;  // rad
+    if (face.loops.size() != 1 || face.loops.front().size() < 3) return false;
+    const Vec3 normal = std::get<Plane>(face.surface.form).normal;
+    const Loop& loop = face.loops.front();
+    const auto point = [&](std::size_t i) {
+        return part.vertices[begin_of(part, loop[i % loop.size()])];
+    };
+    const Vec3 first = point(1) - point(0);
+    int changes = 0;  // of the side on which edges are of the first one
+    double before = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3 in = point(i + 1) - point(i), out = point(i + 2) - point(i + 1);
+        if (dot(normal, cross(in, out)) <= kLeastTurn * norm(in) * norm(out)) return false;
+        const double side = dot(normal, cross(first, out));
+        if (before * side < 0.0) ++changes;
+        if (side != 0.0) before = side;
+    }
+    return changes <= 1;
+}
+
+}  // namespace
+
+bool encloses(const Part& part, const Face& face, const Loop& outline, const Loop& loop) {
+    const Edge& edge = part.edges[loop.front().edge];
+    const Vec3 p = Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.5);
+    const Vec3 x = face.frame.x, y = cross(face.frame.axis, x);
+    const auto points = points_along(part, copy_with_loop(face, outline)).front();
+    bool is_inside = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 a = points[i] - p, b = points[(i + 1) % points.size()] - p;
+        const double ax = dot(a, x), ay = dot(a, y), bx = dot(b, x), by = dot(b, y);
+        if ((ay > 0.0) != (by > 0.0) && (ax * by - bx * ay > 0.0) == (by > ay))
+            is_inside = !is_inside;
+    }
+    return is_inside;
+}
+
+std::uint32_t append_face(Part& part, std::uint32_t f, Face face) {
+    const auto number = static_cast<std::uint32_t>(part.faces.size());
+    part.faces.push_back(std::move(face));
+    const auto add_to = [&](Shell& shell) {
+        if (std::ranges::find(shell, f) != shell.end()) shell.push_back(number);
+    };
+    for (Solid& solid : part.solids) {
+        add_to(solid.outside);
+        for (Shell& shell : solid.voids)
+            add_to(shell);
+    }
+    return number;
+}
+
+std::vector<std::uint32_t> crossed_planes(const Part& part) {
+    constexpr double kAnywhere = 1.0, kOfReaders = 2e-7;  // mm; where its edges are is known
+    Numbers crossed;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const Face& face = part.faces[f];
+        double miss = 0.0;
+        if (is_plane(face) && is_straight(part, face) && !is_convex(part, face) &&
+            !faults_of(part, f, kAnywhere, miss, kOfReaders).empty())
+            crossed.push_back(f);
+    }
+    return crossed;
+}
+
+bool join_touching_corners(Part& part, const std::vector<std::uint32_t>& faces, double near_mm) {
+    return TouchingCorners(part, near_mm).join(faces);
+}
+
+std::vector<std::uint32_t> split_non_simple_faces(Part& part) {
+    std::vector<std::uint32_t> whole;
+    const auto count = static_cast<std::uint32_t>(part.faces.size());
+    const auto is_pinched = [&](const Loop& loop) { return revisits_vertex(part, loop); };
+    for (std::uint32_t f = 0; f < count; ++f) {
+        if (!is_plane(part.faces[f]) || (std::ranges::none_of(part.faces[f].loops, is_pinched) &&
+                                         !has_other_outline(part, part.faces[f])))
+            continue;
+        std::vector<std::vector<Loop>> parts = parts_of(part, part.faces[f]);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            Face made = copy_with_loops(part.faces[f], std::move(parts[i]));
+            made.frame = frame_for(part, made);
+            if (i == 0) {
+                part.faces[f] = std::move(made);
+                continue;
+            }
+            append_face(part, f, std::move(made));
+            whole.push_back(f);
+        }
+    }
+    return whole;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heal/nonplanar_faces.h"
+
+#include "ncsim/brep/frames.h"
+#include "ncsim/cda/disjoint_sets.h"
+#include "ncsim/cda/mesh.h"
+
+#include "geometry/no_index.h"
+#include "heal/non_simple_faces.h"
+#include "sources/label.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <variant>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+
+std::uint32_t corner_before(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    return use.is_forward ? edge.from : edge.to;
+}
+
+std::vector<std::vector<std::uint32_t>> corners_around(const Part& part, const Face& face) {
+    std::vector<std::vector<std::uint32_t>> loops;
+    for (const Loop& loop : face.loops) {
+        auto& corners = loops.emplace_back();
+        for (const EdgeUse& use : loop)
+            corners.push_back(corner_before(part, use));
+    }
+    return loops;
+}
+
+bool has_straight_edges(const Part& part, const Face& face) {
+    return std::ranges::all_of(face.loops, [&](const Loop& loop) {
+        return std::ranges::all_of(loop, [&](const EdgeUse& use) {
+            return std::holds_alternative<Line>(part.edges[use.edge].curve);
+        });
+    });
+}
+
+// How far corners of it are off the plane, at most.
+double distance_from_plane(const Part& part, const Face& face, const Plane& plane) {
+    double deviation = 0.0;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const Vec3 p = part.vertices[corner_before(part, use)];
+            deviation = std::max(deviation, std::abs(dot(plane.normal, p - plane.origin)));
+        }
+    }
+    return deviation;
+}
+
+// Through the middle of its corners, across the area within its loops. Nothing of what has none.
+std::optional<Plane> mean_plane(const Part& part, const Face& face) {
+    Vec3 sum, area;
+    double count = 0.0;
+    const Vec3 apex = part.vertices[corner_before(part, face.loops.front().front())];
+    for (const auto& corners : corners_around(part, face)) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec3 a = part.vertices[corners[i]] - apex;
+            area = area + cross(a, part.vertices[corners[(i + 1) % corners.size()]] - apex);
+            sum = sum + a;
+            count += 1.0;
+        }
+    }
+    if (dot(area, area) == 0.0) return std::nullopt;
+    return Plane{apex + (1.0 / count) * sum, cda::normalized(area)};
+}
+
+void set_plane(const Part& part, Face& face, const Plane& plane) {
+    face.surface.form = plane;
+    face.frame = frame_for(part, face);
+}
+
+// A facet off its plane as triangles, and these as pieces that are flat.
+class NonplanarFacet {
+public:
+    NonplanarFacet(Part& part, const Face& face)
+        : part_(part), face_(face), plane_(std::get<Plane>(face.surface.form)) {}
+
+    // The faces that it becomes. None: it cannot be told which.
+    std::vector<Face> pieces() {
+        if (!gather_edges() || !cut() || !pair_triangles()) return {};
+        merge_coplanar();
+        std::vector<Face> made;
+        std::vector<std::uint32_t> number(triangles_.size(), kNone);  // of the face of a piece
+        for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+            std::uint32_t& piece = number[pieces_->find(t)];
+            if (piece == kNone) {
+                piece = static_cast<std::uint32_t>(made.size());
+                made.push_back(face_);
+                made.back().loops.clear();
+            }
+            add_loops(t, made[piece].loops);
+        }
+        for (Face& face : made)
+            finish(face);
+        return made;
+    }
+
+private:
+    using Triangle = std::array<std::uint32_t, 3>;         // corners
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;  // of a side, there
+
+    // False: it has one of them on both sides, or two between the same corners.
+    bool gather_edges() {
+        for (const Loop& loop : face_.loops) {
+            for (const EdgeUse& use : loop) {
+                const std::uint32_t from = corner_before(part_, use);
+                const std::uint32_t to = corner_before(part_, {use.edge, !use.is_forward});
+                if (uses_.contains({to, from}) || !uses_.insert({{from, to}, use}).second)
+                    return false;
+            }
+        }
+        return true;
+    }
+
+    // False: its loops cross, seen from above.
+    bool cut() {
+        cda::Boundary only;
+        std::vector<std::uint32_t> corners;  // of each vertex
+        std::map<std::uint32_t, std::uint32_t> vertices;
+        cda::BoundaryFace flat;
+        flat.normal = plane_.normal;
+        flat.offset = dot(plane_.normal, plane_.origin);
+        for (const auto& loop : corners_around(part_, face_)) {
+            auto& made = flat.loops.emplace_back();
+            for (const std::uint32_t v : loop) {
+                const auto [at, is_new] =
+                    vertices.insert({v, static_cast<std::uint32_t>(corners.size())});
+                if (is_new) corners.push_back(v);
+                made.push_back(at->second);
+            }
+        }
+        for (const std::uint32_t v : corners)
+            only.vertices.push_back(part_.vertices[v]);
+        only.faces.push_back(std::move(flat));
+        only.shells = 1;
+        const cda::TriangleMesh mesh = cda::triangulate(only);
+        if (mesh.vertices.size() != corners.size()) return false;
+        for (const auto& [a, b, c] : mesh.triangles)
+            triangles_.push_back({corners[a], corners[b], corners[c]});
+        return std::ranges::all_of(triangles_, [&](const Triangle& t) {
+            const Vec3 a = part_.vertices[t[0]];
+            return dot(plane_.normal, cross(part_.vertices[t[1]] - a, part_.vertices[t[2]] - a)) >
+                   0.0;
+        });
+    }
+
+    // False: not each of their sides is an edge of the facet, or one of two triangles.
+    bool pair_triangles() {
+        for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (!at_side_.insert({side_of(t, i), t}).second) return false;
+            }
+        }
+        return std::ranges::all_of(at_side_, [&](const auto& side) {
+            const auto& [ends, t] = side;
+            return uses_.contains(ends) != at_side_.contains({ends.second, ends.first});
+        });
+    }
+
+    Ends side_of(std::uint32_t t, std::size_t i) const {
+        return {triangles_[t][i], triangles_[t][(i + 1) % 3]};
+    }
+
+    void merge_coplanar() {
+        pieces_.emplace(triangles_.size());
+        const auto is_flat = [&](std::uint32_t t) {
+            return std::ranges::all_of(triangles_[t], [&](std::uint32_t v) {
+                return std::abs(dot(plane_.normal, part_.vertices[v] - plane_.origin)) <= kFlat;
+            });
+        };
+        for (const auto& [ends, t] : at_side_) {
+            const auto other = at_side_.find({ends.second, ends.first});
+            if (other != at_side_.end() && is_flat(t) && is_flat(other->second))
+                pieces_->unite(t, other->second);
+        }
+    }
+
+    // The triangle beyond a side, if it is of the same piece.
+    std::uint32_t triangle_across(const Ends& ends) {
+        const auto other = at_side_.find({ends.second, ends.first});
+        if (other == at_side_.end()) return kNone;
+        const bool is_same =
+            pieces_->find(other->second) == pieces_->find(at_side_.find(ends)->second);
+        return is_same ? other->second : kNone;
+    }
+
+    // Of its piece: those that have a side of this triangle, and that no other one has brought.
+    void add_loops(std::uint32_t t, std::vector<Loop>& loops) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Ends first = side_of(t, i);
+            if (is_used_.contains(first) || triangle_across(first) != kNone) continue;
+            Loop& loop = loops.emplace_back();
+            for (Ends ends = first; is_used_.insert(ends).second; ends = next(ends))
+                loop.push_back(use_of(ends));
+        }
+    }
+
+    // The side of the piece after this one: around the corner between them there is nothing of it.
+    Ends next(Ends ends) {
+        for (;;) {
+            const Triangle& t = triangles_[at_side_.find(ends)->second];
+            const auto* const tip = std::ranges::find_if(
+                t, [&](std::uint32_t v) { return v != ends.first && v != ends.second; });
+            const Ends after{ends.second, *tip};
+            if (triangle_across(after) == kNone) return after;
+            ends = {*tip, ends.second};
+        }
+    }
+
+    // Between two pieces an edge is made.
+    EdgeUse use_of(const Ends& ends) {
+        const auto found = uses_.find(ends);
+        if (found != uses_.end()) return found->second;
+        const auto number = static_cast<std::uint32_t>(part_.edges.size());
+        part_.edges.push_back({ends.first, ends.second, Line{}});
+        uses_[{ends.second, ends.first}] = {number, false};
+        return uses_[ends] = {number, true};
+    }
+
+    // The outline comes first, and what is off the plane gets its own.
+    void finish(Face& face) const {
+        const auto goes_left = [&](const Loop& loop) {
+            Face only = face;
+            only.loops = {loop};
+            const auto plane = mean_plane(part_, only);
+            return plane && dot(plane->normal, plane_.normal) > 0.0;
+        };
+        std::stable_partition(face.loops.begin(), face.loops.end(), goes_left);
+        const auto own = mean_plane(part_, face);
+        set_plane(part_, face,
+                  own && distance_from_plane(part_, face, plane_) > kFlat ? *own : plane_);
+    }
+
+    Part& part_;
+    const Face face_;
+    const Plane plane_;
+    std::map<Ends, EdgeUse> uses_;
+    std::vector<Triangle> triangles_;
+    std::map<Ends, std::uint32_t> at_side_;  // the triangle that has it, there
+    std::optional<cda::DisjointSets> pieces_;
+    std::set<Ends> is_used_;
+};
+
+}  // namespace
+
+bool is_nonplanar(const Part& part, const Face& face) {
+    const auto* plane = std::get_if<Plane>(&face.surface.form);
+    return plane && has_straight_edges(part, face) &&
+           distance_from_plane(part, face, *plane) > kFlat;
+}
+
+std::vector<std::uint32_t> triangulate_nonplanar_faces(Part& part) {
+    std::vector<std::uint32_t> whole;
+    const auto count = static_cast<std::uint32_t>(part.faces.size());
+    for (std::uint32_t f = 0; f < count; ++f) {
+        if (!part.faces[f].is_facet || !is_nonplanar(part, part.faces[f])) continue;
+        const Vec3 normal = std::get<Plane>(part.faces[f].surface.form).normal;
+        const auto mean = mean_plane(part, part.faces[f]);
+        if (mean && distance_from_plane(part, part.faces[f], *mean) <= kFlat &&
+            dot(mean->normal, normal) > 0.0) {
+            set_plane(part, part.faces[f], *mean);
+            continue;
+        }
+        std::vector<Face> pieces = NonplanarFacet(part, part.faces[f]).pieces();
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (i == 0) {
+                part.faces[f] = std::move(pieces[i]);
+                continue;
+            }
+            append_face(part, f, std::move(pieces[i]));
+            whole.push_back(f);
+        }
+    }
+    return whole;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heal/reader_compatibility.h"
+
+#include "topology/edge_splitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <variant>
+#include <vector>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+
+// Do its ends lie too far apart, seen along the line that the circle moves along? Where it goes
+// half around, nobody knows which way; and along shallow ramps, which are as flat across, readers
+// find places of edges roughly: those of long ones so much so that they draw nothing.
+bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge) {
+    const auto out = [&](std::uint32_t v) {
+        const Vec3 p = part.vertices[v];
+        return cda::normalized(p - place_along(extrusion, p) * extrusion.along - extrusion.centre);
+    };
+    constexpr double kOpposite = -0.9, kShallow = 0.1, kBeside = 0.8;
+    const double widest =
+        std::abs(dot(extrusion.along, extrusion.axis)) < kShallow ? kBeside : kOpposite;
+    return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < widest;
+}
+
+// Does the way turn by more than a third of a right angle between its ends, or come back? Readers
+// integrate along long edges on splines roughly.
+bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
+    const auto ahead = [&](Vec3 p) {
+        const ClosestPoint closest = project_onto(envelope, p);
+        return cda::normalized(
+            velocity_at(closest.tool, height_of_centre(*envelope.sweep, closest)));
+    };
+    constexpr double kWidest = 0.5;
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Vec3 first = ahead(part.vertices[edge.from]);
+    return dot(first, ahead(track.at(0.5))) < kWidest ||
+           dot(first, ahead(part.vertices[edge.to])) < kWidest;
+}
+
+// Does it pass near a pole of the sphere, more than a quarter around it? Readers lay such edges
+// down some hundredths of a millimetre from where they are, but for circles about the axis itself.
+bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, const Edge& edge) {
+    constexpr double kNear = 0.5, kQuarter = 0.0, kOne = 1e-9;
+    const auto* circle = std::get_if<Circle>(&edge.curve);
+    if (circle && cda::norm(cda::cross(circle->axis, frame.axis)) < kOne) return false;
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    double nearest = 1.0, least = 1.0;  // of the radius; cosine of the angle around
+    std::optional<Vec3> first;
+    for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0}) {
+        const Vec3 v = track.at(t) - sphere.centre;
+        const Vec3 out = v - dot(v, frame.axis) * frame.axis;
+        const double radius = cda::norm(out);
+        nearest = std::min(nearest, radius / sphere.radius);
+        // In a pole there is no direction.
+        if (radius < 1e-6 * sphere.radius) continue;
+        const Vec3 direction = (1.0 / radius) * out;
+        if (!first) first = direction;
+        least = std::min(least, dot(*first, direction));
+    }
+    return nearest < kNear && least < kQuarter;
+}
+
+// True: it has halved one.
+bool split_once(Part& part) {
+    bool any = false;
+    EdgeSplitter halving(part);
+    for (const Face& face : part.faces) {
+        const auto* extrusion = std::get_if<Extrusion>(&face.surface.form);
+        const auto* sphere = std::get_if<Sphere>(&face.surface.form);
+        const auto* envelope = std::get_if<Envelope>(&face.surface.form);
+        if (!extrusion && !sphere && !envelope) continue;
+        const auto is_wide = [&](const Edge& edge) {
+            if (envelope) return is_too_wide(*envelope, part, edge);
+            if (extrusion)
+                return !std::holds_alternative<Circle>(edge.curve) &&
+                       is_too_wide(*extrusion, part, edge);
+            return passes_by_pole(*sphere, face.frame, part, edge);
+        };
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop)
+                any = (is_wide(part.edges[use.edge]) && halving.halve(use.edge)) || any;
+        }
+    }
+    halving.finish();
+    return any;
+}
+
+// Where an edge leaves a corner of a plane, or arrives there.
+struct End {
+    std::size_t loop = 0;
+    std::uint32_t edge = 0;
+    Vec3 tangent;  // unit, either way
+};
+
+// Those of the lines and ellipses around a plane, of each corner.
+std::map<std::uint32_t, std::vector<End>> ends_at_corners(const Part& part, const Face& face) {
+    std::map<std::uint32_t, std::vector<End>> ends;
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+        for (const EdgeUse& use : face.loops[l]) {
+            const Edge& edge = part.edges[use.edge];
+            if (!std::holds_alternative<Line>(edge.curve) &&
+                !std::holds_alternative<Ellipse>(edge.curve))
+                continue;
+            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            const auto add = [&](std::uint32_t v, double t) {
+                ends[v].push_back({l, use.edge, cda::normalized(track.derivative(t))});
+            };
+            add(edge.from, 0.0);
+            add(edge.to, 1.0);
+        }
+    }
+    return ends;
+}
+
+// The ellipses of a plane that touch a straight edge of another loop of it in a corner of both.
+void find_touching_ellipses(const Part& part, const Face& face, std::set<std::uint32_t>& found) {
+    constexpr double kAlong = 1e-6;  // sine
+    for (const auto& [v, ends] : ends_at_corners(part, face)) {
+        for (const End& round : ends) {
+            if (!std::holds_alternative<Ellipse>(part.edges[round.edge].curve)) continue;
+            const bool touches = std::ranges::any_of(ends, [&](const End& straight) {
+                return straight.loop != round.loop &&
+                       std::holds_alternative<Line>(part.edges[straight.edge].curve) &&
+                       cda::norm(cda::cross(straight.tangent, round.tangent)) < kAlong;
+            });
+            if (touches) found.insert(round.edge);
+        }
+    }
+}
+
+}  // namespace
+
+void shrink_touching_ellipses(Part& part) {
+    constexpr double kGap = 1e-9;  // mm
+    std::set<std::uint32_t> touching;
+    for (const Face& face : part.faces) {
+        if (std::holds_alternative<Plane>(face.surface.form) && face.loops.size() > 1)
+            find_touching_ellipses(part, face, touching);
+    }
+    for (const std::uint32_t e : touching) {
+        auto& ellipse = std::get<Ellipse>(part.edges[e].curve);
+        ellipse.major_radius -= kGap;
+        ellipse.minor_radius -= kGap;
+    }
+}
+
+void split_wide_edges(Part& part) {
+    while (split_once(part)) {
+    }
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What readers of files need beyond what is true.
+#pragma once
+
+#include "ncsim/brep/part.h"
+
+namespace ncsim::brep {
+
+/// Ellipses beside extrusions that go about half around them become two edges. Readers know such a
+/// surface by its parameters alone, and of an edge whose ends are half a turn apart not which way
+/// it goes. Beside shallow ones they become so many that none goes more than 37 degrees around, and
+/// so do splines, as far as they have knots. Edges of spheres that pass near a pole go no more
+/// than a quarter around it.
+void split_wide_edges(Part& part);
+
+/// Ellipses of planes that end in a corner of another loop on a straight edge along them become
+/// smaller by 1e-9 mm. Where a line and an ellipse touch, readers find two places in which they
+/// cross, by rounding, and divide both edges there; of pieces that lie on each other they draw
+/// nothing.
+void shrink_touching_ellipses(Part& part);
+
+}  // namespace ncsim::brep

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heal/tangent_holes.h"
+
+#include "ncsim/brep/frames.h"
+#include "ncsim/trig/angles.h"
+
+#include "heal/non_simple_faces.h"
+#include "topology/angular_extent.h"
+#include "topology/edge_splitter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+using trig::kRadiansPerDegree;
+
+std::uint32_t start_of(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    return use.is_forward ? edge.from : edge.to;
+}
+
+EdgeUse reversed_use(const EdgeUse& use) {
+    return {use.edge, !use.is_forward};
+}
+
+// An edge as it leaves a corner: its direction, unit, and by how much that turns in 15 degrees.
+struct StartTangent {
+    Vec3 direction, bend;
+    bool is_round = false;
+};
+
+StartTangent start_tangent(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const auto direction = [&](double t) {
+        const Vec3 along = normalized(track.derivative(t));
+        return use.is_forward ? along : -along;
+    };
+    const std::size_t pieces = track.pieces();
+    const double start = use.is_forward ? 0.0 : 1.0;
+    const double after = use.is_forward ? track.start_of(1) : track.start_of(pieces - 1);
+    return {direction(start), direction(after) - direction(start),
+            !std::holds_alternative<Line>(edge.curve)};
+}
+
+// The edges of a loop that meet where use `i` begins, as they leave that corner.
+std::array<EdgeUse, 2> edges_at(const Loop& loop, std::size_t i) {
+    return {loop[i], reversed_use(loop[(i + loop.size() - 1) % loop.size()])};
+}
+
+// Do both loops, where these uses of them begin, have arcs along each other that bend to one side?
+bool narrows_to_cusp(const Part& part, const Loop& one, std::size_t i, const Loop& other,
+                     std::size_t j) {
+    constexpr double kAlong = 1e-3;  // rad
+    for (const EdgeUse& first : edges_at(one, i)) {
+        const StartTangent a = start_tangent(part, first);
+        for (const EdgeUse& second : edges_at(other, j)) {
+            const StartTangent b = start_tangent(part, second);
+            if (a.is_round && b.is_round && norm(a.direction - b.direction) < kAlong &&
+                dot(a.bend, b.bend) > 0.0)
+                return true;
+        }
+    }
+    return false;
+}
+
+struct TangentHole {
+    std::size_t hole;                 // of the loops of the face
+    std::size_t of_outline, of_hole;  // the uses that begin there
+};
+
+// Where the outline and a hole have one corner in common, and run out there.
+std::optional<TangentHole> find_tangent_hole(const Part& part, const Face& face) {
+    std::vector<std::pair<std::uint32_t, std::size_t>> corners;
+    for (std::size_t i = 0; i < face.loops.front().size(); ++i)
+        corners.emplace_back(start_of(part, face.loops.front()[i]), i);
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t hole = 1; hole < face.loops.size(); ++hole) {
+        const Loop& loop = face.loops[hole];
+        std::vector<TangentHole> common;
+        for (std::size_t j = 0; j < loop.size(); ++j) {
+            const std::uint32_t v = start_of(part, loop[j]);
+            const auto at = std::ranges::lower_bound(corners, std::pair(v, std::size_t{0}));
+            if (at != corners.end() && at->first == v) common.push_back({hole, at->second, j});
+        }
+        if (common.size() == 1 && narrows_to_cusp(part, face.loops.front(), common[0].of_outline,
+                                                  loop, common[0].of_hole))
+            return common[0];
+    }
+    return std::nullopt;
+}
+
+struct FlatPosition {
+    double x, y;
+};
+
+// A plane as readers see it, from above: its loops as points, the corners of edges among them.
+class Drawing {
+public:
+    Drawing(const Part& part, const Face& face) : face_(face) {
+        for (const auto& points : points_along(part, face)) {
+            auto& loop = loops_.emplace_back();
+            for (const Vec3 p : points)
+                loop.push_back(project(p));
+        }
+    }
+
+    // Does the straight line lie in the plane, with nothing near it but its ends?
+    bool is_clear(Vec3 from, Vec3 to) const {
+        constexpr double kNear = 1e-2;  // mm
+        constexpr int kSamples = 16;
+        const FlatPosition a = project(from), b = project(to);
+        const double length = norm(to - from);
+        for (int i = 1; i < kSamples; ++i) {
+            const double t = static_cast<double>(i) / kSamples;
+            if (!has_inside({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)})) return false;
+        }
+        for (const auto& loop : loops_) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const FlatPosition p = seen(a, b, length, loop[i]);
+                const FlatPosition q = seen(a, b, length, loop[(i + 1) % loop.size()]);
+                if (!is_end(p, length) && p.x > -kNear && p.x < length + kNear &&
+                    std::abs(p.y) < kNear)
+                    return false;
+                if ((p.y > 0.0) == (q.y > 0.0) || is_end(p, length) || is_end(q, length)) continue;
+                const double x = p.x + (q.x - p.x) * p.y / (p.y - q.y);
+                if (x > 0.0 && x < length) return false;
+            }
+        }
+        return true;
+    }
+
+private:
+    FlatPosition project(Vec3 p) const {
+        const Vec3 v = p - face_.frame.origin;
+        return {dot(v, face_.frame.x), dot(v, cross(face_.frame.axis, face_.frame.x))};
+    }
+
+    // Along the line from its start, and to the left of it.
+    static FlatPosition seen(FlatPosition a, FlatPosition b, double length, FlatPosition p) {
+        const double x = (b.x - a.x) / length, y = (b.y - a.y) / length;
+        return {(p.x - a.x) * x + (p.y - a.y) * y, (p.y - a.y) * x - (p.x - a.x) * y};
+    }
+
+    static bool is_end(FlatPosition p, double length) {
+        constexpr double kOne = 1e-6;
+        return std::abs(p.y) < kOne && (std::abs(p.x) < kOne || std::abs(p.x - length) < kOne);
+    }
+
+    bool has_inside(FlatPosition at) const {
+        bool is_inside = false;
+        for (const auto& loop : loops_) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const FlatPosition p = loop[i], q = loop[(i + 1) % loop.size()];
+                if ((p.y > at.y) == (q.y > at.y)) continue;
+                if (at.x < p.x + (q.x - p.x) * (at.y - p.y) / (q.y - p.y)) is_inside = !is_inside;
+            }
+        }
+        return is_inside;
+    }
+
+    const Face& face_;
+    std::vector<std::vector<FlatPosition>> loops_;
+};
+
+// Where a line may end on a loop.
+struct CutEnd {
+    Vec3 at;
+    std::size_t use = 0;     // which begins there, or
+    bool is_middle = false;  // has it in its middle
+};
+
+// The corners of a loop but the first one, and the middles of its round edges if these count, too.
+std::vector<CutEnd> cut_ends(const Part& part, const Loop& loop, bool has_middles) {
+    std::vector<CutEnd> places;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (i > 0) places.push_back({part.vertices[start_of(part, loop[i])], i});
+        if (!has_middles) continue;
+        if (const auto halves = split_edge(part, part.edges[loop[i].edge]))
+            places.push_back({halves->middle, i, true});
+    }
+    return places;
+}
+
+// The line along which a plane becomes two: from the outline to the hole.
+struct Cut {
+    CutEnd from, to;
+};
+
+std::optional<Cut> shortest_cut(const Part& part, const Face& face, const Loop& outline,
+                                const Loop& hole, bool has_middles) {
+    const Drawing drawing(part, face);
+    std::optional<Cut> best;
+    double shortest = std::numeric_limits<double>::infinity();
+    const std::vector<CutEnd> ends = cut_ends(part, hole, has_middles);
+    for (const CutEnd& from : cut_ends(part, outline, has_middles)) {
+        for (const CutEnd& to : ends) {
+            const double length = norm(to.at - from.at);
+            if (length >= shortest || !drawing.is_clear(from.at, to.at)) continue;
+            shortest = length;
+            best = {from, to};
+        }
+    }
+    return best;
+}
+
+Loop rotate_to_use(Loop loop, std::size_t i) {
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(i), loop.end());
+    return loop;
+}
+
+// What is before use `i` of the one, the edge, and what is from use `j` of the other on.
+Loop join_along(const Loop& one, std::size_t i, const EdgeUse& edge, const Loop& other,
+                std::size_t j) {
+    Loop loop(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i));
+    loop.push_back(edge);
+    loop.insert(loop.end(), other.begin() + static_cast<std::ptrdiff_t>(j), other.end());
+    return loop;
+}
+
+enum class SplitResult : std::uint8_t { None, AtMidpoints, AtLine };
+
+// By halves: its edges have become more, and it has corners now between which there is a line.
+SplitResult split_at_tangent_hole(Part& part, std::uint32_t f) {
+    const Face face = part.faces[f];
+    const auto tangent_hole = find_tangent_hole(part, face);
+    if (!tangent_hole) return SplitResult::None;
+    const Loop outline = rotate_to_use(face.loops.front(), tangent_hole->of_outline);
+    const Loop hole = rotate_to_use(face.loops[tangent_hole->hole], tangent_hole->of_hole);
+    const auto cut = shortest_cut(part, face, outline, hole, false);
+    if (!cut) {
+        const auto other = shortest_cut(part, face, outline, hole, true);
+        if (!other) return SplitResult::None;
+        EdgeSplitter halving(part);
+        if (other->from.is_middle) halving.halve(outline[other->from.use].edge);
+        if (other->to.is_middle) halving.halve(hole[other->to.use].edge);
+        halving.finish();
+        return SplitResult::AtMidpoints;
+    }
+    const std::size_t i = cut->from.use, j = cut->to.use;
+    const auto edge = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.push_back({start_of(part, outline[i]), start_of(part, hole[j]), Line{}});
+    Face one = face, other = face;
+    one.loops = {join_along(outline, i, {edge, true}, hole, j)};
+    other.loops = {join_along(hole, j, {edge, false}, outline, i)};
+    for (std::size_t l = 1; l < face.loops.size(); ++l) {
+        if (l == tangent_hole->hole) continue;
+        Face& enclosing = encloses(part, one, one.loops.front(), face.loops[l]) ? one : other;
+        enclosing.loops.push_back(face.loops[l]);
+    }
+    one.frame = frame_for(part, one);
+    other.frame = frame_for(part, other);
+    part.faces[f] = std::move(one);
+    append_face(part, f, std::move(other));
+    return SplitResult::AtLine;
+}
+
+// A place to divide an arc of a plane: near a corner in which the arc and a sharper one run out
+// together.
+struct Cusp {
+    std::uint32_t edge = 0;
+    double at = 0.0;  // share of the edge that is passed there
+};
+
+// An arc as it leaves a corner.
+struct ArcEnd {
+    EdgeUse use;
+    Vec3 direction;     // unit
+    Vec3 curvature;     // turn of the direction for each mm
+    double turn = 0.0;  // of the whole arc if it bent as it does here, rad
+};
+
+ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    constexpr double kStep = 1e-2;
+    const auto direction = [&](double t) {
+        const Vec3 along = normalized(track.derivative(use.is_forward ? t : 1.0 - t));
+        return use.is_forward ? along : -along;
+    };
+    const Vec3 first = direction(0.0);
+    const double speed = norm(track.derivative(use.is_forward ? 0.0 : 1.0));
+    const Vec3 turn = (1.0 / kStep) * (direction(kStep) - first);
+    return {use, first, (1.0 / speed) * turn, norm(turn)};
+}
+
+std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
+    // Readers draw arcs as chords, equally long along an arc, and two that run out together cross
+    // if the first chord of the flatter one turns by more than that of the other one: by up to 17
+    // degrees, where the angle limits chords. So the flatter one begins with an arc of 4 degrees,
+    // and that with one of 1; readers who turn by less at a time divide these, too. Arcs that are
+    // hardly longer are not divided.
+    constexpr double kFirst = 4.0 * kRadiansPerDegree, kNearest = 1.0 * kRadiansPerDegree;
+    constexpr double kLonger = 2.0;
+    constexpr double kAlong = 1e-3;  // rad
+    std::vector<std::pair<std::uint32_t, EdgeUse>> leaving;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            if (std::holds_alternative<Line>(part.edges[use.edge].curve)) continue;
+            leaving.emplace_back(start_of(part, use), use);
+            leaving.emplace_back(start_of(part, reversed_use(use)), reversed_use(use));
+        }
+    }
+    std::ranges::stable_sort(leaving, {}, [](const auto& one) { return one.first; });
+    std::vector<Cusp> cusps;
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+        for (std::size_t j = i + 1; j < leaving.size() && leaving[j].first == leaving[i].first;
+             ++j) {
+            if (leaving[i].second.edge == leaving[j].second.edge) continue;
+            ArcEnd flat = arc_end_of(part, leaving[i].second);
+            ArcEnd sharp = arc_end_of(part, leaving[j].second);
+            if (norm(flat.direction - sharp.direction) > kAlong ||
+                dot(flat.curvature, sharp.curvature) <= 0.0)
+                continue;
+            if (norm(flat.curvature) > norm(sharp.curvature)) std::swap(flat, sharp);
+            if (flat.turn < kLonger * kNearest) continue;
+            const double share = (flat.turn < kLonger * kFirst ? kNearest : kFirst) / flat.turn;
+            cusps.push_back({flat.use.edge, flat.use.is_forward ? share : 1.0 - share});
+        }
+    }
+    return cusps;
+}
+
+// A generator of a cone along which its face becomes two: from the closed circle that the rest of
+// the loop touches in one corner to the middle of an edge of that rest.
+struct ConeCut {
+    std::size_t loop = 0, circle = 0, use = 0;  // places of the circle and of the edge
+    double at_circle = 0.5;                     // share of the circle that is passed there
+};
+
+std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
+    const auto& cone = std::get<Cone>(face.surface.form);
+    const auto is_closed = [&](const EdgeUse& use) {
+        const Edge& edge = part.edges[use.edge];
+        return edge.from == edge.to && std::holds_alternative<Circle>(edge.curve);
+    };
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+        const Loop& loop = face.loops[l];
+        const auto round = std::ranges::find_if(loop, is_closed);
+        if (loop.size() < 2 || round == loop.end()) continue;
+        ConeCut cut{l, static_cast<std::size_t>(round - loop.begin())};
+        const Edge& edge = part.edges[round->edge];
+        const auto& circle = std::get<Circle>(edge.curve);
+        const Vec3 start = part.vertices[edge.from] - circle.centre;
+        const Vec3 side = cross(circle.axis, start);
+        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        const Drawing drawing(part, face);
+        std::optional<ConeCut> best;
+        double shortest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            if (i == cut.circle || is_closed(loop[i])) continue;
+            const auto halves = split_edge(part, part.edges[loop[i].edge]);
+            if (!halves) continue;
+            const Vec3 out = halves->middle - cone.apex;
+            constexpr double kTurn = 360.0, kNearCorner = 0.02;
+            double share = trig::angle_of(dot(out, start), dot(out, side)) / kTurn;
+            if (share < 0.0) share += 1.0;
+            if (share < kNearCorner || share > 1.0 - kNearCorner) continue;
+            const Vec3 at = track.at(share);
+            const double length = norm(at - halves->middle);
+            // Seen along the axis, as the drawing is.
+            const auto seen = [&](Vec3 p) { return p - dot(p - cone.apex, cone.axis) * cone.axis; };
+            if (length >= shortest || !drawing.is_clear(seen(at), seen(halves->middle))) continue;
+            shortest = length;
+            best = ConeCut{l, cut.circle, i, share};
+        }
+        if (best) return best;
+    }
+    return std::nullopt;
+}
+
+// Makes two faces of a face with one loop: along a line between two corners of it.
+void split_along(Part& part, std::uint32_t f, std::size_t l, std::uint32_t from, std::uint32_t to) {
+    const Face face = part.faces[f];
+    const Loop& loop = face.loops[l];
+    const auto begins_at = [&](std::uint32_t v) {
+        return [&part, v](const EdgeUse& use) { return start_of(part, use) == v; };
+    };
+    const auto first = std::ranges::find_if(loop, begins_at(from));
+    Loop rotated(first, loop.end());
+    rotated.insert(rotated.end(), loop.begin(), first);
+    const auto second = std::ranges::find_if(rotated, begins_at(to));
+    const auto edge = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.push_back({from, to, Line{}});
+    Face one = face, other = face;
+    one.loops = {Loop(rotated.begin(), second)};
+    one.loops.front().push_back({edge, false});
+    other.loops = {Loop(second, rotated.end())};
+    other.loops.front().push_back({edge, true});
+    one.frame = frame_for(part, one);
+    other.frame = frame_for(part, other);
+    part.faces[f] = std::move(one);
+    append_face(part, f, std::move(other));
+}
+
+}  // namespace
+
+bool touches_base_circle(const Part& part, const Face& face) {
+    if (!std::holds_alternative<Cone>(face.surface.form)) return false;
+    return std::ranges::any_of(face.loops, [&](const Loop& loop) {
+        return loop.size() > 1 && std::ranges::any_of(loop, [&](const EdgeUse& use) {
+                   const Edge& edge = part.edges[use.edge];
+                   return edge.from == edge.to;
+               });
+    });
+}
+
+bool can_split_on_generator(const Part& part, const Face& face) {
+    return face.loops.size() == 1 && cone_cut_of(part, face).has_value();
+}
+
+void split_cones_at_base_circle(Part& part) {
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        if (!touches_base_circle(part, part.faces[f]) ||
+            !can_split_on_generator(part, part.faces[f]))
+            continue;
+        const ConeCut cut = *cone_cut_of(part, part.faces[f]);
+        const Loop& loop = part.faces[f].loops[cut.loop];
+        const auto on_circle = static_cast<std::uint32_t>(part.vertices.size());
+        EdgeSplitter halving(part);
+        halving.halve(loop[cut.circle].edge, cut.at_circle);
+        halving.halve(loop[cut.use].edge);
+        halving.finish();
+        split_along(part, f, cut.loop, on_circle, on_circle + 1);
+    }
+}
+
+void split_arcs_at_cusps(Part& part) {
+    // Twice at each end of an arc, and an edge is divided once at a time.
+    constexpr int kMostTimes = 4;
+    bool any = true;
+    for (int i = 0; i < kMostTimes && any; ++i) {
+        any = false;
+        EdgeSplitter halving(part);
+        for (const Face& face : part.faces) {
+            if (!std::holds_alternative<Plane>(face.surface.form)) continue;
+            for (const Cusp& cusp : cusps_of(part, face))
+                any = halving.divide(cusp.edge, cusp.at) || any;
+        }
+        halving.finish();
+    }
+}
+
+void split_faces_at_tangent_holes(Part& part) {
+    // What is added is looked at, too: it may have other holes.
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const bool may_have = std::holds_alternative<Plane>(part.faces[f].surface.form) &&
+                              part.faces[f].loops.size() > 1;
+        if (!may_have) continue;
+        // Where the halves do not help, they do not help again.
+        bool has_halves = false;
+        for (SplitResult parted = split_at_tangent_hole(part, f); parted != SplitResult::None;
+             parted = split_at_tangent_hole(part, f)) {
+            if (parted == SplitResult::AtMidpoints && has_halves) break;
+            has_halves = parted == SplitResult::AtMidpoints;
+        }
+    }
+}
+
+}  // namespace ncsim::brep

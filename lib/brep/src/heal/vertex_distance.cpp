@@ -1,0 +1,491 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heal/vertex_distance.h"
+
+#include "ncsim/brep/frames.h"
+
+#include "geometry/no_index.h"
+#include "heal/degenerate_planes.h"
+#include "heal/non_simple_faces.h"
+#include "heal/short_edges.h"
+#include "heal/spikes.h"
+#include "sources/label.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ncsim::brep {
+
+namespace {
+
+constexpr double kShort = 3e-7, kLeast = 1e-5;  // mm
+
+using Numbers = std::vector<std::uint32_t>;
+
+void sort_unique(Numbers& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+Numbers common(const Numbers& a, const Numbers& b) {
+    Numbers shared;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
+    return shared;
+}
+
+double length_of(const Part& part, const Edge& edge) {
+    return cda::norm(part.vertices[edge.to] - part.vertices[edge.from]);
+}
+
+// Makes points of edges, where that changes nothing but lengths (the link condition: Dey,
+// Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge Contraction, 1999): what is beside such an
+// edge on both sides is all that its ends have in common.
+class Contraction {
+public:
+    explicit Contraction(Part& part)
+        : part_(part),
+          faces_at_(part.vertices.size()),
+          edges_at_(part.vertices.size()),
+          radius_(part.vertices.size(), 0.0),
+          is_flat_(part.vertices.size(), true) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const Loop& loop : part.faces[f].loops) {
+                for (const EdgeUse& use : loop) {
+                    const Edge& edge = part.edges[use.edge];
+                    for (const std::uint32_t v : {edge.from, edge.to}) {
+                        const bool is_flat =
+                            std::holds_alternative<Line>(edge.curve) &&
+                            std::holds_alternative<Plane>(part.faces[f].surface.form);
+                        is_flat_[v] = is_flat_[v] && is_flat;
+                        faces_at_[v].push_back(f);
+                        edges_at_[v].push_back(use.edge);
+                    }
+                }
+            }
+        }
+        for (auto* at : {&faces_at_, &edges_at_}) {
+            for (Numbers& numbers : *at)
+                sort_unique(numbers);
+        }
+    }
+
+    // Do planes alone meet at both ends?
+    bool is_flat(const Edge& edge) const { return is_flat_[edge.from] && is_flat_[edge.to]; }
+
+    // True: it has become one.
+    bool contract(std::uint32_t number) {
+        const Edge edge = part_.edges[number];
+        return contract(number, edge.from, edge.to) || contract(number, edge.to, edge.from);
+    }
+
+private:
+    // To the end that is kept.
+    bool contract(std::uint32_t number, std::uint32_t kept, std::uint32_t removed) {
+        const Edge short_edge = part_.edges[number];
+        if (kept == removed || !is_flat(short_edge)) return false;
+        const double radius = radius_[removed] + length_of(part_, short_edge);
+        if (radius > 2.0 * kLeast) return false;
+        const Numbers sides = common(faces_at_[kept], faces_at_[removed]);
+        if (sides.size() != 2) return false;
+        Numbers tips;
+        for (const std::uint32_t f : sides) {
+            if (!is_simple_at(part_.faces[f], number, removed)) return false;
+            if (is_triangle(part_.faces[f])) tips.push_back(tip(part_.faces[f], short_edge));
+        }
+        sort_unique(tips);
+        if (common(neighbours(kept), neighbours(removed)) != tips) return false;
+        for (const std::uint32_t f : sides) {
+            for (Loop& loop : part_.faces[f].loops)
+                std::erase_if(loop, [&](const EdgeUse& use) { return use.edge == number; });
+        }
+        for (const std::uint32_t e : edges_at_[removed]) {
+            Edge& edge = part_.edges[e];
+            if (edge.from == removed) edge.from = kept;
+            if (edge.to == removed) edge.to = kept;
+        }
+        radius_[kept] = std::max(radius_[kept], radius);
+        move_to(kept, removed, faces_at_);
+        move_to(kept, removed, edges_at_);
+        std::erase(edges_at_[kept], number);
+        for (const std::uint32_t f : sides) {
+            Face& face = part_.faces[f];
+            if (face.loops.front().size() < 3) {
+                remove_two_sided_face(f);
+            } else {
+                face.frame = frame_for(part_, face);
+            }
+        }
+        return true;
+    }
+
+    static void move_to(std::uint32_t kept, std::uint32_t removed, std::vector<Numbers>& at) {
+        at[kept].insert(at[kept].end(), at[removed].begin(), at[removed].end());
+        sort_unique(at[kept]);
+        at[removed].clear();
+    }
+
+    Numbers neighbours(std::uint32_t v) const {
+        Numbers all;
+        for (const std::uint32_t e : edges_at_[v])
+            all.push_back(part_.edges[e].from == v ? part_.edges[e].to : part_.edges[e].from);
+        sort_unique(all);
+        return all;
+    }
+
+    static bool is_triangle(const Face& face) {
+        return face.loops.size() == 1 && face.loops.front().size() == 3;
+    }
+
+    std::uint32_t begin_of(const EdgeUse& use) const {
+        const Edge& edge = part_.edges[use.edge];
+        return use.is_forward ? edge.from : edge.to;
+    }
+
+    std::uint32_t tip(const Face& triangle, const Edge& edge) const {
+        for (const EdgeUse& use : triangle.loops.front()) {
+            const std::uint32_t v = begin_of(use);
+            if (v != edge.from && v != edge.to) return v;
+        }
+        return edge.from;
+    }
+
+    // Does it have the edge, in a loop that remains one, and come to the vertex once?
+    bool is_simple_at(const Face& face, std::uint32_t edge, std::uint32_t vertex) const {
+        bool has_edge = false;
+        int visits = 0;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                if (use.edge == edge) has_edge = loop.size() > 3 || is_triangle(face);
+                if (begin_of(use) == vertex) ++visits;
+            }
+        }
+        return has_edge && visits == 1;
+    }
+
+    // A face with two edges, between the same vertices: its neighbours share one of them.
+    void remove_two_sided_face(std::uint32_t f) {
+        Loop& loop = part_.faces[f].loops.front();
+        const EdgeUse kept_use = loop[0], removed_use = loop[1];
+        const Edge edge = part_.edges[removed_use.edge];
+        for (const std::uint32_t other : faces_at_[edge.from]) {
+            if (other == f) continue;
+            for (Loop& other_loop : part_.faces[other].loops) {
+                for (EdgeUse& use : other_loop) {
+                    if (use.edge != removed_use.edge) continue;
+                    // It ran against one of them, which ran against the other.
+                    use = {kept_use.edge, kept_use.is_forward};
+                }
+            }
+        }
+        loop.clear();
+        for (const std::uint32_t v : {edge.from, edge.to}) {
+            std::erase(faces_at_[v], f);
+            std::erase(edges_at_[v], removed_use.edge);
+        }
+        part_.edges[removed_use.edge].to = edge.from;
+    }
+
+    Part& part_;
+    std::vector<Numbers> faces_at_, edges_at_;  // of each vertex, ascending
+    std::vector<double> radius_;                // how far away from each are those that became it
+    std::vector<bool> is_flat_;
+};
+
+// Holes that are nowhere larger than kLeast become points: a corner that pokes through a face by
+// less than readers can tell does not.
+class Pinholes {
+public:
+    explicit Pinholes(Part& part) : part_(part), faces_at_(part.vertices.size()) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const Loop& loop : part.faces[f].loops) {
+                for (const EdgeUse& use : loop) {
+                    faces_at_[part.edges[use.edge].from].push_back(f);
+                    faces_at_[part.edges[use.edge].to].push_back(f);
+                }
+            }
+        }
+        for (Numbers& faces : faces_at_)
+            sort_unique(faces);
+    }
+
+    // True: something has gone.
+    bool close() {
+        bool any = false;
+        for (Face& face : part_.faces) {
+            for (std::size_t l = face.loops.size(); l-- > 1;) {
+                if (!close(face.loops[l])) continue;
+                face.loops.erase(face.loops.begin() + static_cast<std::ptrdiff_t>(l));
+                any = true;
+            }
+        }
+        return any;
+    }
+
+private:
+    bool close(const Loop& hole) {
+        double length = 0.0;
+        Numbers corners, edges, faces;
+        for (const EdgeUse& use : hole) {
+            const Edge& edge = part_.edges[use.edge];
+            if (!std::holds_alternative<Line>(edge.curve)) return false;
+            length += length_of(part_, edge);
+            edges.push_back(use.edge);
+            corners.insert(corners.end(), {edge.from, edge.to});
+        }
+        if (length > 2.0 * kLeast) return false;
+        sort_unique(corners);
+        sort_unique(edges);
+        for (const std::uint32_t v : corners)
+            faces.insert(faces.end(), faces_at_[v].begin(), faces_at_[v].end());
+        sort_unique(faces);
+        const bool is_clear = std::ranges::all_of(faces, [&](std::uint32_t f) {
+            return can_remove_hole(part_.faces[f], hole, corners, edges);
+        });
+        if (!is_clear) return false;
+        for (const std::uint32_t f : faces) {
+            for (Loop& loop : part_.faces[f].loops) {
+                if (&loop == &hole) continue;
+                std::erase_if(loop, [&](const EdgeUse& use) {
+                    return std::ranges::binary_search(edges, use.edge);
+                });
+            }
+            for (const Loop& loop : part_.faces[f].loops) {
+                for (const EdgeUse& use : loop)
+                    gather(part_.edges[use.edge], corners);
+            }
+        }
+        faces_at_[corners.front()] = faces;
+        for (const std::uint32_t f : faces)
+            part_.faces[f].frame = frame_for(part_, part_.faces[f]);
+        return true;
+    }
+
+    static void gather(Edge& edge, const Numbers& corners) {
+        for (std::uint32_t* v : {&edge.from, &edge.to}) {
+            if (std::ranges::binary_search(corners, *v)) *v = corners.front();
+        }
+    }
+
+    // Is it flat, does it come to the corners of the hole once, along edges of the hole if to
+    // several, and has enough beside them?
+    bool can_remove_hole(const Face& face, const Loop& hole, const Numbers& corners,
+                         const Numbers& edges) const {
+        if (!std::holds_alternative<Plane>(face.surface.form)) return false;
+        int visits = 0;
+        for (const Loop& loop : face.loops) {
+            if (&loop == &hole) continue;
+            std::size_t left = 0;
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part_.edges[use.edge];
+                if (!std::holds_alternative<Line>(edge.curve)) return false;
+                const bool begins =
+                    std::ranges::binary_search(corners, use.is_forward ? edge.from : edge.to);
+                const bool is_gone = std::ranges::binary_search(edges, use.edge);
+                // It leaves them along another edge once for each visit.
+                if (begins && !is_gone) ++visits;
+                if (!is_gone) ++left;
+            }
+            if (left < 3) return false;
+        }
+        return visits <= 1;
+    }
+
+    Part& part_;
+    std::vector<Numbers> faces_at_;  // of each vertex, ascending
+};
+
+// Without faces that have no edges any more; of each that is left which one it was, as `original`
+// has it.
+void drop_empty(Part& part, Numbers& original) {
+    std::vector<std::uint32_t> number(part.faces.size());
+    std::uint32_t count = 0;
+    const auto is_empty = [](const Face& face) { return face.loops.front().empty(); };
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const bool is_gone = is_empty(part.faces[f]);
+        if (!is_gone) original[count] = original[f];
+        number[f] = is_gone ? kNone : count++;
+    }
+    const auto renumber = [&](Shell& shell) {
+        for (std::uint32_t& f : shell)
+            f = number[f];
+        std::erase(shell, kNone);
+    };
+    for (Solid& solid : part.solids) {
+        renumber(solid.outside);
+        for (Shell& shell : solid.voids)
+            renumber(shell);
+        std::erase_if(solid.voids, &Shell::empty);
+    }
+    std::erase_if(part.faces, is_empty);
+    original.resize(count);
+}
+
+// True: some have gone.
+bool contract_short_edges(Part& part) {
+    std::vector<std::pair<double, std::uint32_t>> low;
+    for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
+        const double length = length_of(part, part.edges[e]);
+        if (length < kLeast) low.emplace_back(length, e);
+    }
+    if (low.empty()) return false;
+    std::sort(low.begin(), low.end());
+    Contraction contraction(part);
+    bool any = false;
+    // What hung together by an edge may do so no longer when those around it have gone.
+    while (std::erase_if(low, [&](const auto& edge) { return contraction.contract(edge.second); }) >
+           0)
+        any = true;
+    return any;
+}
+
+// Those that stay, for what is beside them is not flat.
+void lengthen_short_edges(Part& part) {
+    const Contraction contraction(part);
+    // One may bring another one's ends nearer.
+    constexpr int kPasses = 3;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        for (const Edge& edge : part.edges) {
+            Vec3 &a = part.vertices[edge.from], &b = part.vertices[edge.to];
+            const double length = length_of(part, edge);
+            if (length >= kShort || length == 0.0 || !contraction.is_flat(edge)) continue;
+            const Vec3 move = (0.5 * (kLeast - length) / length) * (b - a);
+            a = a - move;
+            b = b + move;
+        }
+    }
+}
+
+std::vector<Numbers> faces_of_edges(const Part& part) {
+    std::vector<Numbers> faces_of(part.edges.size());
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop)
+                faces_of[use.edge].push_back(f);
+        }
+    }
+    return faces_of;
+}
+
+// The loop of a plane that has the same edges, which are straight, as this loop.
+struct OppositeLoop {
+    std::uint32_t face;
+    std::size_t loop;
+};
+
+std::optional<OppositeLoop> opposite_loop(const Part& part, const std::vector<Numbers>& faces_of,
+                                          std::uint32_t f, const Loop& loop) {
+    if (loop.empty()) return std::nullopt;
+    const Numbers shared = faces_of[loop.front().edge];
+    if (shared.size() != 2 || shared[0] == shared[1]) return std::nullopt;
+    const std::uint32_t other = shared[0] == f ? shared[1] : shared[0];
+    const Face& face = part.faces[other];
+    if (!std::holds_alternative<Plane>(face.surface.form)) return std::nullopt;
+    const auto has = [](const Loop& in, std::uint32_t edge) {
+        return std::ranges::find(in, edge, &EdgeUse::edge) != in.end();
+    };
+    const auto same =
+        std::ranges::find_if(face.loops, [&](const Loop& l) { return has(l, loop.front().edge); });
+    const bool is_same =
+        same != face.loops.end() && same->size() == loop.size() &&
+        std::ranges::all_of(loop, [&](const EdgeUse& use) {
+            return std::holds_alternative<Line>(part.edges[use.edge].curve) && has(*same, use.edge);
+        });
+    if (!is_same) return std::nullopt;
+    return OppositeLoop{other, static_cast<std::size_t>(same - face.loops.begin())};
+}
+
+// Two planes with all their edges in common have nothing between them. Nor has one with a hole that
+// another one closes, if either is crossed: if the hole is not in it, or what closes it is no wider
+// than a line.
+bool remove_flat_pockets(Part& part, const Numbers& crossed) {
+    bool any = false;
+    const std::vector<Numbers> faces_of = faces_of_edges(part);
+    const auto empty = [&](std::uint32_t f, std::size_t l, bool may_be_hole) {
+        Face& face = part.faces[f];
+        if (!std::holds_alternative<Plane>(face.surface.form)) return;
+        const auto other = opposite_loop(part, faces_of, f, face.loops[l]);
+        if (!other) return;
+        Face& beyond = part.faces[other->face];
+        const bool are_whole = face.loops.size() == 1 && beyond.loops.size() == 1;
+        // Not the outlines of two that have holes.
+        const bool is_hole =
+            (l > 0 && beyond.loops.size() == 1) || (other->loop > 0 && face.loops.size() == 1);
+        if (!are_whole && !(may_be_hole && is_hole)) return;
+        face.loops[l].clear();
+        beyond.loops[other->loop].clear();
+        any = true;
+    };
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        if (part.faces[f].loops.size() == 1) empty(f, 0, false);
+    }
+    for (const std::uint32_t f : crossed) {
+        for (std::size_t l = 0; l < part.faces[f].loops.size(); ++l)
+            empty(f, l, true);
+    }
+    for (Face& face : part.faces) {
+        if (any && face.loops.size() > 1)
+            std::erase_if(face.loops, [](const Loop& loop) { return loop.empty(); });
+    }
+    return any;
+}
+
+// Of these faces. True: something has changed.
+bool split_at_touching_corners(Part& part, const Numbers& faces, double near_mm,
+                               Numbers& original) {
+    bool any = join_touching_corners(part, faces, near_mm);
+    // What runs there and back may not be shared out between the loops that a pinched one becomes.
+    any = remove_spikes(part) || any;
+    drop_empty(part, original);
+    for (const std::uint32_t f : split_non_simple_faces(part)) {
+        original.push_back(original[f]);
+        any = true;
+    }
+    any = remove_spikes(part) || any;
+    any = remove_flat_pockets(part, {}) || any;
+    drop_empty(part, original);
+    return any;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
+    Numbers original(part.faces.size()), faces;
+    std::iota(original.begin(), original.end(), 0U);
+    // Each step may make room for another one.
+    constexpr int kMostRounds = 10;
+    for (int round = 0; round < kMostRounds; ++round) {
+        remove_spikes(part);
+        drop_empty(part, original);
+        Pinholes(part).close();
+        contract_short_edges(part);
+        remove_spikes(part);
+        drop_empty(part, original);
+        lengthen_short_edges(part);
+        faces.resize(part.faces.size());
+        std::iota(faces.begin(), faces.end(), 0U);
+        split_at_touching_corners(part, faces, kLeast, original);
+        Numbers crossed = degenerate_planes(part);
+        if (crossed.empty()) break;
+        if (split_at_touching_corners(part, crossed, kFlat, original))
+            crossed = degenerate_planes(part);
+        const bool had_pockets = remove_flat_pockets(part, crossed);
+        if (had_pockets) {
+            drop_empty(part, original);
+            crossed = degenerate_planes(part);
+        }
+        if (round + 1 == kMostRounds) break;
+        // Those that were made longer, too; and where that is not enough, farther apart.
+        const bool has_collapsed = std::ranges::any_of(
+            std::array{1.5 * kLeast, 3.0 * kLeast, kFlat},
+            [&](double near_mm) { return collapse_short_edges(part, crossed, near_mm); });
+        if (!has_collapsed && !had_pockets) break;
+    }
+    return original;
+}
+
+}  // namespace ncsim::brep

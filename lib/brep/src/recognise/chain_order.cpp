@@ -1,0 +1,591 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where facets are larger than what is between corners, the polyhedron has these in another order,
+// or one for two: chains that go between other faces than in the polyhedron.
+#include "ncsim/trig/angles.h"
+
+#include "geometry/contact.h"
+#include "geometry/envelope_contact.h"
+#include "geometry/intersection_spline.h"
+#include "geometry/newton.h"
+#include "geometry/path_corners.h"
+#include "geometry/tolerances.h"
+#include "recognise/chains.h"
+#include "topology/angular_extent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+// So many chains, one after the other, are between other faces than in the polyhedron.
+constexpr int kMostFlips = 3;
+// A corner of an edge that only goes on there.
+constexpr int kChainsThrough = 2;
+
+}  // namespace
+
+// Where a boundary goes on from its corner, of the surfaces beside it; unit.
+Vec3 Chains::direction_of(std::uint32_t h) const {
+    constexpr double kSteep = 1e-3;
+    const Vec3 p = mesh_.point(mesh_.edges()[h].from), step = mesh_.point(mesh_.to(h)) - p;
+    const Vec3 along = cross(outward(groups_.surface_of(groups_.group_at(h)), p),
+                             outward(groups_.surface_of(groups_.opposite_group(h)), p));
+    if (norm(along) < kSteep) return cda::normalized(step);
+    return cda::normalized(dot(along, step) < 0.0 ? -along : along);
+}
+
+// The boundaries that meet in a vertex, clockwise, as they go out from it.
+std::vector<Chains::Spoke> Chains::spokes_at(const Vertex& v) const {
+    std::vector<Spoke> spokes;
+    if (v.edge == kNone) return spokes;
+    std::uint32_t h = v.edge;
+    do {
+        if (groups_.is_boundary(h)) {
+            const std::uint32_t chain = chain_of_[h];
+            spokes.push_back({chain, chains_[chain].edges.front() == h, groups_.group_at(h),
+                              groups_.opposite_group(h), direction_of(h)});
+        }
+        h = mesh_.edges()[mesh_.edges()[h].twin].next;
+    } while (h != v.edge);
+    return spokes;
+}
+
+// Where more than three faces have a corner in common that their surfaces have not, two boundaries
+// go on from one corner and the others from another one, and between both is an edge. Which ones is
+// told by the faces beside that edge: their loops turn as much as they did in the one corner.
+bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
+    const Vertex before = vertices_[number];
+    constexpr std::size_t kFewest = 4, kMost = 7;
+    constexpr double kShortest = 1e-5;  // mm; less than readers can tell
+    const std::size_t count = spokes.size();
+    // Near the tip of a cone, corners are elsewhere too easily.
+    const bool may_not = std::ranges::any_of(before.groups, [&](std::uint32_t g) {
+        return groups_.is_facet(g) || std::holds_alternative<Cone>(groups_.form_of(g));
+    });
+    if (count < kFewest || count > kMost || before.groups.size() != count || may_not) return false;
+    const auto at = [&](std::size_t i) -> const Spoke& { return spokes[i % count]; };
+    struct Choice {
+        double length;
+        std::size_t first;
+        Vertex near, far;
+    };
+    const std::optional<Vec3> bend = bend_at(before);
+    std::optional<Choice> best;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Spoke &a = at(i), &b = at(i + 1), &c = at(i + 2), &d = at(i + count - 1);
+        Choice choice{0.0, i, before, before};
+        choice.near.at = choice.far.at = before.start;
+        choice.near.groups = {b.right, a.right, a.left};
+        std::sort(choice.near.groups.begin(), choice.near.groups.end());
+        std::erase(choice.far.groups, a.right);
+        if (!solve_corner(choice.near) || !solve_corner(choice.far)) continue;
+        const Vec3 step = choice.far.at - choice.near.at;
+        choice.length = norm(step);
+        if (choice.length <= kShortest || (best && best->length <= choice.length)) continue;
+        // The one or the other is the corner of a bend, or is going to have it.
+        const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kPoint; };
+        if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
+            continue;
+        // With four of them each corner has one that is not beside the edge.
+        if (count == kFewest &&
+            is_past_tangency({b.right, a.left}, a.right, c.right, choice.near.at, choice.far.at)
+                .value_or(false))
+            continue;
+        const auto goes_on = [&](std::uint32_t g, Vec3 in, Vec3 between, Vec3 on) {
+            constexpr double kRounding = 1.0;  // degrees
+            const Vec3 n = outward(groups_.surface_of(g), before.at);
+            const auto turn = [&](Vec3 u, Vec3 v) {
+                return trig::angle_of(dot(u, v), dot(n, cross(u, v)));
+            };
+            return std::abs(turn(in, between) + turn(between, on) - turn(in, on)) < kRounding;
+        };
+        if (goes_on(b.right, -b.direction, step, c.direction) &&
+            goes_on(a.left, -d.direction, -step, a.direction))
+            best = choice;
+    }
+    if (!best) return false;
+    const auto other = static_cast<std::uint32_t>(vertices_.size());
+    std::vector<Spoke> rest;
+    for (std::size_t i = best->first + 2; i < best->first + count; ++i) {
+        Chain& chain = chains_[at(i).chain];
+        (at(i).is_start ? chain.from : chain.to) = other;
+        rest.push_back(at(i));
+    }
+    const std::uint32_t left = at(best->first + 1).right, right = at(best->first).left;
+    // From the other corner it is on the other side.
+    rest.push_back({static_cast<std::uint32_t>(chains_.size()), false, right, left,
+                    cda::normalized(best->near.at - best->far.at)});
+    add_chain(number, other, left, right);
+    vertices_[number] = std::move(best->near);
+    vertices_.push_back(std::move(best->far));
+    if (is_bend_elsewhere(vertices_[other])) split(other, rest);
+    return true;
+}
+
+// Nearer than a facet is wide.
+bool Chains::is_bend_elsewhere(const Vertex& v) const {
+    const auto corner = bend_at(v);
+    const double deviation = corner ? norm(*corner - v.at) : 0.0;
+    return deviation > kPoint && deviation < 0.25 * reach(v.groups);
+}
+
+// On the way of the two ramps from there: a point of their edge, and none that the others have.
+bool Chains::is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const {
+    return std::ranges::any_of(spokes, [&](const Spoke& spoke) {
+        const auto corner =
+            corner_of_bend(groups_.form_of(spoke.left), groups_.form_of(spoke.right), v.at);
+        return corner && dot(*corner - v.at, spoke.direction) > kPoint;
+    });
+}
+
+void Chains::add_chain(std::uint32_t from, std::uint32_t to, std::uint32_t left,
+                       std::uint32_t right) {
+    Chain made;
+    made.left = left;
+    made.right = right;
+    made.from = from;
+    made.to = to;
+    made.is_flipped = made.is_inserted = true;
+    chains_.push_back(std::move(made));
+}
+
+// Does a third face cut the chain off before its corner, on the way to `end`? Then it is there that
+// the three meet, in the ellipse of the other end, and not where the other ellipse meets the face.
+bool Chains::ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner) {
+    Vertex& v = vertices_[end];
+    const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+    const Vec3 begin = vertices_[other].at;
+    const auto mitre = mitre_plane(a, b, begin);
+    if (v.groups.size() != 3 || !mitre) return false;
+    for (const std::uint32_t g : v.groups) {
+        if (g == chain.left || g == chain.right || groups_.is_facet(g)) continue;
+        const Form& third = groups_.form_of(g);
+        if ((distance(third, begin) > 0.0) == (distance(third, corner) > 0.0)) return false;
+        const std::array<const Form*, 4> forms{&a, &b, &third, &*mitre};
+        Vec3 p = v.at;
+        if (brep::solve(forms, p) > kTangencyGapMm || norm(p - v.start) > reach(v.groups))
+            return false;
+        v.at = p;
+        return true;
+    }
+    return false;
+}
+
+// Where the edge of two ramps has a corner that is nearer to its end than facets are wide; and
+// where that of two pipes passes from the one ellipse in which they meet to the other.
+void Chains::bend(std::uint32_t number) {
+    const Chain& chain = chains_[number];
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    if (chain.is_closed || chain.is_inserted || from.has_failed || to.has_failed) return;
+    const Vec3 past = mesh_.point(mesh_.edges()[chain.edges[chain.edges.size() / 2]].from);
+    const auto corner = corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right),
+                                       from.at, to.at, past);
+    if (!corner) {
+        const auto hinge = hinge_of(groups_.form_of(chain.left), groups_.form_of(chain.right),
+                                    from.at, past, to.at);
+        if (!hinge || chain.is_flipped) return;
+        // As a rule the curve passes there as if it were nothing.
+        std::vector<Vec3> points = points_of(chain);
+        points.front() = from.at;
+        points.back() = to.at;
+        if (spline_of(chain, groups_.form_of(chain.left), groups_.form_of(chain.right), points))
+            return;
+        chains_[number].is_direction_fixed = true;
+        return split_at(number, *hinge, true);
+    }
+    if (ends_before(chain, chain.from, chain.to, *corner) ||
+        ends_before(chain, chain.to, chain.from, *corner))
+        return;
+    // The piece of the circle is the short one.
+    const bool is_at_start = norm(*corner - from.at) < norm(*corner - to.at);
+    if (const auto* pipe = std::get_if<Cylinder>(&groups_.form_of(chain.left))) {
+        // Where pipes bend, a ball left the tip of a lune, which is nearer to the middle of the
+        // bend than the ellipse in its place.
+        const Vec3 middle = *corner - radial_vector(pipe->origin, pipe->axis, *corner);
+        const double lower = norm((is_at_start ? from.at : to.at) - middle) - pipe->radius;
+        const double near = reach({chain.left, chain.right});
+        const bool passes_corner = std::ranges::any_of(
+            points_of(chain), [&](Vec3 p) { return norm(p - *corner) <= near; });
+        if (!passes_corner) {
+            if (lower > std::max(kLune, groups_.error_of(chain.left))) return;
+            mitred_mm_ = std::max(mitred_mm_, lower);
+        }
+    }
+    split_at(number, *corner, is_at_start);
+}
+
+// With another chain between the corner and that end.
+void Chains::split_at(std::uint32_t number, Vec3 corner, bool is_at_start) {
+    const Chain chain = chains_[number];
+    Vertex between{corner, {chain.left, chain.right}};
+    std::sort(between.groups.begin(), between.groups.end());
+    const auto added = static_cast<std::uint32_t>(vertices_.size());
+    if (is_at_start) {
+        add_chain(chain.from, added, chain.left, chain.right);
+        chains_[number].from = added;
+    } else {
+        add_chain(added, chain.to, chain.left, chain.right);
+        chains_[number].to = added;
+    }
+    vertices_.push_back(std::move(between));
+    chains_.back().neighbour = number;
+    chains_.back().is_before = is_at_start;
+}
+
+// Beside the circle in which two ramps meet may be the wall that the tool left where it stood.
+// Where facets of that are large, its edge ends where that of the ramps does. Then the circle, from
+// there to the corner of the bend, is an edge of the wall and of one of the ramps, and the edge of
+// the other one and the wall starts in the corner.
+void Chains::move_to_wall(std::uint32_t number) {
+    Chain& bent = chains_[number];
+    if (bent.is_closed || !std::holds_alternative<Extrusion>(groups_.form_of(bent.left)) ||
+        !std::holds_alternative<Extrusion>(groups_.form_of(bent.right)))
+        return;
+    for (const auto& [corner, end] : {std::pair(bent.from, bent.to), {bent.to, bent.from}}) {
+        if (vertices_[corner].groups.size() != 2 || vertices_[end].groups.size() < 4) continue;
+        const Vec3 to = vertices_[corner].at, at = vertices_[end].at;
+        const auto curve = intersection_curve(groups_.form_of(bent.left),
+                                              groups_.form_of(bent.right), at, to, 0.5 * (at + to));
+        const auto* circle = curve ? std::get_if<Circle>(&*curve) : nullptr;
+        if (!circle) continue;
+        for (const Spoke& spoke : spokes_at(vertices_[end])) {
+            Chain& along = chains_[spoke.chain];
+            if (spoke.chain == number || along.is_closed ||
+                (along.from == end) == (along.to == end))
+                continue;
+            const bool is_left = along.left == bent.left || along.right == bent.left;
+            const bool is_right = along.left == bent.right || along.right == bent.right;
+            if (is_left == is_right) continue;
+            const std::uint32_t ramp = is_left ? bent.left : bent.right;
+            const std::uint32_t wall = along.left == ramp ? along.right : along.left;
+            std::uint32_t& its_end = along.from == end ? along.from : along.to;
+            const Vec3 beyond = vertices_[along.from == end ? along.to : along.from].at;
+            const auto is_on = [&](Vec3 p) {
+                return std::abs(dot(p - circle->centre, circle->axis)) < kTangencyGapMm &&
+                       std::abs(distance(groups_.form_of(wall), p)) < kTangencyGapMm;
+            };
+            const auto* round = std::get_if<Cylinder>(&groups_.form_of(wall));
+            if (!round || groups_.is_facet(wall) || !is_on(at) || !is_on(to) || !is_on(beyond) ||
+                norm(cross(round->axis, circle->axis)) > kFlat)
+                continue;
+            const double first = winding_angle({at, to}, circle->centre, circle->axis);
+            const double rest = winding_angle({to, beyond}, circle->centre, circle->axis);
+            if (first * rest <= 0.0 || std::abs(first + rest) > 180.0) continue;
+            its_end = corner;
+            (is_left ? bent.left : bent.right) = wall;
+            bent.is_flipped = true;
+            bent.neighbour = kNone;
+            return;
+        }
+    }
+}
+
+// Facets between poses of a tool that turns may be needles. What meets in a corner may do so in two
+// of the polyhedron then: it is one. And where faces meet in one curve, what is between them comes
+// to points on the way, and has nothing in it: the shortest way on ends there.
+void Chains::join_same_corners() {
+    for (const Chain& chain : chains_) {
+        const bool is_same = chain.from != chain.to && !chain.is_closed &&
+                             is_of_turning_tools(vertices_[chain.from]) &&
+                             vertices_[chain.to].groups == vertices_[chain.from].groups &&
+                             norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint;
+        if (is_same) join(chain.to, chain.from);
+    }
+    // At most so many: what vanishes is still counted.
+    std::vector<int> ends(vertices_.size(), 0);
+    for (const Chain& chain : chains_) {
+        ++ends[chain.from];
+        ++ends[chain.to];
+    }
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+        if (ends[v] <= kChainsThrough || vertices_[v].groups.size() != 2 ||
+            !is_of_turning_tools(vertices_[v]))
+            continue;
+        if (const auto beyond = close_pinch(v)) ends[*beyond] += ends[v];
+    }
+}
+
+// All that ends in the one ends in the other one.
+void Chains::join(std::uint32_t removed, std::uint32_t kept) {
+    for (Chain& chain : chains_) {
+        const bool was_point = chain.from == chain.to;
+        if (chain.from == removed) chain.from = kept;
+        if (chain.to == removed) chain.to = kept;
+        if (chain.from == chain.to && !was_point) chain.has_vanished = true;
+    }
+}
+
+std::optional<std::uint32_t> Chains::close_pinch(std::uint32_t v) {
+    const auto length = [&](const Chain& chain) {
+        double sum = 0.0;
+        for (const std::uint32_t h : chain.edges)
+            sum += mesh_.length(h);
+        return sum;
+    };
+    const Chain* shortest = nullptr;
+    int ends = 0;
+    for (const Chain& chain : chains_) {
+        if (chain.is_closed || chain.has_vanished || (chain.from != v && chain.to != v)) continue;
+        ends += chain.from == chain.to ? 2 : 1;
+        if (chain.from != chain.to && (!shortest || length(chain) < length(*shortest)))
+            shortest = &chain;
+    }
+    if (ends <= kChainsThrough || !shortest) return std::nullopt;
+    const std::uint32_t beyond = shortest->from == v ? shortest->to : shortest->from;
+    join(v, beyond);
+    for (Chain& chain : chains_) {
+        // Around a needle.
+        if (chain.from == beyond && chain.to == beyond && !chain.is_closed &&
+            length(chain) < reach({chain.left, chain.right}))
+            chain.has_vanished = true;
+    }
+    return beyond;
+}
+
+// The chains that end in a vertex, of three at most.
+Chains::ChainsAt Chains::chains_at() const {
+    ChainsAt at(vertices_.size(), {kNone, kNone, kNone});
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        if (chains_[c].has_vanished) continue;
+        for (const std::uint32_t v : {chains_[c].from, chains_[c].to}) {
+            auto* const place = std::ranges::find(at[v], kNone);
+            if (place != at[v].end()) *place = c;
+        }
+    }
+    return at;
+}
+
+// Of three faces the two that the third one touches.
+std::optional<std::array<std::uint32_t, 2>> Chains::tangent_sides(const Vertex& v) const {
+    if (v.groups.size() != 3) return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = v.groups[i], b = v.groups[(i + 1) % 3], c = v.groups[(i + 2) % 3];
+        if (groups_.is_facet(a) || groups_.is_facet(b) || groups_.is_facet(c)) return std::nullopt;
+        if (std::holds_alternative<Plane>(groups_.form_of(c)) &&
+            tangency_surface(groups_.form_of(a), groups_.form_of(c)) &&
+            tangency_surface(groups_.form_of(b), groups_.form_of(c)))
+            return std::array{a, b};
+    }
+    return std::nullopt;
+}
+
+// A wall beside a move that is shorter than a facet is wide ends where the two poses of the tool
+// have facets in one plane. On the true surfaces it goes on between both, to what ends these.
+void Chains::widen(const std::vector<std::uint32_t>& narrow) {
+    if (narrow.empty()) return;
+    ChainsAt at = chains_at();
+    for (const std::uint32_t v : narrow) {
+        const auto sides = tangent_sides(vertices_[v]);
+        const bool is_wide = sides && std::ranges::any_of(std::array(at[v]), [&](std::uint32_t c) {
+                                 if (c == kNone) return false;
+                                 const Chain& chain = chains_[c];
+                                 const bool is_between =
+                                     (chain.left == (*sides)[0] && chain.right == (*sides)[1]) ||
+                                     (chain.left == (*sides)[1] && chain.right == (*sides)[0]);
+                                 return is_between && flip(c, at, 1);
+                             });
+        if (!is_wide && vertices_[v].has_failed)
+            failures_.push_back({vertices_[v].groups, true, false, vertices_[v].edge});
+    }
+}
+
+// Where the corners of four faces almost meet, large facets may have them in the wrong order: of
+// the chain between two of the faces, what should be its end comes first.
+bool Chains::flip_reversed() {
+    ChainsAt at = chains_at();
+    bool any = false;
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        if (is_reversed(chains_[c])) any = flip(c, at, kMostFlips) || any;
+    }
+    return any;
+}
+
+bool Chains::is_reversed(Chain& chain) const {
+    if (chain.is_closed || chain.has_vanished) return false;
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const Vec3 step = to.at - from.at;
+    // One beside it, which was flipped later, has changed its end.
+    if (chain.is_flipped) return dot(step, chain.direction) < 0.0;
+    if (from.has_failed || to.has_failed || norm(step) <= kPoint) return false;
+    if (from.groups.size() == 3 && to.groups.size() == 3) {
+        const auto third = [&](const Vertex& v) {
+            return *std::ranges::find_if(
+                v.groups, [&](std::uint32_t g) { return g != chain.left && g != chain.right; });
+        };
+        const auto beyond =
+            is_past_tangency({chain.left, chain.right}, third(from), third(to), from.at, to.at);
+        chain.is_direction_fixed = beyond.has_value() && !*beyond;
+        if (beyond) return *beyond;
+    }
+    return dot(step, path_direction(chain)) < 0.0;
+}
+
+// Where the profile of a tool goes from its side into its corner radius, both faces of it end.
+// Where its way bends, two such faces meet two others in one curve: each of its points is to be on
+// the right side of both places. Of a piece of that, from what is behind to what is ahead: is it
+// not? Nothing if these do not touch what is beside it.
+std::optional<bool> Chains::is_past_tangency(const std::array<std::uint32_t, 2>& sides,
+                                             std::uint32_t behind, std::uint32_t ahead, Vec3 from,
+                                             Vec3 to) const {
+    std::optional<bool> is_beyond;
+    for (const std::uint32_t g : sides) {
+        for (const auto& [n, other] : {std::pair(behind, to), {ahead, from}}) {
+            if (groups_.is_facet(g) || groups_.is_facet(n)) continue;
+            const auto touching = tangency_surface(groups_.form_of(g), groups_.form_of(n));
+            const auto* trail = touching ? std::get_if<Trail>(&*touching) : nullptr;
+            const auto* one = std::get_if<Envelope>(&groups_.form_of(g));
+            const auto* two = std::get_if<Envelope>(&groups_.form_of(n));
+            if (!trail || !one || !two) continue;
+            // A fillet below its flank, as a rule.
+            const Sweep& round = one->sweep->fillet() ? *one->sweep : *two->sweep;
+            const Sweep& side = one->sweep->fillet() ? *two->sweep : *one->sweep;
+            const bool is_below = round.fillet()->height <= side.flank()->height + kTangencyGapMm;
+            const bool should_be_above = one->sweep->flank() ? is_below : !is_below;
+            const double above = distance(*touching, other);
+            if (std::abs(above) <= kPoint) continue;
+            is_beyond = is_beyond.value_or(false) || (above > 0.0) != should_be_above;
+        }
+    }
+    return is_beyond;
+}
+
+// Nothing if it has not four different faces at its ends, or one of them is a facet.
+std::optional<Chains::Crossing> Chains::crossing_at(std::uint32_t number,
+                                                    const ChainsAt& at) const {
+    const Chain& chain = chains_[number];
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const bool is_for_good = chain.is_flipped && chain.direction == Vec3{};
+    if (chain.is_closed || is_for_good || chain.from == chain.to) return std::nullopt;
+    if (from.groups.size() != 3 || to.groups.size() != 3) return std::nullopt;
+    Crossing crossing{chain.left, chain.right};
+    const auto third = [&](const Vertex& v) {
+        for (const std::uint32_t g : v.groups) {
+            if (g != chain.left && g != chain.right) return g;
+        }
+        return kNone;
+    };
+    const std::uint32_t a = chain.left, b = chain.right, c = third(from), d = third(to);
+    if (c == kNone || d == kNone || groups_[c].surface == groups_[d].surface) return std::nullopt;
+    for (const std::uint32_t g : {a, b, c, d}) {
+        if (groups_.is_facet(g)) return std::nullopt;
+    }
+    const auto other = [&](std::uint32_t v, std::uint32_t g, std::uint32_t h) {
+        for (const std::uint32_t e : at[v]) {
+            if (e == number || e == kNone) continue;
+            const Chain& neighbour = chains_[e];
+            if ((neighbour.left == g && neighbour.right == h) ||
+                (neighbour.left == h && neighbour.right == g))
+                return e;
+        }
+        return kNone;
+    };
+    crossing.behind = c;
+    crossing.ahead = d;
+    crossing.from_left = other(chain.from, a, c);
+    crossing.from_right = other(chain.from, b, c);
+    crossing.to_left = other(chain.to, a, d);
+    crossing.to_right = other(chain.to, b, d);
+    const std::array ends{crossing.from_left, crossing.from_right, crossing.to_left,
+                          crossing.to_right};
+    if (std::ranges::find(ends, kNone) != ends.end()) return std::nullopt;
+    const auto is_loop = [&](std::uint32_t e) { return chains_[e].from == chains_[e].to; };
+    if (crossing.from_right == crossing.to_left || is_loop(crossing.from_right) ||
+        is_loop(crossing.to_left))
+        return std::nullopt;
+    return crossing;
+}
+
+// Walls, each wider than it is off: what is narrower may go itself.
+bool Chains::are_walls(const std::vector<std::uint32_t>& groups) const {
+    return std::ranges::all_of(groups, [&](std::uint32_t g) {
+        const Form& form = groups_.form_of(g);
+        return (std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form)) &&
+               2.0 * groups_[g].area > groups_.error_of(g) * groups_.perimeter(g);
+    });
+}
+
+// It is the other two that meet. With A on the left, B on the right, C behind and D ahead, the
+// chain ran from A, B, C to A, B, D; now it runs from A, C, D to B, C, D, with D on its left. Where
+// three of these do not meet there, a wall, its round end and another wall, the chain from there on
+// is flipped as well: one of them passes the other as far down as these go.
+bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
+    const std::optional<Crossing> crossing = crossing_at(number, at);
+    if (!crossing) return false;
+    Chain& chain = chains_[number];
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const std::uint32_t up = crossing->to_left, down = crossing->from_right;
+    // From where the polyhedron has them: corners of what does not meet may be far away.
+    const auto solved = [&](Vec3 start, std::uint32_t side,
+                            const std::array<std::uint32_t, 2>& sides) {
+        Vertex v{start, {side, crossing->behind, crossing->ahead}};
+        std::sort(v.groups.begin(), v.groups.end());
+        v.start = start;
+        v.has_failed =
+            !solve_vertex(v, {points_of(chains_[sides[0]]), points_of(chains_[sides[1]])});
+        return v;
+    };
+    Vertex first = solved(from.start, crossing->left, {up, crossing->from_left});
+    Vertex second = solved(to.start, crossing->right, {down, crossing->to_right});
+    const bool is_whole = !first.has_failed && !second.has_failed;
+    const Vertex& missing = first.has_failed ? first : second;
+    if (first.has_failed && second.has_failed) return false;
+    if (!is_whole && (most <= 1 || !missing.is_tangency || !are_walls(missing.groups)))
+        return false;
+
+    const std::array<std::pair<std::uint32_t, Chain>, 3> chains_before{
+        {{number, chain}, {up, chains_[up]}, {down, chains_[down]}}};
+    const std::array<std::pair<std::uint32_t, Vertex>, 2> before{
+        {{chain.from, from}, {chain.to, to}}};
+    const std::array<std::array<std::uint32_t, 3>, 2> at_before{at[chain.from], at[chain.to]};
+    // Of the four chains around, one at each end changes it.
+    std::ranges::replace(at[chain.to], up, kNone);
+    std::ranges::replace(at[chain.from], down, up);
+    *std::ranges::find(at[chain.to], kNone) = down;
+    for (const auto& [e, old, now] :
+         {std::tuple(up, chain.to, chain.from), std::tuple(down, chain.from, chain.to)}) {
+        Chain& neighbour = chains_[e];
+        (neighbour.from == old ? neighbour.from : neighbour.to) = now;
+    }
+    const std::uint32_t nowhere = first.has_failed ? chain.from : chain.to;
+    from = std::move(first);
+    to = std::move(second);
+    chain.left = crossing->ahead;
+    chain.right = crossing->behind;
+    chain.is_flipped = true;
+    chain.direction = is_whole ? to.at - from.at : Vec3{};
+    if (is_whole) return true;
+    // What touches goes on touching.
+    for (const std::uint32_t e : std::array(at[nowhere])) {
+        if (e == number || e == kNone ||
+            tangency_surface(groups_.form_of(chains_[e].left), groups_.form_of(chains_[e].right)))
+            continue;
+        if (flip(e, at, most - 1)) return true;
+    }
+    for (const auto& [e, was] : chains_before)
+        chains_[e] = was;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        vertices_[before[i].first] = before[i].second;
+        at[before[i].first] = at_before[i];
+    }
+    return false;
+}
+
+// Where a chain goes in the polyhedron.
+Vec3 Chains::path_direction(const Chain& chain) const {
+    return mesh_.point(mesh_.to(chain.edges.back())) -
+           mesh_.point(mesh_.edges()[chain.edges.front()].from);
+}
+
+}  // namespace ncsim::brep

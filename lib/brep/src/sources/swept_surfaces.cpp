@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surfaces that the elements of a tool's profile sweep on lines, arcs, splines and paths of tools
+// that turn.
+#include "ncsim/brep/swept_surfaces.h"
+
+#include "ncsim/toolpath/kinematics.h"
+#include "ncsim/toolpath/tool_pose.h"
+#include "ncsim/trig/angles.h"
+
+#include "geometry/tolerances.h"
+#include "sources/path_segments.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+using gcode::Position;
+using toolpath::Pose;
+using toolpath::ProfilePoint;
+
+// Lengths below this are rounding errors, mm.
+constexpr double kEqual = 1e-9;
+// Least rise of a line per mm at which readers find points on the extruded circle.
+constexpr double kFlattest = 1e-3;
+// Largest distance of facets from the surface that a rim sweeps, mm.
+constexpr double kRimMargin = 0.5;
+
+// --- Profiles -----------------------------------------------------------------------------
+
+// Element of a profile. Straight: radius and height at the lower and the upper end. Round: `fillet`
+// about (radius, height).
+struct Element {
+    double radius = 0.0, height = 0.0, end_radius = 0.0, end_height = 0.0;
+    double fillet = 0.0;
+    double rise() const { return end_height - height; }
+    double widening() const { return end_radius - radius; }
+};
+
+struct Flat {
+    double r, h;
+};
+
+Flat direction(Flat a, Flat b) {
+    const double r = b.r - a.r, h = b.h - a.h;
+    const double length = std::sqrt(r * r + h * h);
+    return length > kEqual ? Flat{r / length, h / length} : Flat{0.0, 0.0};
+}
+
+std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
+    const auto& profile = piece.profile;
+    if (profile.empty()) return {};
+    std::vector<Flat> corners{{0.0, profile.front().height}};
+    for (const ProfilePoint& p : profile)
+        corners.push_back({p.radius, p.height});
+    corners.push_back({0.0, profile.back().height});
+    std::vector<Element> elements;
+    Flat at = corners.front();  // End of the last element.
+    const auto straight_to = [&](Flat end) {
+        if (std::abs(end.r - at.r) > kEqual || std::abs(end.h - at.h) > kEqual)
+            elements.push_back({at.r, at.h, end.r, end.h});
+        at = end;
+    };
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Flat corner = corners[i + 1];
+        const double rho = profile[i].fillet;
+        if (rho <= 0.0) {
+            straight_to(corner);
+            continue;
+        }
+        const Flat in = direction(corners[i], corner), out = direction(corner, corners[i + 2]);
+        const double turn = in.r * out.h - in.h * out.r;
+        const double tangent = rho * turn / (1.0 + in.r * out.r + in.h * out.h);
+        const Flat begin{corner.r - tangent * in.r, corner.h - tangent * in.h};
+        straight_to(begin);
+        elements.push_back({begin.r - rho * in.h, begin.h + rho * in.r, 0.0, 0.0, rho});
+        at = {corner.r + tangent * out.r, corner.h + tangent * out.h};
+    }
+    straight_to(corners.back());
+    return elements;
+}
+
+// --- Sweeps -------------------------------------------------------------------------------
+
+// Returns the i-th of `pieces` equal pieces of the path.
+HelixPath piece_of(const HelixPath& path, int i, int pieces) {
+    if (pieces == 1) return path;
+    const double width = path.swept / pieces, begin = i * width;
+    const auto angle = trig::sin_cos(begin / trig::kRadiansPerDegree);
+    HelixPath piece = path;
+    piece.centre = path.centre + (path.lead * begin) * path.about;
+    piece.ahead = angle.cos * path.ahead + angle.sin * cross(path.about, path.ahead);
+    piece.reach = path.reach + path.growth * begin;
+    piece.swept = width;
+    return piece;
+}
+
+// Returns the least and the greatest height above the centre, along `axis`, that an arc passes on
+// the side of the centre to which `side` points, mm; no value if the arc does not pass there.
+std::optional<std::array<double, 2>> heights_passed(const ArcPath& path, Vec3 axis, Vec3 side) {
+    constexpr double kTurn = 360.0, kQuarter = 90.0;
+    const Vec3 on =
+        path.swept < 0.0 ? cross(path.ahead, path.about) : cross(path.about, path.ahead);
+    const double swept = std::abs(path.swept) / trig::kRadiansPerDegree;
+    // Returns the angle from the start, along the arc, at which the arc passes `direction`.
+    const auto angle_at = [&](Vec3 direction) {
+        const double angle = trig::angle_of(dot(direction, path.ahead), dot(direction, on));
+        return angle < 0.0 ? angle + kTurn : angle;
+    };
+    const double enters = angle_at(-axis), leaves = angle_at(axis);
+    std::optional<std::array<double, 2>> heights;
+    const auto take = [&](double degrees) {
+        const auto angle = trig::sin_cos(degrees);
+        const Vec3 out = angle.cos * path.ahead + angle.sin * on;
+        if (dot(out, side) < -kEqual) return;
+        const double height = path.fitted_radius * dot(out, axis);
+        if (!heights) heights = {height, height};
+        (*heights)[0] = std::min((*heights)[0], height);
+        (*heights)[1] = std::max((*heights)[1], height);
+    };
+    for (const double degrees : {0.0, swept, enters, leaves}) {
+        if (degrees <= swept) take(degrees);
+    }
+    // The arc is on the opposite side except for the point in which it crosses the axis.
+    if (heights && (*heights)[1] - (*heights)[0] <= kEqual && swept > kEqual * kQuarter)
+        return std::nullopt;
+    return heights;
+}
+
+class Sweeps {
+public:
+    explicit Sweeps(std::vector<CandidateSurface>& into) : into_(&into) {}
+
+    void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
+
+    /// Sets the box for surfaces that follow, except planes, and the end planes for surfaces that
+    /// are not at rest.
+    void set_place(const std::optional<cda::Box>& place,
+                   const std::optional<std::array<Plane, 2>>& ends) {
+        place_ = place;
+        ends_ = ends;
+    }
+
+    /// True if some surface of the motion is missing.
+    bool may_leave_other_surfaces() const { return may_leave_other_surfaces_; }
+    void note_unlisted_surfaces() { may_leave_other_surfaces_ = true; }
+
+    /// Returns the factor of chord errors by which facets may be off.
+    double chords() const { return chords_; }
+
+    // Adds the surface of the element at rest.
+    void rest(const Element& e, Vec3 tip, Vec3 axis) {
+        const Vec3 at = tip + e.height * axis;
+        if (e.fillet > 0.0) {
+            tube(at, axis, e.radius, e.fillet);
+        } else if (std::abs(e.rise()) <= kEqual) {
+            disc(e, at, axis);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            add(Cylinder{at, axis, e.radius});
+        } else {
+            cone(at, axis, e.radius, e.widening() / e.rise());
+        }
+    }
+
+    void line(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+        const double along = dot(d, axis);
+        const bool is_level = std::abs(along) <= kEqual;
+        const Vec3 at = tip + e.height * axis;
+        const Vec3 side = normalized(cross(axis, d));
+        if (norm(cross(axis, d)) <= kEqual) {
+            // Along the axis, the element leaves the same surface as at rest, without the end that
+            // is left last.
+            rest(e, tip, axis);
+        } else if (e.fillet > 0.0) {
+            if (e.radius <= kEqual) {
+                add(Cylinder{at, d, e.fillet});
+            } else if (is_level) {
+                for (const double sign : {-1.0, 1.0})
+                    add(Cylinder{at + (sign * e.radius) * side, d, e.fillet});
+            } else {
+                envelope(e, StraightPath{tip, d, axis});
+            }
+        } else if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, at, axis);
+        } else {
+            slopes(e, at, axis, side, d);
+        }
+    }
+
+    // Adds the surface of the lower corner of an element on a line oblique to the axis.
+    void rim(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+        const double along = dot(d, axis);
+        if (e.radius <= kEqual || std::abs(along) <= kFlattest || norm(cross(axis, d)) <= kEqual)
+            return;
+        add(Extrusion{tip + e.height * axis, axis, along > 0.0 ? d : -d, e.radius});
+    }
+
+    // Adds the surfaces of an arc about an axis parallel to the tool's.
+    void arc(const Element& e, const HelixPath& path, bool is_level) {
+        const Vec3 axis = path.axis, at = path.centre + e.height * axis;
+        const double reach = path.reach;
+        if (e.fillet > 0.0) {
+            if (!is_level) return envelope(e, path);
+            // On longer arcs, the tip of a spindle may be inside a face.
+            const bool is_at_most_half = std::abs(path.swept) <= std::numbers::pi + kEqual;
+            tube(at, axis, reach + e.radius, e.fillet, is_at_most_half);
+            if (e.radius > kEqual && reach > e.radius)
+                tube(at, axis, reach - e.radius, e.fillet, is_at_most_half);
+        } else if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, at, axis);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            add(Cylinder{at, axis, reach + e.radius});
+            if (reach > e.radius + kEqual) {
+                add(Cylinder{at, axis, reach - e.radius}, false);
+                if (!is_level) add_plunge_chords(reach, e.radius);
+            }
+        } else if (is_level) {
+            const double slope = e.widening() / e.rise();
+            cone(at, axis, reach + e.radius, slope);
+            if (reach > e.radius) cone(at, axis, reach - e.radius, -slope, false);
+        } else {
+            note_unlisted_surfaces();
+        }
+    }
+
+    // Adds the surfaces of a straight element on a path on which the tool turns.
+    void flank(const Element& e, const RotaryPath& path) {
+        const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
+        if (e.rise() <= kEqual) {
+            // The element that closes the profile above cuts no material.
+            const Fillet edge{e.end_radius, e.end_height, 0.0};
+            const bool is_unknown =
+                e.widening() > 0.0 ? !has_across(Sweep(edge, path)) : e.rise() < -kEqual;
+            if (is_unknown) note_unlisted_surfaces();
+            return;
+        }
+        // On both sides of the path of a tip, the surface would have an edge.
+        if (e.radius <= kEqual) return note_unlisted_surfaces();
+        auto sweep = std::make_shared<Sweep>(
+            Flank{e.radius, e.height, e.rise() / length, -e.widening() / length, length}, path);
+        if (!has_across(*sweep)) return note_unlisted_surfaces();
+        if (walls(*sweep)) return;
+        add(Envelope{std::move(sweep)});
+    }
+
+    // Adds the envelopes of a round element on any path. If the path returns to its start, the
+    // surface that is left last is tangent to the tool at the end, and the surface that is left
+    // first crosses the tool there. Half turns keep these surfaces separate.
+    void envelope(const Element& e, const ToolPath& path) {
+        const auto* turning = std::get_if<RotaryPath>(&path);
+        if (turning && e.fillet <= 0.0) return flank(e, *turning);
+        if (e.fillet <= 0.0) return note_unlisted_surfaces();
+        constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
+        const auto* round = std::get_if<HelixPath>(&path);
+        const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
+        const int pieces = turns > kNearlyBack ? static_cast<int>(std::ceil(2.0 * turns)) : 1;
+        // On many turns, the flank usually leaves the surface between the ends, and each envelope
+        // costs time.
+        constexpr int kEnds = 4;
+        if (pieces > 2 * kEnds) note_unlisted_surfaces();
+        for (int i = 0; i < pieces; ++i) {
+            if (i >= kEnds && i < pieces - kEnds) continue;
+            const ToolPath piece = round ? ToolPath(piece_of(*round, i, pieces)) : path;
+            auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, e.fillet}, piece);
+            if (!has_across(*sweep)) return note_unlisted_surfaces();
+            add(Envelope{std::move(sweep)});
+        }
+    }
+
+    // Adds the envelope of the corner at the start of a flank, on a path on which the tool turns.
+    void rim(const Element& e, const RotaryPath& path) {
+        if (e.radius <= kEqual || e.rise() <= kEqual) return;
+        auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, 0.0}, path);
+        if (!has_across(*sweep)) return note_unlisted_surfaces();
+        add(Envelope{std::move(sweep)});
+    }
+
+    // Adds the walls of an arc whose ends have different radii. `left` is half of the angle that is
+    // missing to a full turn, radians.
+    void spiral(const Element& e, const Spiral& path, double left, Vec3 axis, bool is_level) {
+        if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, path.centre + e.height * axis, axis);
+        } else if (std::abs(e.widening()) > kEqual) {
+            note_unlisted_surfaces();
+        } else {
+            const double least = path.reach - std::numbers::pi * std::abs(path.lead);
+            // If the ends are close, a point next to the first end is also next to the second.
+            constexpr double kFew = 5.0 * trig::kRadiansPerDegree;
+            if (left < kFew && left * least < 2.0 * e.radius) return note_unlisted_surfaces();
+            Spiral wall = path;
+            wall.offset = e.radius;
+            add(wall);
+            wall.offset = -e.radius;
+            // Nearer to the centre, the wall has a cusp.
+            constexpr double kLeastBend = 0.05;
+            if (least > (1.0 + kLeastBend) * e.radius) add(wall, false);
+        }
+    }
+
+    // Adds the coil of a corner on a helix.
+    void rim_around(const Element& e, const HelixPath& path, double lead) {
+        if (e.radius <= kEqual || path.reach <= kEqual || std::abs(lead) <= kEqual) return;
+        const Vec3 start = path.centre + e.height * path.axis;
+        add(Coil{start, path.axis, path.ahead, path.reach, e.radius, lead});
+        // The remaining turns of the coil pass near any level face.
+        Vec3 beyond;
+        for (int i = 0; i < 3; ++i) {
+            const double level = std::sqrt(std::max(0.0, 1.0 - path.axis[i] * path.axis[i]));
+            beyond[i] = (path.reach + e.radius) * level + kRimMargin;
+        }
+        cda::Box box;
+        for (const Vec3 end : {start, start + (path.lead * path.swept) * path.about}) {
+            box.add(end + beyond);
+            box.add(end - beyond);
+        }
+        into_->back().place = box;
+    }
+
+    // Adds the domes of a corner on an arc about an axis perpendicular to the tool's: a dome on
+    // each side of the arc's centre, limited to the heights that the arc passes there. Beyond these
+    // heights, the dome would continue along walls at the start or the end of the motion.
+    void rim_across(const Element& e, const ArcPath& path, Vec3 axis) {
+        if (e.radius <= kEqual || path.fitted_radius <= kEqual ||
+            std::abs(dot(path.about, axis)) > kEqual)
+            return;
+        const Vec3 centre = path.fitted + e.height * axis;
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 side = sign * cross(path.about, axis);
+            const auto heights = heights_passed(path, axis, side);
+            if (!heights) continue;
+            add(Dome{centre, axis, side, path.fitted_radius, e.radius});
+            if (into_->back().ends) continue;
+            const auto [low, high] = *heights;
+            into_->back().ends = std::array{Plane{centre + (low - kTangencyGapMm) * axis, axis},
+                                            Plane{centre + (high + kTangencyGapMm) * axis, axis}};
+        }
+    }
+
+    // Adds the plane of a flat end where such an arc is level, at the bottom of a dip.
+    void level_across(const Element& e, Vec3 centre, Vec3 axis, double reach) {
+        if (e.fillet > 0.0 || std::abs(e.rise()) > kEqual) return;
+        disc(e, centre + (e.height + (e.widening() > 0.0 ? -reach : reach)) * axis, axis);
+    }
+
+    // Adds the surfaces of an arc about an axis perpendicular to the tool's; upright sides leave
+    // planes.
+    void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
+        if (e.fillet > 0.0) {
+            tube(centre + e.height * axis, about, reach, e.fillet);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            for (const double sign : {-1.0, 1.0})
+                add(Plane{centre + (sign * e.radius) * about, -sign * about}, false);
+        } else if (std::abs(e.rise()) > kEqual) {
+            note_unlisted_surfaces();
+        }
+    }
+
+private:
+    // Sets the chord factor for helices. Between a pose of a helix and the next, lower pose, a
+    // ledge is left on the inner wall, as wide as two circles are apart next to their point of
+    // tangency.
+    void add_plunge_chords(double reach, double radius) {
+        constexpr double kMost = 16.0;
+        chords_ = std::min(4.0 * reach * (1.0 / (reach - radius) + 1.0 / radius), kMost);
+    }
+
+    // Adds the planes of an upright flank if the tool turns in the plane of its path; otherwise
+    // returns false.
+    bool walls(const Sweep& sweep) {
+        const Flank& side = *sweep.flank();
+        const ToolFrame& start = sweep.samples().front();
+        const Vec3 low = cross(start.speed, start.axis), turned = cross(start.turn, start.axis);
+        const Vec3 n = normalized(norm(turned) > kEqual ? turned : low);
+        const auto is_across = [&](const ToolFrame& at) {
+            return std::abs(dot(at.axis, n)) <= kEqual &&
+                   std::abs(dot(at.tip - start.tip, n)) <= kEqual;
+        };
+        if (std::abs(side.sine) > kEqual || !std::ranges::all_of(sweep.samples(), is_across))
+            return false;
+        for (const double sign : {-1.0, 1.0})
+            add(Plane{start.tip + (sign * side.radius) * n, -sign * n});
+        return true;
+    }
+
+    void add(const Form& form, bool is_hollow = true) {
+        const bool is_plane = std::holds_alternative<Plane>(form);
+        into_->push_back({{form, is_hollow && !is_plane}, at_rest_});
+        if (is_plane) return;
+        into_->back().place = place_;
+        if (!at_rest_) into_->back().ends = ends_;
+    }
+
+    // An element that closes the profile below looks down, above up; the material is on the
+    // opposite side.
+    void disc(const Element& e, Vec3 at, Vec3 axis) {
+        add(Plane{at, e.widening() > 0.0 ? axis : -axis});
+    }
+
+    void tube(Vec3 centre, Vec3 axis, double major, double minor, bool may_be_spindle = false) {
+        // A torus about as thick as wide has two tips that cannot be distinguished.
+        constexpr double kLeastApart = 0.01;
+        const Torus torus{centre, axis, major, minor};
+        if (major <= kEqual) {
+            add(Sphere{centre, minor});
+        } else if (!is_spindle(torus) || (may_be_spindle && major < minor * (1.0 - kLeastApart))) {
+            add(torus);
+        } else if (!at_rest_) {
+            note_unlisted_surfaces();
+        }
+    }
+
+    // Adds the cone through the circle of `radius` about `at`.
+    void cone(Vec3 at, Vec3 axis, double radius, double slope, bool is_hollow = true) {
+        const Vec3 apex = at - (radius / slope) * axis;
+        add(Cone{apex, slope > 0.0 ? axis : -axis, std::abs(slope)}, is_hollow);
+    }
+
+    // Adds the planes that are tangent to the side along two of its rulings and parallel to the
+    // path.
+    void slopes(const Element& e, Vec3 at, Vec3 axis, Vec3 side, Vec3 d) {
+        const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
+        const double up = e.rise() / length, out = e.widening() / length;
+        const Vec3 ahead = cross(side, axis);
+        const double cosine = out * dot(d, axis) / (up * dot(d, ahead));
+        if (std::abs(cosine) >= 1.0) return;
+        const double sine = std::sqrt(1.0 - cosine * cosine);
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 towards = cosine * ahead + (sign * sine) * side;
+            add(Plane{at + e.radius * towards, -(up * towards - out * axis)});
+        }
+    }
+
+    std::vector<CandidateSurface>* into_;
+    bool at_rest_ = false;
+    std::optional<cda::Box> place_;
+    std::optional<std::array<Plane, 2>> ends_;
+    bool may_leave_other_surfaces_ = false;
+    double chords_ = 1.0;
+};
+
+// Adds the surfaces of an element on an arc.
+void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcPath& path, Vec3 axis) {
+    const double along = std::abs(dot(path.about, axis));
+    const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
+    const bool is_ball = e.fillet > 0.0 && e.radius <= kEqual;
+    const HelixPath round{path.centre, path.about, path.ahead, path.start,
+                          path.growth, path.rise,  path.swept, axis};
+    if (path.spiral && is_about && e.fillet <= 0.0) {
+        sweeps.spiral(e, *path.spiral, path.left, axis, path.is_level);
+    } else if (!path.spiral && is_about) {
+        sweeps.arc(e, round, path.is_level);
+        if (is_corner && !path.is_level) sweeps.rim_around(e, round, path.rise);
+    } else if (!path.spiral && path.is_level && (is_ball || e.fillet <= 0.0)) {
+        sweeps.arc_across(e, path.centre, axis, path.about, path.radius);
+        if (is_across) sweeps.level_across(e, path.fitted, axis, path.fitted_radius);
+        if (is_corner) sweeps.rim_across(e, path, axis);
+    } else {
+        sweeps.envelope(e, round);
+    }
+}
+
+// Adds the surfaces of an element along a spline. Each arc's surfaces are limited to a box around
+// the arc.
+void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
+                  const std::vector<SplinePath>& paths, Vec3 axis) {
+    const double wide = std::max(e.radius, e.end_radius) + e.fillet + kRimMargin;
+    for (const SplinePath& path : paths) {
+        cda::Box box;
+        for (const double height : {e.height, e.end_height}) {
+            for (const Vec3 corner : {path.box.min, path.box.max}) {
+                box.add(corner + height * axis + Vec3{wide, wide, wide});
+                box.add(corner + height * axis - Vec3{wide, wide, wide});
+            }
+        }
+        sweeps.set_place(box, path.ends);
+        sweeps.set_at_rest(false);
+        if (path.arc) {
+            sweep_arc(sweeps, e, is_corner, *path.arc, axis);
+        } else {
+            sweeps.line(e, path.from, axis, normalized(path.to - path.from));
+        }
+        sweeps.set_at_rest(true);
+        if (path.begins_in_corner) sweeps.rest(e, path.from, axis);
+    }
+    sweeps.set_place({}, {});
+}
+
+// Returns the unit direction of a line. Programs round the end of a motion along the tool's axis.
+Vec3 direction_of(Vec3 motion, Vec3 axis) {
+    constexpr double kLargestLateral = 2e-3, kSteep = 1e-3;  // mm; of the length
+    const double lateral = norm(cross(axis, motion));
+    if (lateral <= kLargestLateral && lateral <= kSteep * norm(motion))
+        return dot(axis, motion) < 0.0 ? -axis : axis;
+    return normalized(motion);
+}
+
+}  // namespace
+
+SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
+                          const toolpath::Kinematics* specified) {
+    SweptSurfaces source;
+    const Position* from = gcode::start_of(motion);
+    const Position* to = gcode::end_of(motion);
+    if (!from || !to) return source;
+    const toolpath::Poses poses(specified, motion);
+    const Pose start = poses.at(*from), end = poses.at(*to);
+    // If the program specifies the tip, a tool that turns about its own axis still moves straight.
+    const bool turns =
+        poses.has_tip_control() ? start.rows != end.rows : !are_rotary_axes_fixed(*from, *to);
+    const Vec3 axis = axis_of(start);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    std::optional<ArcPath> path;
+    if (arc) path = arc_path(*arc, poses);
+    std::optional<RotaryPath> turning;
+    if (turns) turning = rotary_path(motion, poses);
+    std::vector<SplinePath> spline;
+    if (const auto* curve = std::get_if<gcode::Spline>(&motion.what); curve && !turns)
+        spline = spline_paths(*curve, poses);
+    if (!spline.empty()) source.deviation_mm = kSplineArcError;
+    Sweeps sweeps(source.candidates);
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        const std::vector<Element> elements = elements_of(piece);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const Element& e = elements[i];
+            const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
+            sweeps.set_at_rest(false);
+            if (path) {
+                sweep_arc(sweeps, e, is_corner, *path, axis);
+            } else if (!spline.empty()) {
+                sweep_spline(sweeps, e, is_corner, spline, axis);
+            } else if (turning) {
+                sweeps.envelope(e, *turning);
+                if (is_corner) sweeps.rim(e, *turning);
+            } else if (turns || !std::holds_alternative<gcode::Linear>(motion.what)) {
+                sweeps.note_unlisted_surfaces();
+            } else if (start.translation != end.translation) {
+                const Vec3 d = direction_of(end.translation - start.translation, axis);
+                sweeps.line(e, start.translation, axis, d);
+                if (is_corner) sweeps.rim(e, start.translation, axis, d);
+            }
+            sweeps.set_at_rest(true);
+            sweeps.rest(e, start.translation, axis);
+            sweeps.rest(e, end.translation, axis_of(end));
+        }
+    }
+    source.may_leave_other_surfaces = sweeps.may_leave_other_surfaces();
+    const bool is_straight = !turns && std::holds_alternative<gcode::Linear>(motion.what);
+    source.chords = is_straight ? 0.0 : sweeps.chords();
+    return source;
+}
+
+std::vector<CandidateSurface> surfaces_of(const toolpath::Stock& stock) {
+    std::vector<CandidateSurface> candidates;
+    if (stock.shape) return candidates;
+    for (int i = 0; i < 3; ++i) {
+        if (stock.is_round && i != stock.axis) continue;
+        Vec3 n;
+        n[i] = 1.0;
+        candidates.push_back({{Plane{stock.box.max, n}, false}, false});
+        candidates.push_back({{Plane{stock.box.min, -n}, false}, false});
+    }
+    if (stock.is_round) {
+        Vec3 axis;
+        axis[stock.axis] = 1.0;
+        const double radius = 0.5 * stock.box.size()[(stock.axis + 1) % 3];
+        candidates.push_back({{Cylinder{stock.box.centre(), axis, radius}, false}, false});
+    }
+    return candidates;
+}
+
+}  // namespace ncsim::brep

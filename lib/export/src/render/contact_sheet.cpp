@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Layout of pictures, labels and caption on a sheet.
+#include "ncsim/export/contact_sheet.h"
+
+#include "render/lettering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace ncsim::exporter {
+
+namespace {
+
+// Heights of capitals as shares of the height of a picture, and the smallest readable height in
+// pixels.
+constexpr double kLabelHeight = 1.0 / 42.0;
+constexpr double kCaptionHeight = 1.0 / 36.0;
+constexpr double kLeastHeight = 7.0;
+constexpr double kCaptionMargin = 1.5;  // margin of text lines, in heights of capitals
+constexpr double kLineSpacing = 2.1;    // distance of text lines, in heights of capitals
+
+struct SheetColours {
+    Rgba8 background, text, rule;
+};
+
+SheetColours sheet_colours(Background background) {
+    if (background == Background::White) {
+        return {{255, 255, 255, 255}, {40, 44, 50, 255}, {210, 213, 218, 255}};
+    }
+    return {{30, 33, 38, 255}, {216, 220, 226, 255}, {70, 75, 83, 255}};
+}
+
+std::uint32_t columns_for(std::size_t pictures) {
+    if (pictures <= 3) return static_cast<std::uint32_t>(pictures);
+    std::uint32_t columns = 2;
+    while (std::size_t{columns} * columns < pictures)
+        ++columns;
+    return columns;
+}
+
+// Returns the height of capitals in a line: `wanted`, or less if the line would not fit.
+double line_height(const std::string& line, std::uint64_t width, double margin, double wanted) {
+    const double room = std::max(0.0, static_cast<double>(width) - 2.0 * margin);
+    const double needed = text_width(wanted, line);
+    return needed > room ? std::max(kLeastHeight, wanted * room / needed) : wanted;
+}
+
+void paste(Image& sheet, const Image& picture, std::uint32_t left, std::uint32_t top) {
+    for (std::uint32_t y = 0; y < picture.height; ++y) {
+        std::copy_n(&picture.at(0, y), picture.width, &sheet.at(left, top + y));
+    }
+}
+
+}  // namespace
+
+Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std::string> caption,
+                    Background background) {
+    if (pictures.empty()) throw std::runtime_error("cannot make a sheet of no pictures");
+    const std::uint32_t width = pictures[0].picture.width;
+    const std::uint32_t height = pictures[0].picture.height;
+    for (const LabelledImage& one : pictures) {
+        if (one.picture.width != width || one.picture.height != height ||
+            one.picture.pixels.empty()) {
+            throw std::runtime_error("cannot make a sheet of pictures of different sizes");
+        }
+    }
+    const std::uint32_t columns = columns_for(pictures.size());
+    const auto rows = static_cast<std::uint32_t>((pictures.size() + columns - 1) / columns);
+    // The space for the caption does not depend on its text, so all frames of a film have the same
+    // size.
+    const double capitals = std::max(kLeastHeight, kCaptionHeight * height);
+    const double margin = caption.empty() ? 0.0 : kLineSpacing * capitals;
+    const double text_height =
+        caption.empty()
+            ? 0.0
+            : 2.0 * margin + kLineSpacing * capitals * static_cast<double>(caption.size() - 1);
+    const std::uint64_t sheet_width = std::uint64_t{width} * columns;
+    const std::uint64_t sheet_height =
+        std::uint64_t{height} * rows + static_cast<std::uint64_t>(std::ceil(text_height));
+    if (sheet_width > kMaxImageSide || sheet_height > kMaxImageSide) {
+        throw std::runtime_error("the sheet would have " + std::to_string(sheet_width) + " by " +
+                                 std::to_string(sheet_height) + " pixels, more than " +
+                                 std::to_string(kMaxImageSide) + " along a side");
+    }
+
+    const SheetColours colours = sheet_colours(background);
+    Image sheet{
+        static_cast<std::uint32_t>(sheet_width), static_cast<std::uint32_t>(sheet_height), {}};
+    sheet.pixels.assign(std::size_t{sheet.width} * sheet.height, colours.background);
+    const double label = std::max(kLeastHeight, kLabelHeight * height);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const auto column = static_cast<std::uint32_t>(i % columns);
+        const auto row = static_cast<std::uint32_t>(i / columns);
+        paste(sheet, pictures[i].picture, column * width, row * height);
+        draw_text(sheet, column * width + 1.5 * label, row * height + 2.5 * label, label,
+                  colours.text, pictures[i].label);
+    }
+    if (caption.empty()) return sheet;
+    std::fill_n(&sheet.at(0, rows * height), sheet.width, colours.rule);
+    double base_line = rows * height + margin + 0.5 * capitals;
+    const double left = kCaptionMargin * capitals;
+    for (const std::string& line : caption) {
+        draw_text(sheet, left, base_line, line_height(line, sheet_width, left, capitals),
+                  colours.text, line);
+        base_line += kLineSpacing * capitals;
+    }
+    return sheet;
+}
+
+}  // namespace ncsim::exporter

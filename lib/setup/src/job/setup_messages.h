@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names of the rows of setup_messages.def.
+#pragma once
+
+#include "ncsim/gcode/diagnostic.h"
+
+namespace ncsim::setup {
+
+struct Message {
+#define NCSIM_DIAGNOSTIC(name, severity, code, text) \
+    static constexpr gcode::MessageText name{gcode::Severity::severity, code, text};
+#include "job/setup_messages.def"
+#undef NCSIM_DIAGNOSTIC
+};
+
+}  // namespace ncsim::setup

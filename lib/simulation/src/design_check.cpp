@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Findings of the rules gouge and excess.
+#include "ncsim/simulation/design_check.h"
+
+#include "ncsim/cda/check.h"
+#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/report/describe.h"
+#include "ncsim/verify/design_comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace ncsim::simulation {
+
+namespace {
+
+using verify::DesignRegion;
+using verify::Finding;
+
+std::vector<verify::LineRange> lines_of(const DesignRegion& region, const Simulation& simulation) {
+    std::vector<verify::LineRange> lines;
+    for (const cda::Origin origin : region.origins) {
+        if (origin == cda::kStockOrigin) continue;
+        const verify::Place& place = simulation.cuts.at(static_cast<std::size_t>(origin)).place;
+        lines.push_back({place.file, place.span.line, place.span.line});
+    }
+    return verify::merged(std::move(lines));
+}
+
+Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
+    Finding f;
+    const Cut& cut = simulation.cuts.at(static_cast<std::size_t>(region.origin));
+    f.place = f.last = cut.place;
+    f.first_motion = f.last_motion = cut.motion;
+    f.tool = cut.tool;
+    f.point = region.point;
+    f.box = region.box;
+    return f;
+}
+
+// Returns the area of a triangle in a box, mm².
+double area_within(const cda::Corners& triangle, const cda::Box& box) {
+    std::vector<cda::Vec3> polygon(triangle.begin(), triangle.end());
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            const double most = sign > 0.0 ? box.max[axis] : -box.min[axis];
+            std::vector<cda::Vec3> left;
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                const cda::Vec3 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+                const double a = sign * p[axis] - most, b = sign * q[axis] - most;
+                if (a <= 0.0) left.push_back(p);
+                if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0))
+                    left.push_back(p + (a / (a - b)) * (q - p));
+            }
+            polygon = std::move(left);
+        }
+    }
+    cda::Vec3 twice;
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        twice = twice + cda::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    return 0.5 * cda::norm(twice);
+}
+
+// Names of the design's faces near a region.
+class FaceNames {
+public:
+    explicit FaceNames(const Design& design) : design_(design), tree_(design.mesh) {}
+
+    // Returns the name of the face that has the largest area of the design in the region; empty
+    // without a name.
+    std::string of(const cda::Box& region) const {
+        if (design_.face_names.empty()) return {};
+        constexpr double kAround = 0.02;  // mm; includes surfaces on the sides of the region
+        const cda::Vec3 around{kAround, kAround, kAround};
+        const cda::Box box{region.min - around, region.max + around};
+        std::map<std::uint32_t, double> areas;
+        tree_.visit([&](const cda::Box& other) { return box.overlaps(other); },
+                    [&](std::uint32_t t) {
+                        areas[design_.mesh.face.at(t)] +=
+                            area_within(cda::corners_of(design_.mesh, t), box);
+                    });
+        const auto largest = std::ranges::max_element(
+            areas, [](const auto& a, const auto& b) { return a.second < b.second; });
+        if (largest == areas.end() || largest->second <= 0.0) return {};
+        const std::string& name = design_.face_names.at(largest->first);
+        // Default name of CAD programs.
+        return name == "NONE" ? std::string() : name;
+    }
+
+private:
+    const Design& design_;
+    cda::TriangleTree tree_;
+};
+
+// Returns how much the tools of a region may have removed in excess, mm.
+double excess_in(const DesignRegion& region, const Simulation& simulation) {
+    double error = 0.0;
+    for (const cda::Origin origin : region.origins) {
+        if (origin == cda::kStockOrigin) continue;
+        const auto cutter =
+            simulation.cutters.find(simulation.cuts.at(static_cast<std::size_t>(origin)).tool);
+        if (cutter != simulation.cutters.end()) error = std::max(error, cutter->second.error_mm);
+    }
+    return error + simulation.bounds.gained_mm;
+}
+
+Finding gouge(const DesignRegion& region, const Design& design, const Simulation& simulation) {
+    Finding f = finding_for(region, simulation);
+    f.rule = "gouge";
+    const double off = design.deflection_mm + excess_in(region, simulation);
+    // A thin layer removed from the sides of a sharp edge moves the edge by many times its
+    // thickness. The sides are gouged only if the missing material is deeper than the error of the
+    // tools.
+    const bool certain = region.depth_mm > design.tolerance_mm + off && region.below_mm > off;
+    f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
+    f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
+    f.message = "the part is cut into the design";
+    const auto lines = lines_of(region, simulation);
+    if (lines.size() > 1 || (!lines.empty() && lines.front().first != lines.front().last)) {
+        f.message += ", around here by lines " + report::lines_text(lines);
+    }
+    f.quantity = verify::Quantity{"depth", region.depth_mm, "mm"};
+    return f;
+}
+
+Finding excess(const DesignRegion& region, const Design& design, const Simulation& simulation) {
+    Finding f = finding_for(region, simulation);
+    f.rule = "excess";
+    const double off = design.deflection_mm + simulation.bounds.missed_mm;
+    // Facets of a design deviate from its curves. Along a sharp edge the deviation is many times
+    // the distance from the sides; so material thinner than the tolerance is not certain.
+    const bool certain = region.depth_mm > design.tolerance_mm + off &&
+                         region.below_mm > design.tolerance_mm / 2 + off;
+    f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
+    f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
+    f.message = "material is left that the design does not have";
+    const auto lines = lines_of(region, simulation);
+    f.message += lines.empty() ? ", where nothing was cut"
+                               : ", adjacent to the cut of lines " + report::lines_text(lines);
+    f.quantity = verify::Quantity{"thickness", region.depth_mm, "mm"};
+    return f;
+}
+
+Finding nothing_left_finding(const Design& design) {
+    Finding f;
+    f.rule = "gouge";
+    f.message = "nothing of the part is left";
+    f.quantity = verify::Quantity{"missing", cda::volume(design.mesh), "mm3"};
+    return f;
+}
+
+report::DesignFacts::Side side_of(const verify::DesignSide& side) {
+    return {side.regions.empty() ? 0.0 : side.regions.front().depth_mm, side.volume_mm3,
+            side.regions.size()};
+}
+
+}  // namespace
+
+std::vector<Finding> compare_with(const Design& design, const Simulation& simulation,
+                                  report::DesignFacts& facts) {
+    std::vector<Finding> findings;
+    facts.path = design.path;
+    facts.tolerance_mm = design.tolerance_mm;
+    const cda::Boundary part = surface_of(simulation);
+    if (part.faces.empty()) {
+        facts.gouge.regions = 1;
+        facts.gouge.volume_mm3 = cda::volume(design.mesh);
+        findings.push_back(nothing_left_finding(design));
+    } else {
+        // Deviations that the triangles of the design may hide are searched, too; they are not
+        // certain.
+        const double looked_for = design.tolerance_mm - design.deflection_mm;
+        const verify::DesignComparison c = verify::compare(part, design.mesh, looked_for);
+        facts.resolution_mm = c.resolution_mm;
+        facts.deviation_mm = c.deviation_mm;
+        facts.gouge = side_of(c.gouge);
+        facts.excess = side_of(c.excess);
+        const FaceNames names(design);
+        const auto add = [&](Finding f) {
+            const std::string name = names.of(f.box);
+            if (!name.empty()) f.message += "; at the face '" + name + "' of the design";
+            findings.push_back(std::move(f));
+        };
+        for (const DesignRegion& region : c.gouge.regions)
+            add(gouge(region, design, simulation));
+        for (const DesignRegion& region : c.excess.regions)
+            add(excess(region, design, simulation));
+    }
+    for (Finding& f : findings) {
+        f.assumptions.push_back("design: '" + design.path + "' is in the frame of G54");
+        if (design.deflection_mm > 0.0) {
+            f.assumptions.push_back(fmt::format("design: triangles within {:g} mm of its surfaces",
+                                                design.deflection_mm));
+        }
+    }
+    return findings;
+}
+
+}  // namespace ncsim::simulation

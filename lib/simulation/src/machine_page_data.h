@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The machine on the page of a program.
+#pragma once
+
+#include "ncsim/report/checked.h"
+#include "ncsim/setup/machine_file.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
+
+#include <optional>
+
+namespace ncsim::simulation {
+
+/// Returns links with meshes, the tools, and joint positions after each line. Empty if no link has
+/// a mesh, or if the kinematics or the start positions are unknown.
+std::optional<report::MachinePageData> machine_page_data(const Plan& plan, const Survey& survey,
+                                                         const setup::MachineFile& machine);
+
+}  // namespace ncsim::simulation
