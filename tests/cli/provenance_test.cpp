@@ -172,9 +172,9 @@ TEST(ProvenanceOfFiles, IsGoneWhenTheUserRemovesTheMark) {
     folder.write("a.toml", replaced(job, mark, "assumed = [\"colour\"]\n"));
     const Ran ran = folder.run({"check", "--job", "a.toml", "first.nc"});
     EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_NE(ran.out.find("'colour' cannot be assumed here; expected shape, kind"),
+    EXPECT_NE(ran.err.find("'colour' cannot be assumed here; expected shape, kind"),
               std::string::npos)
-        << ran.out;
+        << ran.err;
 }
 
 TEST(ProvenanceOfFiles, OfFilesOfVersion01IsUnknown) {

@@ -280,7 +280,7 @@ private:
         std::map<std::string, std::string> outputs;
         TomlReader::Keys keys;
         for (const auto& [format, ending] : kOutputs) {
-            keys[std::string(format)] = [&, format = std::string(format), ending](
+            keys[std::string(format)] = [&, format = std::string(format), ending = ending](
                                             const toml::node& n, const std::string& k) {
                 const std::string name = r_.text(n, k);
                 if (!name.ends_with(ending) || name.size() == ending.size())
@@ -744,7 +744,8 @@ std::string output_below(const std::string& folder, const std::string& name,
     const fs::path here = fs::weakly_canonical(folder.empty() ? "." : folder, error);
     const fs::path path = fs::weakly_canonical(here / name, error);
     const fs::path relative = path.lexically_relative(here);
-    if (error || fs::path(name).is_absolute() || relative.empty() || *relative.begin() == "..") {
+    if (error || fs::path(name).is_absolute() || relative.empty() || *relative.begin() == ".." ||
+        !relative.has_filename() || relative == ".") {
         throw std::runtime_error(fmt::format(
             "{}: '{}': outputs of a job are below the folder of the job file", where, name));
     }
