@@ -70,8 +70,8 @@ bool Machine::restore_modes(const SavedModes& saved, SourceSpan span) {
     }
     Command words = empty();
     const MachineState now = state_;
-    // LinuxCNC writes F with one decimal and S without decimals: F12.34 becomes F12.3. The number is
-    // that of the last F, even if the units have changed since.
+    // LinuxCNC writes F with one decimal and S without decimals: F12.34 becomes F12.3. The number
+    // is that of the last F, even if the units have changed since.
     if (saved.feed_word != control_.feed_word)
         put(words, 'F', std::round(saved.feed_word * 10.0) / 10.0);
     if (before.spindle_rpm != now.spindle_rpm) put(words, 'S', std::round(before.spindle_rpm));
