@@ -114,7 +114,7 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
         }
     }
     sheet.line("tolerance",
-               "arcs {:g} mm; round tools {:g} mm; turning tools {:g} mm missed, {:g} mm gained",
+               "arcs {:g} mm; round tools {:g} mm; rotary moves {:g} mm missed, {:g} mm gained",
                cutting.tolerance, cutting.tool_tolerance, cutting.tolerance,
                10 * cutting.tolerance);
     if (cutting.join_tolerance > 0.0) {

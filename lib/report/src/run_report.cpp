@@ -233,7 +233,7 @@ std::string summary(const RunFacts& run) {
         if (run.solid) text += solid_text(*run.solid);
         for (const SectionFacts& section : run.sections)
             text += section_text(section);
-        append(text, "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and turning tools\n",
+        append(text, "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and rotary moves\n",
                s.bounds.missed_mm, s.bounds.gained_mm,
                run.cutting.join_tolerance > 0.0 ? "joined moves, " : "");
     }
