@@ -448,6 +448,7 @@ TEST(Traps, AreNotSteppedInto) {
         {"13 open comment", By::Default, "G0 X1 (open", "rapid X1 Y0 Z0 ! comment-unclosed"},
         {"13 block delete", By::Default, "/G0 X1", "rapid X1 Y0 Z0"},
         {"14 numbers without a point", By::Fanuc, "G0 X12345", "rapid X12345 Y0 Z0"},
+        {"G52 under G7 is a diameter", By::Default, "G7~G52 X3~G0 X7", "rapid X5 Y0 Z0"},
         {"M73 restores the number of F", By::Default,
          "o100 sub~M73~F80~o100 endsub~F250~G20~o100 call~G1 X1", "feed X25.4 Y0 Z0 F6350"},
         {"15 G92 stays with G55", By::Default, "G92 X10~G55~G0 X0", "rapid X-10 Y0 Z0"},

@@ -20,9 +20,9 @@ CLASSES = {
                      "clearance plane; ncsim retracts.", r"motion", r"G88"),
     "the machine of rs274": Explained(
         "Without a configuration, the variables #5161 … #5390 count inches; a tool change forgets that G43 in a block "
-        "before it, without a move between, has moved the tip; G20 and G21 do not convert the length in force, so G28 "
-        "and G30 end elsewhere. ncsim counts millimetres and knows the tip.",
-        r"motion", r"#5[123]\d\d|G43.*\n(?:(?!.*[XYZ]).*\n)*.*M6|G43(?:.*\n)+.*G2[01](?:.*\n)+.*G(?:28|30)"),
+        "before it, or G49, without a move between, has moved the tip; G20 and G21 do not convert the length in "
+        "force, so G28, G30 and the next G43 go elsewhere. ncsim counts millimetres and knows the tip.",
+        r"motion", r"#5[123]\d\d|G4[39].*\n(?:(?!.*[XYZ]).*\n)*.*M6|G43(?:.*\n)+.*G2[01](?:.*\n)+.*G(?:28|30|43)"),
     "G84 and G74 in G18 and G19": Explained(
         "rs274 feeds to a point with its axes in the wrong order; the manual of LinuxCNC has the axis across the "
         "plane, as for G81.", r"motion", r"G[78]4"),

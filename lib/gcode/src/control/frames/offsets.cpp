@@ -240,7 +240,8 @@ bool Machine::offset_92(const Command& command, Code code) {
             }
             for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
                 if (!command.has(kAxisNames[i])) continue;
-                const double value = command[kAxisNames[i]];
+                const bool is_diameter = i == kX && state_.lathe_diameter;
+                const double value = command[kAxisNames[i]] / (is_diameter ? 2.0 : 1.0);
                 offset[i] =
                     code == Code::G52 ? value : state_.position[i] + state_.offset_92[i] - value;
                 // If the position of the axis was unknown, G92 defines the position and the program
