@@ -78,12 +78,12 @@ struct Case {
     Position at(double t) const {
         const auto between = [t](double a, double b) { return a + t * (b - a); };
         Position p;
-        p.x = Length::from_mm(interpolate(from.x.mm(), to.x.mm()));
-        p.y = Length::from_mm(interpolate(from.y.mm(), to.y.mm()));
-        p.z = Length::from_mm(interpolate(from.z.mm(), to.z.mm()));
-        p.a = Angle::from_degrees(interpolate(from.a.degrees(), to.a.degrees()));
-        p.b = Angle::from_degrees(interpolate(from.b.degrees(), to.b.degrees()));
-        p.c = Angle::from_degrees(interpolate(from.c.degrees(), to.c.degrees()));
+        p.x = Length::from_mm(between(from.x.mm(), to.x.mm()));
+        p.y = Length::from_mm(between(from.y.mm(), to.y.mm()));
+        p.z = Length::from_mm(between(from.z.mm(), to.z.mm()));
+        p.a = Angle::from_degrees(between(from.a.degrees(), to.a.degrees()));
+        p.b = Angle::from_degrees(between(from.b.degrees(), to.b.degrees()));
+        p.c = Angle::from_degrees(between(from.c.degrees(), to.c.degrees()));
         return p;
     }
     // Samples of the motion in a single step.

@@ -412,12 +412,12 @@ double reach_of(const ToolPiece& piece, cda::Vec3 n) {
 struct RandomTools {
     std::mt19937 random{20261122};
 
-    double interpolate(double low, double high) {
+    double between(double low, double high) {
         return low + (high - low) * (static_cast<double>(random()) / 0x1p32);
     }
     // Mostly rounded to micrometres.
     double size(double low, double high) {
-        const double v = low * std::pow(high / low, interpolate(0, 1));
+        const double v = low * std::pow(high / low, between(0, 1));
         return random() % 4 == 0 ? v : std::round(v * 1000) / 1000;
     }
     ToolPiece operator()() {
@@ -428,21 +428,19 @@ struct RandomTools {
             case 2: return ball_end_mill(d, d / 2 + size(0.01, 60)).pieces[0];
             case 3: return bull_nose_end_mill(d, size(d / 100, d / 2), d + 5).pieces[0];
             case 4:
-                return v_cutter(d, random() % 2 ? 0.0 : d / 7, interpolate(10, 150), 3 * d)
-                    .pieces[0];
-            case 5: return drill(d, interpolate(60, 160), 5 * d).pieces[0];
-            case 6: return tapered_end_mill(d, d / 2, interpolate(0.5, 40), 3 * d).pieces[0];
-            case 7:
-                return tapered_end_mill(d, size(d / 50, d / 2), interpolate(0.5, 60), d).pieces[0];
+                return v_cutter(d, random() % 2 ? 0.0 : d / 7, between(10, 150), 3 * d).pieces[0];
+            case 5: return drill(d, between(60, 160), 5 * d).pieces[0];
+            case 6: return tapered_end_mill(d, d / 2, between(0.5, 40), 3 * d).pieces[0];
+            case 7: return tapered_end_mill(d, size(d / 50, d / 2), between(0.5, 60), d).pieces[0];
             case 8: return lollipop_mill(d).pieces[0];
             default: break;
         }
         // A form tool: rounded below, conical, rounded above, and narrower above the second
         // rounding.
         const double r = d / 2;
-        return {{{0.6 * r, 0, interpolate(0.05, 0.5) * r},
-                 {r, interpolate(0.6, 1.5) * r, interpolate(0.02, 0.2) * r},
-                 {interpolate(0.3, 0.9) * r, 2.5 * r, 0}},
+        return {{{0.6 * r, 0, between(0.05, 0.5) * r},
+                 {r, between(0.6, 1.5) * r, between(0.02, 0.2) * r},
+                 {between(0.3, 0.9) * r, 2.5 * r, 0}},
                 true};
     }
 };

@@ -222,13 +222,13 @@ TEST(Walk, NamesAStraightWayByTheLastMoveThatMeetsTheStock) {
         for (std::size_t i = 0; i < motions.size(); ++i) {
             walk.take(motions[i], cda::Origin{static_cast<std::uint32_t>(i + 1)},
                       [&](const Step& s) {
-                          covering.insert(covering.end(), s.preceding_cells.begin(),
-                                          s.preceding_cells.end());
+                          merged_cells.insert(merged_cells.end(), s.preceding_cells.begin(),
+                                              s.preceding_cells.end());
                       });
         }
         // The tool extends 5 mm to the left: to 19.5 with the third, to 20.5 with the fifth.
-        ASSERT_EQ(covering.size(), 1U);
-        EXPECT_EQ(covering[0].origin, cda::Origin{4});
+        ASSERT_EQ(merged_cells.size(), 1U);
+        EXPECT_EQ(merged_cells[0].origin, cda::Origin{4});
     }
 }
 
