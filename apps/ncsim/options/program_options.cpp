@@ -220,7 +220,7 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
-            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain (Klartext) [auto]")
+            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain [auto]")
         ->type_name("NAME");
     command.add_flag("--strict", o.strict, "Refuse what LinuxCNC refuses");
     command
