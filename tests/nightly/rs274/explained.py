@@ -29,8 +29,9 @@ CLASSES = {
     "a corner that turns back": Explained(
         "Where the path turns back on itself within 3° into or out of an arc, rs274 cuts the outside corner short. "
         "ncsim rounds the corner, as the manual of LinuxCNC says.", r"(motion|gouge|concave corner|compensation-arc)", r"G4[12]"),
-    "cos[90]": Explained("The cosine of 90 degrees is 0 in ncsim and 6e-17 in rs274, which is true in a condition.",
-                         r"motion", r"COS\[ATAN"),
+    "cos[90]": Explained("The cosine of 90 degrees is 0 in ncsim and 6e-17 in rs274, which is true in a condition and has a "
+                         "tangent.",
+                         r"motion", r"COS\[ATAN|TAN\[A"),
 }
 
 BEGIN, END = "<!-- rs274 -->", "<!-- /rs274 -->"
