@@ -47,7 +47,7 @@ std::vector<ChosenStep> chosen_steps(const ProgramOptions& options, setup::Input
 void read_ahead(const ProgramOptions& options, const std::vector<ChosenStep>& steps,
                 setup::InputSet& inputs) {
     for (const ChosenStep& step : steps) {
-        setup::JobOptions one = options;
+        auto one = static_cast<const setup::JobOptions&>(options);
         one.job_step = step.number;
         one.program = step.program;
         (void)setup::read_job(std::move(one), inputs);

@@ -108,7 +108,7 @@ simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions
     simulation::Plan plan;
     // The budget includes reading.
     plan.budget = setup::Budget(simulation.max_memory_gb, simulation.max_seconds);
-    setup::JobOptions job = program;
+    auto job = static_cast<const setup::JobOptions&>(program);
     job.job_step = setup::selected_step(job, inputs);
     if (job.job_step.value_or(0) > 0)
         job.left_stock = left_stock(program, simulation, machine, *job.job_step, inputs, stop);

@@ -430,17 +430,20 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
     double depth = from;
     double breaks_left = breaks;
     double count = 0.0;  // Bounds the loops if an infeed is below the rounding of the heights.
+    const auto break_chips = [&](double end) {
+        double at = broken_depth > 0.0 ? depth - broken_depth : end;
+        while (at > end + kPeckRounding) {
+            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
+            if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
+                return false;
+            at -= broken_depth;
+        }
+        return true;
+    };
     while (!in_one && depth - step > bottom + kPeckRounding) {
         const double target = depth - step;
         if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
-        if (broken_depth > 0.0) {
-            for (double at = depth - broken_depth; at > target + kPeckRounding;
-                 at -= broken_depth) {
-                if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
-                if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
-                    return false;
-            }
-        }
+        if (!break_chips(target)) return false;
         if (!move_to(target, down)) return false;
         if (breaks_left >= 1.0 && breaking > 0.0) {
             breaks_left -= 1.0;
@@ -454,14 +457,8 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
         depth = target;
         if (decrement > 0.0) step = std::max(step - decrement, least > 0.0 ? least : decrement);
     }
-    if (broken_depth > 0.0) {
-        for (double at = depth - broken_depth; at > bottom + kPeckRounding; at -= broken_depth) {
-            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
-            if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
-                return false;
-        }
-    }
-    return move_to(bottom, down) && dwell(value(211, 0.0)) && move_to(clear, up);
+    return break_chips(bottom) && move_to(bottom, down) && dwell(value(211, 0.0)) &&
+           move_to(clear, up);
 }
 
 /// 202: the spindle is oriented at the bottom, and the tool steps away from the wall (Q214).

@@ -239,7 +239,7 @@ void Path::shift_unspecified(std::size_t axis, double distance_mm) {
     shift(*at_);
     // A machine position has a different position in W after the shift.
     if (goes_on) last_end_machine_ = at_->machine;
-    if (!goes_on) last_end_W_.reset();
+    if (!goes_on) last_end_workpiece_.reset();
 }
 
 /// Compares the origin at the first cut in the system of `frame` with the origin that the options
@@ -334,8 +334,8 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
                        const Place& to, const Position& centre,
                        const std::optional<Place>& plane_origin) {
     // A motion begins at the end of the motion before, in whatever coordinates the end was given.
-    const bool goes_on = last_end_W_ && *last_end_machine_ == from.machine;
-    const Position from_W = goes_on ? *last_end_W_ : in_workpiece(from);
+    const bool goes_on = last_end_workpiece_ && *last_end_machine_ == from.machine;
+    const Position from_W = goes_on ? *last_end_workpiece_ : in_workpiece(from);
     const Position to_W = in_workpiece(to);
     // At a machine height (G28, G53) the move to the height is checked; the origin of X and Y does
     // not matter.
@@ -389,7 +389,7 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
         change->at = to_W;
     }
     last_end_machine_ = to.machine;
-    last_end_W_ = to_W;
+    last_end_workpiece_ = to_W;
     if (ends_elsewhere && start_of(motion)) warn_of_frame(motion, to, frame.system);
     if (options_.observe_frame) options_.observe_frame(motion, frame);
     if (sink_) sink_(motion);

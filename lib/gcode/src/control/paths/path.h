@@ -144,8 +144,8 @@ private:
     bool machine_coordinates_ = false;
     std::optional<Place> at_;           // End of the last motion.
     std::uint32_t length_changes_ = 0;  // Value of MachineState::length_changes for `at_`.
-    std::optional<Position> last_end_machine_,
-        last_end_W_;  // End of the last motion passed to the sink.
+    // End of the last motion passed to the sink.
+    std::optional<Position> last_end_machine_, last_end_workpiece_;
     bool bound_ = false;
     OriginFrame frame_W_{};  // Reference of W. Valid if bound_.
     std::vector<HeldMotion> held_;
