@@ -51,7 +51,7 @@ std::string drawing_of(const toolpath::Tool& tool) {
         std::string right, left;
         for (const toolpath::ProfilePoint& p : piece.profile) {
             right += fmt::format("{:.3f},{:.3f} ", p.radius, -p.height);
-            left = fmt::format("{:.3f},{:.3f} ", -p.radius, -p.height) + left;
+            left.insert(0, fmt::format("{:.3f},{:.3f} ", -p.radius, -p.height));
         }
         text += fmt::format(
             "<polygon points=\"{}{}\" fill=\"{}\" stroke=\"#000\" "

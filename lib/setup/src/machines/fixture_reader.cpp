@@ -213,7 +213,10 @@ void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inpu
                                    : "a fixture has one shape: a box, a mesh, a vise or a clamp");
     }
     if (fixture.name.empty()) fixture.name = kind;
-    if (parts.empty()) fixtures.push_back(std::move(fixture));
+    if (parts.empty()) {
+        fixtures.push_back(std::move(fixture));
+        return;
+    }
     for (NamedBox& part : parts) {
         verify::Fixture body = fixture;
         body.name = fmt::format("{}: {}", fixture.name, part.name);
