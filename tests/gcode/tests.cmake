@@ -11,6 +11,8 @@ ncsim_add_test(gcode
     file_programs_test.cpp
     head_modes_test.cpp
     klartext_plane_test.cpp
+    klartext_cycles_test.cpp
+    klartext_paths_test.cpp
     klartext_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp

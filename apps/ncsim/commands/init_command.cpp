@@ -14,19 +14,14 @@
 
 #include "run/save_job.h"
 #include "system/console.h"
+#include "system/output.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <set>
 #include <sstream>
-#include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace ncsim::app {
@@ -34,49 +29,6 @@ namespace ncsim::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void fail_to_write(const std::string& path, int error) {
-    throw std::runtime_error(
-        fmt::format("cannot write '{}': {}", path, std::generic_category().message(error)));
-}
-
-[[noreturn]] void fail_because_of(const std::string& path) {
-    throw std::runtime_error(
-        fmt::format("'{}' exists and is not replaced; name another file with --output", path));
-}
-
-void refuse_existing(const std::string& path) {
-    std::error_code ignored;
-    if (fs::symlink_status(path, ignored).type() != fs::file_type::not_found) fail_because_of(path);
-}
-
-// Writes a file that does not exist yet, completely or not at all.
-void write_new(const std::string& path, const std::string& text) {
-    refuse_existing(path);
-    std::string temporary = path + ".XXXXXX";
-    const int file = ::mkstemp(temporary.data());
-    if (file < 0) fail_to_write(path, errno);
-    const auto give_up = [&](int error) {
-        ::close(file);
-        ::unlink(temporary.c_str());
-        fail_to_write(path, error);
-    };
-    for (std::size_t done = 0; done < text.size();) {
-        const ssize_t n = ::write(file, text.data() + done, text.size() - done);
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) give_up(errno);
-        done += static_cast<std::size_t>(n);
-    }
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(file, 0666 & ~mask) != 0 || ::fsync(file) != 0) give_up(errno);
-    ::close(file);
-    // Unlike rename(), link() does not replace a file.
-    const int error = ::link(temporary.c_str(), path.c_str()) == 0 ? 0 : errno;
-    ::unlink(temporary.c_str());
-    if (error == EEXIST) fail_because_of(path);
-    if (error != 0) fail_to_write(path, error);
-}
 
 // Adds the tools of a further program. Returns the numbers of tools that it describes differently.
 std::vector<int> merge_tools(DescribedJob& all, DescribedJob more) {
@@ -102,10 +54,7 @@ std::vector<int> merge_tools(DescribedJob& all, DescribedJob more) {
     return different;
 }
 
-std::string first_job(const InitOptions& options) {
-    setup::InputSet inputs;
-    for (const std::string& program : options.programs)
-        inputs.expect(program);
+std::string first_job(const InitOptions& options, setup::InputSet& inputs) {
     DescribedJob all;
     std::vector<setup::FirstSetUp> set_ups;
     std::string notes;
@@ -198,11 +147,18 @@ void complete(InitOptions& o) {
 }
 
 int run(const InitOptions& options) {
-    refuse_existing(options.output);
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    if (!options.repo) {
+        for (const std::string& program : options.programs)
+            inputs.expect(program);
+    }
+    outputs.reserve_new(options.output);
     const std::string text =
         options.repo ? first_project(options.programs.empty() ? "." : options.programs[0])
-                     : first_job(options);
-    write_new(options.output, text);
+                     : first_job(options, inputs);
+    outputs.write(options.output, [&](std::ostream& out) { out << text; });
+    outputs.commit();
     const std::string name = report::printable_path(options.output);
     if (options.repo) {
         put_text(fmt::format("{} written: remove the # before what applies\n", name));

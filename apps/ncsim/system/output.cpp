@@ -100,6 +100,7 @@ struct OutputSet::File {
     std::string temporary;  // empty: written directly
     int descriptor = -1;
     bool written = false;
+    bool is_new = false;  // Does not replace a file.
     std::size_t slot = kMaxFiles;
 
     File() = default;
@@ -228,6 +229,14 @@ void OutputSet::reserve(const std::string& path) {
     if (!path.empty()) files_.push_back(opened(path));
 }
 
+void OutputSet::reserve_new(const std::string& path) {
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) == 0)
+        throw std::runtime_error(fmt::format("'{}' exists and is not replaced", path));
+    files_.push_back(opened(path));
+    files_.back()->is_new = true;
+}
+
 void OutputSet::fill(File& file, const std::function<void(std::ostream&)>& writer) {
     const std::string& path = file.path;
     // Earlier output stays before this output.
@@ -250,6 +259,11 @@ void OutputSet::fill(File& file, const std::function<void(std::ostream&)>& write
 
 void OutputSet::name(File& file) {
     if (!file.written || file.temporary.empty()) return;
+    if (file.is_new) {  // Unlike rename(), link() does not replace a file.
+        if (::link(file.temporary.c_str(), file.target.c_str()) != 0)
+            fail(file.path, "write", errno);
+        return;
+    }
     if (::rename(file.temporary.c_str(), file.target.c_str()) != 0) fail(file.path, "write", errno);
     file.temporary.clear();
     file.forget();

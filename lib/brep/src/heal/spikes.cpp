@@ -136,7 +136,8 @@ private:
         if (loops.empty()) loops.emplace_back();
     }
 
-    // Who had `back` has `forth`, against whom had that.
+    // Replaces every use of the edge of `back` by `forth`. The edge is used in the direction
+    // opposite to `back` there, which is the direction of `forth`.
     void join(const EdgeUse& forth, const EdgeUse& back) {
         for (const std::uint32_t other : faces_of_[back.edge]) {
             for (Loop& loop : part_.faces[other].loops) {

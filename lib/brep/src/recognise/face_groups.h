@@ -54,9 +54,9 @@ public:
     /// wall, or off a ramp that is less steep than facets are large. Rings, coils, domes and such
     /// ramps have no facets beside them. True: labels have changed.
     bool demote_neighbours_of_tori();
-    /// What went wrong joins a neighbour, or goes back to facets: the smallest group; with high
-    /// strictness for good; with full strictness, so do all that are around. True: labels have
-    /// changed.
+    /// For each failure, merges the smallest group at the failure into a neighbour or demotes it to
+    /// facets. With high strictness the change is permanent; with full strictness the adjacent groups
+    /// change, too. Returns true if labels have changed.
     bool relabel(const Failures& failures, Strictness strictness);
 
     /// By how much the lunes at bends that joined a neighbour are lower than what is in their

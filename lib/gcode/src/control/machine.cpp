@@ -77,6 +77,16 @@ void Machine::mark_known(std::size_t axis) {
 
 /// Returns the first move before G90 and G91 if neither the control nor the values determine the
 /// mode.
+void Machine::report_to(Interpretation& result) const {
+    result.uses_length_offsets = uses_length_offsets_;
+    result.requested_tip_positions = requested_tip_positions_;
+    result.setting_askew = setting_askew_;
+    result.unread_registers = unread_registers_;
+    result.distance_guess = distance_guess();
+    result.units_stated = state_.units_stated;
+    result.uses_inches = state_.first_length_seen ? state_.first_length_in_inches : state_.inches;
+}
+
 std::optional<ProgramPlace> Machine::distance_guess() const {
     const bool starts_absolute =
         rules_.is_linuxcnc() || rules_.dialect == Dialect::Grbl || rules_.dialect == Dialect::Haas;

@@ -114,19 +114,11 @@ public:
     /// Ends the program and resets the modes to the start values of the control.
     void finish();
 
-    // Unit of the first length, for the assumption sheet.
-    bool units_stated() const { return state_.units_stated; }
-    bool first_length_seen() const { return state_.first_length_seen; }
-    bool first_length_in_inches() const { return state_.first_length_in_inches; }
-    /// True if G43 or a similar code was executed.
-    bool uses_length_offsets() const { return uses_length_offsets_; }
-    // See Interpretation.
-    bool requested_tip_positions() const { return requested_tip_positions_; }
-    std::optional<ProgramPlace> distance_guess() const;
-    double setting_askew() const { return setting_askew_; }
-    const std::set<int>& unread_registers() const { return unread_registers_; }
+    /// Adds units, lengths, registers and guesses of the executed program to `result`.
+    void report_to(Interpretation& result) const;
 
 private:
+    std::optional<ProgramPlace> distance_guess() const;
     void flush_held(const Command& command);
     bool keeps_frame(const Command& command) const;
     bool is_length_active(const Command& command) const;

@@ -421,7 +421,7 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
     if (mask != 0) {
         put(command, words.is_rapid ? Code::G0 : Code::G1);
         if (is_of_machine) put(command, Code::G53);
-        // From an unknown position only increments are known.
+        // Increments are known even if the position before the move is unknown.
         MachineState& state = machine_.state();
         bool is_unknown = false;
         bool all_incremental = !is_of_machine;

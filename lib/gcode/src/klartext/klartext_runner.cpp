@@ -57,14 +57,9 @@ void Runner::run() {
     }
     machine_.flush();
     path_.finish();
-    result_.uses_length_offsets = machine_.uses_length_offsets();
-    result_.requested_tip_positions = machine_.requested_tip_positions();
-    result_.unread_registers = machine_.unread_registers();
+    machine_.report_to(result_);
     result_.stopped = ended_ && !result_.ended;
     if (!result_.ended && !ended_) log_.add(Message::ProgramEndMissing, {block_.line, 1, 0});
-    result_.units_stated = machine_.units_stated();
-    result_.uses_inches =
-        machine_.first_length_seen() ? machine_.first_length_in_inches() : machine_.state().inches;
 }
 
 bool Runner::fail(const MessageText& message, SourceSpan span,

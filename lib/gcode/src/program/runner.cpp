@@ -50,20 +50,13 @@ void Runner::run() {
     }
     machine_.flush();
     path_.finish();
-    result_.uses_length_offsets = machine_.uses_length_offsets();
-    result_.requested_tip_positions = machine_.requested_tip_positions();
-    result_.setting_askew = machine_.setting_askew();
-    result_.unread_registers = machine_.unread_registers();
-    result_.distance_guess = machine_.distance_guess();
+    machine_.report_to(result_);
     result_.inherited_modes = head_modes_.unset(rules_.dialect);
     result_.stopped = ended_ && !result_.ended;
     if (!result_.ended && !ended_) {
         log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
                  {block_.line, 1, 0});
     }
-    result_.units_stated = machine_.units_stated();
-    result_.uses_inches =
-        machine_.first_length_seen() ? machine_.first_length_in_inches() : machine_.state().inches;
 }
 
 void Runner::end_program() {

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes job files.
+#include "ncsim/report/json_string.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+#include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/setup/job_file.h"
+
+#include "files/toml_text.h"
+#include "job/job_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::setup {
+
+namespace {
+
+using toolpath::ToolKind;
+using toolpath::ToolSpec;
+
+// Returns the shortest text that reads back as the same number; always a TOML float.
+std::string number(double value) {
+    std::string text = fmt::format("{}", value);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+}
+
+std::string triple(cda::Vec3 v) {
+    return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
+}
+
+// Returns a comment line.
+std::string remark(const std::string& text) {
+    std::string line = report::one_line(text);
+    // Comments must be UTF-8, too.
+    line = report::json_string(line);
+    return fmt::format("# {}\n", line.substr(1, line.size() - 2));
+}
+
+std::string_view key_of(ToolKind kind) {
+    return std::find_if(std::begin(kKindKeys), std::end(kKindKeys),
+                        [kind](const auto& k) { return k.second == kind; })
+        ->first;
+}
+
+// Writes a list of texts, unless it is empty.
+void write_list(std::ostream& out, const char* key, const std::vector<std::string>& words) {
+    if (words.empty()) return;
+    out << key << " = [";
+    for (std::size_t i = 0; i < words.size(); ++i)
+        out << (i == 0 ? "" : ", ") << quoted(words[i]);
+    out << "]\n";
+}
+
+void write_tool(std::ostream& out, const ToolSpec& spec, cda::Vec3 offset) {
+    out << "[[tool]]\nnumber = " << spec.number << '\n';
+    write_list(out, "assumed", spec.assumed);
+    if (spec.kind) out << "kind = \"" << key_of(*spec.kind) << "\"\n";
+    for (const NamedValue& named : kValueKeys) {
+        if (const auto& value = spec.*named.value) {
+            out << named.name << " = " << number(*value) << '\n';
+        }
+    }
+    for (const NamedSegments& named : kSegmentKeys) {
+        const auto& segments = spec.*named.value;
+        if (segments.empty()) continue;
+        out << named.name << " = [";
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+            const toolpath::ToolSegment& step = segments[i];
+            out << (i == 0 ? "" : ", ")
+                << triple({step.lower_diameter, step.upper_diameter, step.height});
+        }
+        out << "]\n";
+    }
+    if (!(offset == cda::Vec3{})) out << "offset = " << triple(offset) << '\n';
+    if (!spec.description.empty()) out << "description = " << quoted(spec.description) << '\n';
+    for (const toolpath::ToolPiece& piece : spec.pieces) {
+        out << "[[tool.piece]]\ncutting = " << (piece.cutting ? "true" : "false")
+            << "\nprofile = [";
+        for (std::size_t i = 0; i < piece.profile.size(); ++i) {
+            const toolpath::ProfilePoint& p = piece.profile[i];
+            out << (i == 0 ? "" : ", ") << triple({p.radius, p.height, p.fillet});
+        }
+        out << "]\n";
+    }
+}
+
+void write_stock(std::ostream& out, const toolpath::Stock& stock) {
+    if (!stock.from) {
+        out << "min = " << triple(stock.box.min) << "\nmax = " << triple(stock.box.max) << '\n'
+            << (stock.is_round ? "round = true\n" : "");
+        if (stock.axis != 2)
+            out << "axis = \""
+                << "XYZ"[stock.axis] << "\"\n";
+        return;
+    }
+    out << "file = " << quoted(stock.from->path) << '\n';
+    if (!stock.from->turn.empty()) out << "turn = " << quoted(stock.from->turn) << '\n';
+    if (!(stock.from->move == cda::Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
+}
+
+void write_stock_and_tools(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
+    if (file.stock) {
+        out << "\n[stock]\n" << remark(remarks.stock);
+        std::vector<std::string> assumed_of_stock;
+        if (file.stock_assumed) assumed_of_stock.emplace_back("size");
+        if (file.stock_place_assumed) assumed_of_stock.emplace_back("place");
+        write_list(out, "assumed", assumed_of_stock);
+        write_stock(out, *file.stock);
+    }
+    for (std::size_t i = 0; i < file.tools.size(); ++i) {
+        out << '\n';
+        for (const std::string& line : remarks.tools.at(i))
+            out << remark(line);
+        write_tool(out, file.tools[i].spec, file.tools[i].offset);
+    }
+    for (const auto& [number, line] : remarks.unknown_tools) {
+        out << '\n'
+            << remark(fmt::format("tool {} moves from line {} on and is not described: fill in",
+                                  number, line))
+            << "#[[tool]]\n#number = " << number << "\n#kind = \"flat\"\n#diameter = 10.0\n";
+    }
+}
+
+}  // namespace
+
+void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
+    out << "# Written by ncsim " << report::kVersion
+        << ": what a program stood on. Lengths in mm, angles in degrees.\n"
+        << "# Values that are named in a list \"assumed\" were not specified: correct them and "
+           "remove the name.\n"
+        << "version = " << kJobVersion << '\n';
+    std::vector<std::string> assumed;
+    if (file.units_assumed) assumed.emplace_back("units");
+    if (file.dialect_assumed) assumed.emplace_back("dialect");
+    write_list(out, "assumed", assumed);
+    if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';
+    out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
+        << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
+        << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto)) << "\"\n";
+    if (file.strict) out << "strict = true\n";
+    const auto flag = [&out](const char* key, const std::optional<bool>& value) {
+        if (value) out << key << (*value ? " = true\n" : " = false\n");
+    };
+    flag("increments", file.increments);
+    flag("block_delete", file.block_delete);
+    write_list(out, "allow", file.allow);
+    write_list(out, "accept", file.accept);
+    write_list(out, "require", file.require);
+    if (file.start) out << "start = " << triple(*file.start) << "  # in G54\n";
+    if (!file.offsets.empty()) {
+        out << "\n[offsets]\n";
+        for (const auto& [system, origin] : file.offsets)
+            out << quoted(name_of_system(system)) << " = " << triple(origin) << '\n';
+    }
+    if (!file.variables.empty()) {
+        out << "\n[variables]\n";
+        for (const auto& [name, value] : file.variables)
+            out << quoted(name) << " = " << number(value) << '\n';
+    }
+    if (!file.compensation.empty()) {
+        out << "\n[compensation]  # radii of G41 and G42, mm\n";
+        for (const auto& [d, radius] : file.compensation)
+            out << 'D' << d << " = " << number(radius) << '\n';
+    }
+    write_stock_and_tools(out, file, remarks);
+}
+
+void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
+                     const std::vector<FirstSetUp>& set_ups) {
+    out << "# Written by ncsim init. Lengths in mm, angles in degrees.\n"
+           "#\n"
+           "# A name in a list \"assumed\" stands for a value that no file specifies. Measure the "
+           "value at\n"
+           "# the machine, correct it here, and remove the name. Until then ncsim check says \"not "
+           "proven\".\n"
+        << "version = " << kJobVersion << '\n';
+    std::vector<std::string> assumed{"machine"};
+    if (file.units_assumed) assumed.emplace_back("units");
+    if (file.dialect_assumed) assumed.emplace_back("dialect");
+    write_list(out, "assumed", assumed);
+    out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
+        << "\"  # where neither G20 nor G21 stands before the first length\n"
+        << "dialect = \"" << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto))
+        << "\"  # the control: rs274 (LinuxCNC), fanuc, haas, grbl, mach3\n"
+        << "# The machine: travels, rates, kinematics. Without a machine, remove the name above.\n"
+           "#machine = \"mill.toml\"\n"
+           "# What has to be known for a clean check:\n"
+           "#require = [\"holder\", \"fixtures\", \"travels\", \"offsets\"]\n"
+           "# Files of ncsim run, below the folder of this file:\n"
+           "#outputs = { png = \"part.png\", step = \"part.step\" }\n";
+    if (file.stock) {
+        out << "\n# Measure the blank. Its corners are in the frame of the first set-up: distances "
+               "from the\n# program zero. A file: file = \"blank.stl\".";
+    }
+    write_stock_and_tools(out, file, remarks);
+    for (std::size_t i = 0; i < set_ups.size(); ++i) {
+        const FirstSetUp& set_up = set_ups[i];
+        out << "\n[[setup]]\nname = " << quoted(set_up.name)
+            << "\nprogram = " << quoted(set_up.program) << '\n';
+        std::vector<std::string> open;
+        if (!set_up.start_is_specified) open.emplace_back("start");
+        open.emplace_back("fixtures");
+        if (i > 0) open.emplace_back("place");
+        write_list(out, "assumed", open);
+        out << "# Position of the tool when the program starts, from the zero of G54.\n"
+            << "start = " << triple(set_up.start) << '\n';
+        if (i > 0) {
+            out << "# Position of the part: the part of the last set-up, turned about its zero, "
+                   "then "
+                   "moved.\n"
+                << "turn = \"X180\"\nmove = " << triple({0.0, 0.0, -set_up.height}) << '\n';
+        }
+        out << "# Origin of " << set_up.zero
+            << " in machine coordinates, from the offset table of the control.\n#offsets = { "
+            << (set_up.zero.find(' ') == std::string::npos ? set_up.zero : quoted(set_up.zero))
+            << " = [-250.0, -200.0, -300.0] }\n"
+               "# Fixtures, in the frame of the program. None: keep the empty list.\n"
+               "fixture = []\n"
+               "#[[setup.fixture]]  # instead of fixture = []\n"
+               "#vise = { at = [0, 0, -40], along = \"Y\", opening = 50, jaw_width = 120, "
+               "jaw_height = 30, jaw_depth = 25 }\n"
+               "#[[setup.fixture]]\n"
+               "#clamp = { at = [-40, 0, 0], toward = \"-X\", length = 80, width = 25, height = "
+               "15, table = -20, heel = 20, bolt = [40, 20, 18] }\n";
+    }
+}
+
+}  // namespace ncsim::setup

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Klartext of Heidenhain controls: tools, M codes, cycles. Where G-code has the same
+// move, the motions of both programs are compared.
+#include "gcode/klartext_made.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace ncsim::gcode::klartext_test {
+namespace {
+
+// --- Tools and M codes ---
+
+TEST(Klartext, ToolCallWithoutToolSetsTheSpeed) {
+    const Made r = run(klartext("TOOL CALL Z S2500\nL X+1 F100"));
+    EXPECT_EQ(r.moves.back().tool, 1);
+    EXPECT_EQ(r.moves.back().spindle_rpm, 2500.0);
+    EXPECT_EQ(r.moves.back().spindle, SpindleTurning::Clockwise);
+}
+
+TEST(Klartext, ToolByNameHasANumberOfItsOwn) {
+    const Made r =
+        run("BEGIN PGM T MM\nTOOL CALL \"FR_D10\" Z S100\nL X+1 Y+1 Z+1 FMAX\nTOOL CALL \"B2\" "
+            "Z\nL X+2 FMAX\nTOOL CALL \"FR_D10\" Z\nL X+3 FMAX\nEND PGM T MM\n");
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 3U);
+    EXPECT_EQ(r.moves[0].tool, 9001);
+    EXPECT_EQ(r.moves[1].tool, 9002);
+    EXPECT_EQ(r.moves[2].tool, 9001);
+}
+
+TEST(Klartext, OversizeOfTheLengthIsRefused) {
+    EXPECT_TRUE(
+        run("BEGIN PGM T MM\nTOOL CALL 1 Z S1 DL+0.1\nEND PGM T MM\n").says("klartext-verb"));
+    EXPECT_EQ(run("BEGIN PGM T MM\nTOOL CALL 1 Z S1 DL+0 DR+0 DR2+0\nEND PGM T MM\n").errors(), "");
+}
+
+TEST(Klartext, ToolDefWithRadius) {
+    const Made r =
+        run("BEGIN PGM T MM\nTOOL DEF 7 L+30,000 R+4,000\nTOOL CALL 7 Z S1\nL X+0 Y+0 Z+0 FMAX\nL "
+            "X+10 RL F100\nL X+20\nL X+30\nEND PGM T MM\n");
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_NEAR(end_of(r.moves[2])->y.mm(), 4.0, 1e-9);
+}
+
+TEST(Klartext, M91IsTheMachineInThisBlock) {
+    expect_same("L Z+0 R0 FMAX M91\nL X+5 F100", "G53 G0 Z0.\nG1 X5. F100");
+}
+
+TEST(Klartext, M92IsADoubt) {
+    EXPECT_TRUE(run(klartext("L Z+0.0 R0 FMAX M92")).says("machine-point"));
+}
+
+TEST(Klartext, M140RetractsAlongTheToolAxis) {
+    expect_same("L X+5 Z+1 F100\nL M140 MB 50 F750\nL M140 MB10\nL X+6",
+                "G1 X5. Z1. F100\nG91 G1 Z50. F750\nG0 Z10.\nG90 G1 X6. F100");
+    expect_same("L X+5 F100\nL M140 MB MAX", "G1 X5. F100\nG53 G0 Z0.");
+}
+
+TEST(Klartext, FeedPerRevolution) {
+    expect_same("M136\nL X+1 F0.2\nM137\nL X+2 F100", "G95 G1 X1. F0.2\nG94 G1 X2. F100");
+}
+
+TEST(Klartext, SpindleAndCoolantStopAtTheEndOfTheBlock) {
+    const Made r = run(klartext("L X+1 F100 M13\nL X+2 M5 M9\nL X+3"));
+    ASSERT_EQ(r.moves.size(), 4U);
+    EXPECT_EQ(r.moves[2].spindle, SpindleTurning::Clockwise);
+    EXPECT_TRUE(r.moves[2].coolant.flood);
+    EXPECT_EQ(r.moves[3].spindle, SpindleTurning::Stopped);
+    EXPECT_FALSE(r.moves[3].coolant.flood);
+}
+
+TEST(Klartext, M126TurnsTheShortWay) {
+    const Made r = run(klartext("L C+350 FMAX\nM126\nL C+10 FMAX\nM127\nL C+0 FMAX"));
+    ASSERT_EQ(r.moves.size(), 4U);
+    EXPECT_DOUBLE_EQ(end_of(r.moves[2])->c.degrees(), 370.0);
+    EXPECT_DOUBLE_EQ(end_of(r.moves[3])->c.degrees(), 0.0);
+}
+
+TEST(Klartext, M128IsTipControl) {
+    const Made r = run(klartext("L M128 F3000\nL X+1 A+10 F100\nM129\nL X+2"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_EQ(r.moves[1].coordinates, Coordinates::Tip);
+    EXPECT_EQ(r.moves[1].feed, 100.0);
+    EXPECT_EQ(r.moves[2].coordinates, Coordinates::Axes);
+    const Made t = run(klartext(
+        "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\nL X+1 F100\nFUNCTION RESET TCPM\nL X+2"));
+    EXPECT_EQ(t.errors(), "");
+    EXPECT_EQ(t.moves[1].coordinates, Coordinates::Tip);
+    EXPECT_EQ(t.moves[2].coordinates, Coordinates::Axes);
+}
+
+TEST(Klartext, UnknownMIsAWarning) {
+    EXPECT_TRUE(run(klartext("L X+1 F1 M777")).says("unknown-m"));
+    EXPECT_FALSE(run(klartext("L X+1 F1 M117")).says("unknown-m"));
+    EXPECT_TRUE(run(klartext("L X+1 F1 M118 X1")).says("klartext-verb"));
+}
+
+TEST(Klartext, StopBlock) {
+    const Made r = run(klartext("STOP M5\nL X+1 F100"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_EQ(r.moves.back().spindle, SpindleTurning::Stopped);
+}
+
+// --- Cycles ---
+
+const std::string kDrill =
+    "CYCL DEF 200 BOHREN ~\n Q200=2 ;ABSTAND ~\n Q201=-20 ;TIEFE ~\n Q206=150 ;VORSCHUB ~\n"
+    " Q202=20 ;ZUSTELLUNG ~\n Q210=0 ;OBEN ~\n Q203=+0 ;FLAECHE ~\n Q204=50 ;2. ABSTAND ~\n"
+    " Q211=0 ;UNTEN\n";
+
+TEST(Klartext, CycleRunsOnlyWhenCalled) {
+    EXPECT_EQ(run(klartext(kDrill)).moves.size(), 1U);
+    EXPECT_TRUE(run(klartext("L X+1 FMAX M99")).says("cycle-undefined"));
+}
+
+TEST(Klartext, Cycle200) {
+    expect_same(
+        kDrill + "L X+10 Y+10 FMAX M99\nL X+20 FMAX M99",
+        "G99 G81 X10. Y10. Z-20. R2. F150\nG80 G0 Z50.\nG99 G81 X20. Z-20. R2. F150\nG80 G0 Z50.");
+}
+
+TEST(Klartext, CyclCallAndM89) {
+    const Made a =
+        run(klartext(kDrill + "L X+10 FMAX\nCYCL CALL\nL X+20 FMAX M99\nL X+30 FMAX M99"));
+    const Made b =
+        run(klartext(kDrill + "L X+10 FMAX M89\nL X+20 FMAX\nL X+30 FMAX M99\nL X+30 FMAX"));
+    EXPECT_EQ(a.errors(), "");
+    EXPECT_EQ(a.texts.size() + 1, b.texts.size());
+    EXPECT_TRUE(std::equal(a.texts.begin(), a.texts.end(), b.texts.begin()));
+}
+
+TEST(Klartext, CyclCallPos) {
+    EXPECT_EQ(run(klartext(kDrill + "CYCL CALL POS X+10 Y+5 FMAX")).texts,
+              run(klartext(kDrill + "L X+10 Y+5 FMAX M99")).texts);
+}
+
+TEST(Klartext, InfeedCountsFromTheSurface) {
+    const Made r = run(
+        klartext("CYCL DEF 200 X Q200=5 Q201=-3 Q206=100 Q202=1.2 Q203=0 Q204=0\nL X+1 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    std::vector<double> bottoms;
+    for (const Motion& m : r.moves) {
+        if (m.kind == MoveKind::Feed) bottoms.push_back(end_of(m)->z.mm());
+    }
+    ASSERT_EQ(bottoms.size(), 3U);
+    EXPECT_NEAR(bottoms[0], -1.2, 1e-9);
+    EXPECT_NEAR(bottoms[1], -2.4, 1e-9);
+    EXPECT_NEAR(bottoms[2], -3.0, 1e-9);
+    EXPECT_NEAR(r.end().z.mm(), 5.0, 1e-9);
+}
+
+TEST(Klartext, CycleParametersWithoutContinuation) {
+    EXPECT_EQ(run(klartext("CYCL DEF 200 DRILLING\nQ200 = 2 ;A\nQ201 = -20\nQ206 = 150\nQ202 = "
+                           "20\nQ203 = +0\nQ204 = 50\nL X+10 Y+10 FMAX M99"))
+                  .texts,
+              run(klartext(kDrill + "L X+10 Y+10 FMAX M99")).texts);
+}
+
+TEST(Klartext, DepthPositiveOrZero) {
+    EXPECT_TRUE(run(klartext("CYCL DEF 200 X Q200=2 Q201=+3 Q206=1 Q202=3 Q203=0\nL X+1 FMAX M99"))
+                    .says("depth-positive"));
+    const Made zero =
+        run(klartext("CYCL DEF 200 X Q200=2 Q201=0 Q206=1 Q202=3 Q203=0\nL X+1 FMAX M99"));
+    EXPECT_TRUE(zero.says("depth-zero"));
+    EXPECT_EQ(zero.moves.size(), 2U);
+}
+
+TEST(Klartext, CycleParameterMissing) {
+    expect_refused("CYCL DEF 200 X Q200=2 Q201=-5 Q203=0\nL X+1 FMAX M99",
+                   "5:1: cycle 200 needs Q206; the program is stopped here [cycle-parameter]");
+}
+
+TEST(Klartext, SecondClearanceNeverDown) {
+    const Made r = run(
+        klartext("CYCL DEF 200 X Q200=10 Q201=-5 Q206=100 Q202=5 Q203=0 Q204=3\nL X+1 FMAX M99"));
+    expect_end(r, 1, 0, 10);
+}
+
+TEST(Klartext, Cycle201FeedsOut) {
+    expect_same(
+        "CYCL DEF 201 X Q200=2 Q201=-15 Q206=100 Q211=0.5 Q208=250 Q203=0 Q204=20\nL X+1 FMAX M99",
+        "G0 X1.\nZ2.\nG1 Z-15. F100\nG4 P500\nG1 Z2. F250\nG0 Z20.");
+}
+
+TEST(Klartext, Cycle203BreaksChips) {
+    const Made r =
+        run(klartext("CYCL DEF 203 X Q200=2 Q201=-10 Q206=100 Q202=3 Q210=0 Q203=0 Q204=2 Q212=0.5 "
+                     "Q213=1 Q205=1 Q211=0 Q208=MAX Q256=0.3\nL X+1 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    std::vector<double> heights;
+    for (const Motion& m : r.moves)
+        heights.push_back(end_of(m)->z.mm());
+    // 3, 5.5, 7.5, 9, 10: each infeed is 0.5 shorter; after one break the tool retracts fully.
+    const std::vector<double> expected{50,   50,   2,  -3, -2.7, -5.5, 2, -5.3,
+                                       -7.5, -7.2, -9, 2,  -8.8, -10,  2};
+    ASSERT_EQ(heights.size(), expected.size());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        EXPECT_NEAR(heights[i], expected[i], 1e-9) << i;
+}
+
+TEST(Klartext, Cycle205StartsDeeper) {
+    const Made r =
+        run(klartext("CYCL DEF 205 X Q200=2 Q201=-10 Q206=100 Q202=10 Q203=0 Q204=2 Q212=0 Q205=0 "
+                     "Q258=0.5 Q259=1 Q257=3 Q256=0.2 Q211=0 Q379=4 Q253=750\nL X+1 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_NEAR(end_of(r.moves[3])->z.mm(), -4.0, 1e-9);
+    EXPECT_NEAR(r.moves[3].feed, 750.0, 1e-9);
+    EXPECT_NEAR(end_of(r.moves[4])->z.mm(), -7.0, 1e-9);
+}
+
+TEST(Klartext, Cycle202OrientsTheSpindle) {
+    const Made r =
+        run(klartext("CYCL DEF 202 X Q200=2 Q201=-15 Q206=100 Q211=0.2 Q208=0 Q203=0 Q204=2 "
+                     "Q214=1\nL X+1 FMAX M99\nL X+2 FMAX"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 6U);
+    EXPECT_TRUE(r.moves[4].spindle_oriented);
+    EXPECT_FALSE(r.moves[5].spindle_oriented);
+}
+
+TEST(Klartext, Cycle204BoresUpwards) {
+    const Made r =
+        run(klartext("CYCL DEF 204 X Q200=2 Q249=5 Q250=20 Q251=3 Q252=10 Q253=700 Q254=200 Q255=0 "
+                     "Q203=0 Q204=50 Q214=1\nL X+1 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 8U);
+    EXPECT_NEAR(end_of(r.moves[3])->z.mm(), -32.0, 1e-9);
+    EXPECT_TRUE(r.moves[3].spindle_oriented);
+    EXPECT_NEAR(end_of(r.moves[4])->z.mm(), -25.0, 1e-9);
+}
+
+TEST(Klartext, Cycle206And207Tap) {
+    const Made r =
+        run(klartext("CYCL DEF 207 X Q200=2 Q201=-10 Q239=+1.5 Q203=0 Q204=20\nL X+1 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 6U);
+    EXPECT_DOUBLE_EQ(r.moves[3].feed, 1500.0);
+    EXPECT_EQ(r.moves[3].spindle, SpindleTurning::Clockwise);
+    EXPECT_EQ(r.moves[4].spindle, SpindleTurning::Counterclockwise);
+    const Made left =
+        run(klartext("CYCL DEF 207 X Q200=2 Q201=-10 Q239=-1.5 Q203=0 Q204=20\nL X+1 FMAX M99"));
+    EXPECT_EQ(left.moves[3].spindle, SpindleTurning::Counterclockwise);
+    expect_same("CYCL DEF 206 X Q200=2 Q201=-10 Q206=300 Q211=0 Q203=0 Q204=2\nL X+1 FMAX M99",
+                "G0 X1.\nZ2.\nG1 Z-10. F300\nM4\nG1 Z2.\nM3");
+}
+
+TEST(Klartext, Cycle209BreaksChips) {
+    const Made r = run(klartext(
+        "CYCL DEF 209 X Q200=2 Q201=-10 Q239=1 Q203=0 Q204=2 Q257=4 Q256=0\nL X+1 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_EQ(r.moves.size(), 9U);
+}
+
+TEST(Klartext, Cycle208MillsAlongAHelix) {
+    const Made r =
+        run(klartext("CYCL DEF 208 X Q200=2 Q201=-10 Q206=300 Q334=3 Q203=0 Q204=20 Q335=30 Q342=0 "
+                     "Q351=1\nL X+50 Y+20 FMAX M99"));
+    expect_end(r, 50, 20, 20);
+    const auto helix = std::ranges::count_if(r.moves, [](const Motion& m) {
+        const auto* arc = std::get_if<Arc>(&m.what);
+        return arc && arc->from.z != arc->to.z && arc->turns == 1 && arc->to.x.mm() == 60.0;
+    });
+    EXPECT_EQ(helix, 4);
+}
+
+TEST(Klartext, Cycle240ByDepth) {
+    EXPECT_EQ(run(klartext("CYCL DEF 240 X Q200=2 Q343=0 Q201=-3 Q344=-10 Q206=100 Q211=0 Q203=0 "
+                           "Q204=20\nL X+1 FMAX M99"))
+                  .errors(),
+              "");
+    EXPECT_TRUE(
+        run(klartext(
+                "CYCL DEF 240 X Q200=2 Q343=1 Q201=-3 Q344=-10 Q206=100 Q203=0\nL X+1 FMAX M99"))
+            .says("klartext-verb"));
+}
+
+TEST(Klartext, OldCyclesBeginAtTheClearance) {
+    const Made r = run(
+        klartext("CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SETUP 2\nCYCL DEF 1.2 DEPTH -3\nCYCL DEF 1.3 "
+                 "PECKG +5\nCYCL DEF 1.4 DWELL\nCYCL DEF 1.5 F100\nL Z+12 FMAX\nL X+5 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_NEAR(end_of(r.moves[3])->z.mm(), 7.0, 1e-9);
+}
+
+TEST(Klartext, ValuesAutoAndMaxInCycles) {
+    const Made r =
+        run("BEGIN PGM T MM\nTOOL CALL 1 Z S1000 F222\nL X+0 Y+0 Z+50 FMAX M3\nCYCL DEF 200 X "
+            "Q200=2 Q201=-5 Q206=AUTO Q202=5 Q203=0\nCYCL CALL\nEND PGM T MM\n");
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_DOUBLE_EQ(r.moves[2].feed, 222.0);
+}
+
+TEST(Klartext, FeedAfterACycleIsTheFeedBefore) {
+    const Made r = run(klartext("L X+1 F77\n" + kDrill + "L X+10 FMAX M99\nL Z+60"));
+    EXPECT_DOUBLE_EQ(r.moves.back().feed, 77.0);
+}
+
+TEST(Klartext, PocketsAreRefusedByName) {
+    expect_refused("CYCL DEF 251 RECTANGULAR POCKET ~\n Q215=0",
+                   "4:1: CYCL DEF 251 is not read; the program is stopped here [klartext-verb]");
+    expect_refused("CYCL DEF 14.0 CONTOUR",
+                   "4:1: CYCL DEF 14 is not read; the program is stopped here [klartext-verb]");
+    expect_refused("TCH PROBE 400 BASIC ROTATION",
+                   "4:1: TCH PROBE is not read; the program is stopped here [klartext-verb]");
+    expect_refused("FL AN+45 LEN10",
+                   "4:1: FL is not read; the program is stopped here [klartext-verb]");
+    expect_refused("APPR LT X+1 Y+1 LEN5 RL",
+                   "4:1: APPR is not read; the program is stopped here [klartext-verb]");
+    expect_refused("FN 26: TABOPEN A.TAB",
+                   "4:1: FN 26 is not read; the program is stopped here [klartext-verb]");
+    expect_refused(
+        "FUNCTION MODE TURN",
+        "4:1: FUNCTION MODE TURN is not read; the program is stopped here [klartext-verb]");
+}
+
+TEST(Klartext, UnreachedBlocksAreNotRefused) {
+    EXPECT_EQ(run("BEGIN PGM T MM\nL X+1 F100\nM30\nLBL 1\nTCH PROBE 400\nLBL 0\nEND PGM T MM\n")
+                  .errors(),
+              "");
+}
+
+}  // namespace
+}  // namespace ncsim::gcode::klartext_test
