@@ -7,6 +7,7 @@
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/setup/job_file.h"
+#include "ncsim/setup/job_writer.h"
 #include "ncsim/setup/program_folder.h"
 #include "ncsim/setup/project_file.h"
 #include "ncsim/simulation/plan.h"

@@ -211,7 +211,7 @@ int run(Options options) {
         if (!steps.empty())
             return run_job(options, steps, [](Options one) { return run(std::move(one)); });
     }
-    if (!options.tile.empty()) return run_tile(std::move(options));
+    if (!options.tile.empty()) return run_tile(options);
     setup::InputSet inputs;
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))

@@ -5,6 +5,7 @@
 
 #include "ncsim/setup/job.h"
 #include "ncsim/setup/job_file.h"
+#include "ncsim/setup/job_writer.h"
 #include "ncsim/simulation/survey.h"
 
 #include <iosfwd>

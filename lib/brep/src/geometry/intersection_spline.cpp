@@ -221,7 +221,7 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
         const bool is_near = i > 0 || norm(end - begin) > 0.5 * length;
         if (rest <= 1.5 * step && is_near && rest > 0.0 && walk.follows(at, goal)) {
             knots.push_back(goal);
-            return through(walk, std::move(knots));
+            return through(walk, knots);
         }
         // A closed curve begins at its end; the end is ahead after half of the path.
         const bool is_ahead = norm(end - begin) > kLeastStep || passed > 0.5 * length;

@@ -55,8 +55,8 @@ public:
     /// ramps have no facets beside them. True: labels have changed.
     bool demote_neighbours_of_tori();
     /// For each failure, merges the smallest group at the failure into a neighbour or demotes it to
-    /// facets. With high strictness the change is permanent; with full strictness the adjacent groups
-    /// change, too. Returns true if labels have changed.
+    /// facets. With high strictness the change is permanent; with full strictness the adjacent
+    /// groups change, too. Returns true if labels have changed.
     bool relabel(const Failures& failures, Strictness strictness);
 
     /// By how much the lunes at bends that joined a neighbour are lower than what is in their

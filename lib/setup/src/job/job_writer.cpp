@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writes job files.
+#include "ncsim/setup/job_writer.h"
+
 #include "ncsim/report/json_string.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
 #include "ncsim/setup/coordinate_systems.h"
-#include "ncsim/setup/job_file.h"
 
 #include "files/toml_text.h"
 #include "job/job_keys.h"

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes job files: the set-up of a run, and a first job for the user to complete.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+#include "ncsim/setup/job_file.h"
+
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ncsim::setup {
+
+/// Remarks of one line each that explain the values of a job file.
+struct JobRemarks {
+    std::string stock;
+    std::vector<std::vector<std::string>> tools;  ///< Remarks for each tool of JobFile::tools.
+    /// Undescribed tools, to be filled in, and the line of their first move.
+    std::map<int, std::uint32_t> unknown_tools;
+};
+
+/// A set-up of a first job file, for write_first_job().
+struct FirstSetUp {
+    std::string name, program;
+    std::string zero;   ///< Coordinate system of the first cut: "G54".
+    cda::Vec3 start{};  ///< Tool position at the start, in G54.
+    bool start_is_specified = false;
+    double height = 0.0;  ///< Height of the stock; the move of a part that is turned over.
+};
+
+/// Writes a first job file for the user to complete: the stock, the tools and the defaults of
+/// `file`, and set-ups. Each value that no file specifies is in a list `assumed`, with a comment
+/// that says what to measure.
+void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
+                     const std::vector<FirstSetUp>& set_ups);
+
+/// Writes a file for parse_job_file(). Paths are written as in `file`.
+void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks);
+
+}  // namespace ncsim::setup
