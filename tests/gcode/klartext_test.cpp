@@ -26,6 +26,15 @@ TEST(Klartext, IsRecognisedByBeginPgm) {
     EXPECT_EQ(r.moves.size(), 1U);
 }
 
+TEST(Klartext, IsRecognisedWithoutNumbers) {
+    const Files files{{"PART.H", klartext("L X+5 F100")}};
+    const Made r = run("BEGIN PGM A MM\nCALL PGM PART.H\nEND PGM A MM\n", files);
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_EQ(r.moves.size(), 2U);
+    const Made text = run("Write TOOL CALL in a line of its own.\n");
+    EXPECT_NE(text.errors(), "");
+}
+
 TEST(Klartext, IsChosenByTheUserWithoutSigns) {
     const Made r = run("L X+1\n", {}, Dialect::Heidenhain);
     EXPECT_EQ(r.errors(), "");

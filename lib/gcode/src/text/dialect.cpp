@@ -235,6 +235,7 @@ constexpr std::array<KindSigns, 8> kKinds = {{
 constexpr std::size_t kHeidenhain = 0;
 constexpr std::size_t kSiemens = 2;
 static_assert(kKinds[kHeidenhain].kind == Kind::Heidenhain);
+static_assert(kKinds[kHeidenhain].signs[0].text == "BEGIN PGM");
 static_assert(kKinds[kSiemens].kind == Kind::Siemens);
 
 constexpr bool is_capital(char c) {
@@ -414,7 +415,9 @@ public:
             findings.kind = Kind::Laser;
             findings.kind_evidence = power_.evidence;
         }
-        if (!has_words_) {
+        // A Klartext program may consist of calls without numbers.
+        const bool begins_klartext = (kinds_[kHeidenhain].seen & 1U) != 0;
+        if (!has_words_ && !begins_klartext) {
             findings.kind = Kind::NotAProgram;
             findings.kind_evidence = {{"no word of a letter and a number in it", 0}};
         }

@@ -502,7 +502,7 @@ Job read_job(JobOptions options, InputSet& inputs) {
         std::filesystem::path(options.program).parent_path()};
     folders.insert(folders.end(), options.subprograms.begin(), options.subprograms.end());
     std::string label;
-    if (from_file.set_ups.size() > 0) {
+    if (!from_file.set_ups.empty()) {
         const std::string folder = std::filesystem::path(options.job).parent_path().string();
         const std::vector<JobStep> steps = steps_of(from_file, folder);
         if (steps.size() > 1) label = steps[options.job_step.value()].label;
