@@ -131,6 +131,7 @@ Extent extent(std::span<const LatticePoint> points) {
 struct LatticeHull {
     std::vector<std::vector<std::uint32_t>> loops;
     std::vector<Wide> areas;  // twice the area vectors
+    bool is_exact = false;    // exactly convex
 
     Normal normal(std::size_t facet) const { return quantised(areas[facet]); }
 };
@@ -167,7 +168,11 @@ std::optional<LatticeHull> merged_hull(std::span<const LatticePoint> points) {
 
 // Returns the hull in triangles if the integer algorithm succeeds.
 std::optional<LatticeHull> hull_of(std::span<const LatticePoint> points) {
-    if (auto facets = lattice_quickhull(points)) return lattice_hull(points, std::move(*facets));
+    if (auto facets = lattice_quickhull(points)) {
+        LatticeHull hull = lattice_hull(points, std::move(*facets));
+        hull.is_exact = true;
+        return hull;
+    }
     return merged_hull(points);
 }
 
@@ -254,6 +259,12 @@ public:
     }
     // True if each edge of a facet occurs exactly once in each direction.
     bool is_closed() const { return is_closed_; }
+    // Calls `use` with the other end of each edge that begins at a corner.
+    template <class Use>
+    void for_each_end(std::uint32_t corner, const Use& use) const {
+        for (std::uint32_t i = begin_[corner]; i < begin_[corner + std::size_t{1}]; ++i)
+            use(edges_[i].to);
+    }
     // Requires: is_closed().
     std::uint32_t across(std::uint32_t from, std::uint32_t to) const {
         return find(to, from)->facet;
@@ -301,6 +312,52 @@ std::vector<std::uint32_t> outline(const LatticeHull& hull, std::span<const std:
     return loop;
 }
 
+// Heights of points along one normal at a time, each computed at its first use.
+class Heights {
+public:
+    Heights(std::span<const LatticePoint> points, const LatticeHull& hull,
+            const Neighbours& neighbours)
+        : points_(points),
+          is_exact_(hull.is_exact),
+          neighbours_(neighbours),
+          heights_(points.size()),
+          known_(points.size(), 0) {}
+
+    void turn_to(Normal normal) {
+        normal_ = normal;
+        ++number_;
+    }
+    std::int64_t operator[](std::uint32_t point) {
+        if (known_[point] != number_) {
+            known_[point] = number_;
+            heights_[point] = dot(normal_, points_[point]);
+        }
+        return heights_[point];
+    }
+    // Returns the largest height of all points. On a convex surface a corner without a higher
+    // neighbour is a highest point, so the search climbs from `corner`. A rounded hull may have
+    // several such corners, so the search compares all points.
+    std::int64_t largest(std::uint32_t corner) {
+        if (!is_exact_) return support(normal_, points_);
+        for (std::uint32_t next = corner;; corner = next) {
+            neighbours_.for_each_end(corner, [&](std::uint32_t end) {
+                if ((*this)[end] > (*this)[next]) next = end;
+            });
+            if (next == corner) break;
+        }
+        return (*this)[corner];
+    }
+
+private:
+    std::span<const LatticePoint> points_;
+    bool is_exact_;
+    const Neighbours& neighbours_;
+    Normal normal_;
+    std::uint32_t number_ = 0;  // number of the normal
+    std::vector<std::int64_t> heights_;
+    std::vector<std::uint32_t> known_;  // number of the normal of each height
+};
+
 // A hull of merged facets, closed if the facets are.
 struct Patches {
     LatticeHull hull;
@@ -333,7 +390,7 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     constexpr std::uint32_t kNone = ~0U;
     std::vector<std::uint32_t> patch_of(count, kNone);
     std::vector<std::uint32_t> looked_at(count, kNone);  // patch of the last test
-    std::vector<std::int64_t> heights(points.size());
+    Heights heights(points, hull, neighbours);
     std::vector<std::uint32_t> facets;  // patch by patch
     facets.reserve(count);
     std::vector<std::size_t> begins;
@@ -344,9 +401,8 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
         const Normal n = hull.normal(seed.facet);
         const double length = norm(
             Vec3{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)});
-        for (std::size_t i = 0; i < points.size(); ++i)
-            heights[i] = dot(n, points[i]);
-        const std::int64_t d = *std::max_element(heights.begin(), heights.end());
+        heights.turn_to(n);
+        const std::int64_t d = heights.largest(hull.loops[seed.facet][0]);
         const auto lowest = d - static_cast<std::int64_t>(depth * length);
         const auto is_near = [&](std::uint32_t f) {
             return std::all_of(hull.loops[f].begin(), hull.loops[f].end(),
