@@ -220,11 +220,14 @@ def read_ncsim(output):
 
 def without_rests(events):
     """Events without straight moves of no length."""
-    out, at = [], [0.0] * 6
+    out, at, unit = [], [0.0] * 6, 1.0
     for e in events:
-        if e[0] in ("rapid", "feed") and at is not None and max(abs(a - b) for a, b in zip(e[1], at)) < 1e-4 * e[5]:
+        # rs274 prints four decimals of inches, and of millimetres.
+        rounding = 1e-4 * max(e[5], unit)
+        if e[0] in ("rapid", "feed") and at is not None and max(abs(a - b) for a, b in zip(e[1], at)) < rounding:
             continue
         out.append(e)
+        unit = e[5]
         if e[0] != "dwell":
             at = e[1] if e[0] != "spline" else None  # rs274 does not print where a spline ends
     return out
@@ -331,6 +334,8 @@ def difference(ncsim, lines, strict, reference=None):
         return f"{'strict ' if strict else ''}refuses: {our_errors[0]}", reference
     if our_errors and not strict:
         return None, reference
+    if refused and "arc-centre-mode" in messages:
+        return None, reference  # rs274 refuses the arcs; ncsim says that it assumes absolute centres.
     if refused and not any(e[0] in ("feed", "arc") for e in theirs):
         return None, reference  # The first cut of ncsim decides the frame.
     if refused and "cycle-spindle" in our_errors:

@@ -21,8 +21,10 @@ CLASSES = {
     "the machine of rs274": Explained(
         "Without a configuration, the variables #5161 … #5390 count inches; a tool change forgets that G43 in a block "
         "before it, or G49, without a move between, has moved the tip; G20 and G21 do not convert the length in "
-        "force, so G28, G30 and the next G43 go elsewhere. ncsim counts millimetres and knows the tip.",
-        r"motion", r"#5[123]\d\d|G4[39].*\n(?:(?!.*[XYZ]).*\n)*.*M6|G43(?:.*\n)+.*G2[01](?:.*\n)+.*G(?:28|30|43)"),
+        "force, so G28, G30 and the next G43 or G49 go elsewhere; G10 L2 with R turns the position without the offset "
+        "of G92 or G52. ncsim counts millimetres, knows the tip, and warns of this R.",
+        r"motion", r"#5[123]\d\d|G4[39].*\n(?:(?!.*[XYZ]).*\n)*.*M6|G43(?:.*\n)+.*G2[01](?:.*\n)+.*G(?:28|30|43|49)"
+        r"|G(?:92|52) (?:.*\n)+.*G10 L2 .*R"),
     "G84 and G74 in G18 and G19": Explained(
         "rs274 feeds to a point with its axes in the wrong order; the manual of LinuxCNC has the axis across the "
         "plane, as for G81.", r"motion", r"G[78]4"),
@@ -31,7 +33,7 @@ CLASSES = {
         "ncsim rounds the corner, as the manual of LinuxCNC says.", r"(motion|gouge|concave corner|compensation-arc)", r"G4[12]"),
     "cos[90]": Explained("The cosine of 90 degrees is 0 in ncsim and 6e-17 in rs274, which is true in a condition and has a "
                          "tangent.",
-                         r"motion", r"COS\[ATAN|TAN\[A"),
+                         r"motion|not-a-number", r"COS\[ATAN|TAN\[A"),
 }
 
 BEGIN, END = "<!-- rs274 -->", "<!-- /rs274 -->"

@@ -318,7 +318,13 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     path_.record_offset(index);
     if (command.has('R') && from_position && rules_.strict)
         return fail(Message::WordUnused, span_of(command, 'R'), {"R"});
-    if (command.has('R') && !from_position) offset.rotation = command['R'];
+    if (command.has('R') && !from_position) {
+        const bool has_g92 = state_.offset_92[kX] != 0.0 || state_.offset_92[kY] != 0.0;
+        if (rules_.is_linuxcnc() && index == state_.system && has_g92 &&
+            offset.rotation != command['R'])
+            warn(Message::RotationUnderG92, span_of(command, 'R'));
+        offset.rotation = command['R'];
+    }
     // L20: the present position gets the coordinates of the block.
     double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
     double y = machine[kY] - state_.tool_offset[kY] - offset.origin[kY] / unit;
