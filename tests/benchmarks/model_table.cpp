@@ -115,7 +115,7 @@ Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
     toolpath::Walk walk(stock.lattice, survey.stock->box, accuracy, {});
-    if (part->takes_sweeps()) walk.prefer_sweeps();
+    if (part->supports_sweeps()) walk.prefer_sweeps();
     for (const auto& [number, used] : survey.tools)
         walk.add_tool(number, used.tool);
     Cutting cutting;

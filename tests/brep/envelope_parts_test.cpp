@@ -320,7 +320,7 @@ TEST(Envelope, ManyTurnsAreFewSurfaces) {
     const simulation::Survey survey = simulation::survey(plan);
     int arcs = 0;
     gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
-        if (!std::holds_alternative<gcode::Arc>(motion.what)) return;
+        if (!std::holds_alternative<gcode::Arc>(motion.action)) return;
         ++arcs;
         const SweptSurfaces source =
             surfaces_of(motion, survey.tools.at(motion.tool).tool, nullptr);

@@ -102,8 +102,8 @@ TEST(BlockTree, BooksEachUnitToTheFirstThatTakesIt) {
             table.add(Origin{i + 1}, Cell::kFirstRank, nullptr);
             if (block.tree().meets(here)) pointers.push_back(&here);
         }
-        std::vector<Taken> taken;
-        block.tree().account(pointers, {block.stock(), table, Vec3{6, 6, 6}, 20}, taken);
+        std::vector<RemovedByTurn> removed;
+        block.tree().account(pointers, {block.stock(), table, Vec3{6, 6, 6}, 20}, removed);
         std::vector<double> expected(9, 0.0);
         for (std::int64_t at = 0; at < kSize * kSize * kSize; ++at) {
             const LatticePoint p{at % kSize, at / kSize % kSize, at / kSize / kSize};
@@ -113,7 +113,7 @@ TEST(BlockTree, BooksEachUnitToTheFirstThatTakesIt) {
                 expected[static_cast<std::size_t>(first - boxes.begin()) + 1] += 1.0;
         }
         std::vector<double> booked(9, 0.0);
-        for (const Taken& turn : taken)
+        for (const RemovedByTurn& turn : removed)
             booked[static_cast<std::size_t>(turn.origin)] += turn.volume;
         for (std::size_t i = 1; i < booked.size(); ++i)
             EXPECT_NEAR(booked[i], expected[i], 1e-9) << i;

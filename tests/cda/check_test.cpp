@@ -55,7 +55,7 @@ TEST(Stitch, TellsThatFacesAreMissing) {
                                 side(far, x, y, z)};
     const auto stitched = [&] {
         Stitcher stitcher(kLattice, 1);
-        stitcher.take(outlines_of(sides));
+        stitcher.add_part(outlines_of(sides));
         return stitcher.finish();
     };
     EXPECT_TRUE(check(stitched()).is_closed());

@@ -20,14 +20,14 @@ constexpr std::int64_t kSize = 24;
 
 // True if `window` has no material once `waiting` is cut.
 bool is_covered(const TestBlock& block, const UnitBox& window,
-                const std::vector<IncomingCell>& waiting, std::size_t most_looks = 100000) {
+                const std::vector<IncomingCell>& waiting, std::size_t test_limit = 100000) {
     const std::vector<Plane> planes = window.cell(kStockOrigin).planes;
     const HalfBox bounds{{2 * window.min.x - 1, 2 * window.min.y - 1, 2 * window.min.z - 1},
                          {2 * window.max.x + 1, 2 * window.max.y + 1, 2 * window.max.z + 1}};
     std::vector<const IncomingCell*> pointers;
     for (const IncomingCell& cell : waiting)
         pointers.push_back(&cell);
-    return is_covered(block.tree(), {planes, bounds, pointers, block.table(), most_looks});
+    return is_covered(block.tree(), {planes, bounds, pointers, block.table(), test_limit});
 }
 
 TEST(Covering, ClaimsNothingThatAUnitCubeDenies) {

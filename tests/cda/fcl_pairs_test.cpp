@@ -73,7 +73,7 @@ TEST(FclPairs, NoneOfAHundredThousandIsJudgedDifferently) {
         fcl::CollisionResultd result;
         fcl::collide(a.judged.get(), fcl::Transform3d::Identity(), b.judged.get(), moved, request,
                      result);
-        const bool is_apart = nearness(a.points, there, 0).is_apart;
+        const bool is_apart = body_distance(a.points, there, 0).is_apart;
         if (!is_apart && !common_point(a.points, there, 0)) ++open;
         if (is_apart == result.isCollision()) ++different;
         apart += is_apart ? 1 : 0;

@@ -140,19 +140,19 @@ TEST(FilteredPolygon, LooksAtManyPlanesAsAtEach) {
             rows.add(planes.back());
         }
         if (rows.size() < count) continue;
-        Glances glances;
+        FilterResults results;
         const auto begin =
             static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(count) - 1));
-        polygon.look(rows, begin, count, glances);
+        polygon.classify_rows(rows, begin, count, results);
         for (std::size_t i = begin; i < count; ++i) {
-            const FilterResult where = glances.where[i];
+            const FilterResult where = results.where[i];
             ++seen[static_cast<std::size_t>(where)];
             if (where == FilterResult::Doubtful) continue;
             ASSERT_EQ(polygon.classify(rows[i]), where == FilterResult::Below   ? 1
                                                  : where == FilterResult::Above ? -1
                                                                                 : 0);
-            ASSERT_EQ(glances.low[i] < 0.0, where != FilterResult::Above);
-            ASSERT_EQ(glances.high[i] > 0.0, where != FilterResult::Below);
+            ASSERT_EQ(results.low[i] < 0.0, where != FilterResult::Above);
+            ASSERT_EQ(results.high[i] > 0.0, where != FilterResult::Below);
         }
     }
     for (const FilterResult where :

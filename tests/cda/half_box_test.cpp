@@ -49,7 +49,7 @@ TEST(HalfBox, HasNothingInCommonWithOneBesideIt) {
 }
 
 // Compares with all eight corners, in integers.
-TEST(Sight, TellsWhereABoxLies) {
+TEST(BoxHeight, TellsWhereABoxLies) {
     Random random(62);
     int touching = 0;
     for (int i = 0; i < 50000; ++i) {

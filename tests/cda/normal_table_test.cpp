@@ -38,10 +38,10 @@ Seen random_plane(Random& random, const BoxFrame& box) {
     const std::int64_t size = random.between(0, 3) == 0 ? 2 : 1 << 24;
     Plane plane = test::random_normal(random, size);
     HalfPlane h(plane);
-    const double reach = Sight(box, h).reach;
+    const double reach = BoxHeight(box, h).reach;
     const double share = 1e-6 * static_cast<double>(random.between(-999999, 999999));
-    h.d2 = std::round(Sight(box, h).above + share * reach);
-    const Sight sight(box, h);
+    h.d2 = std::round(BoxHeight(box, h).above + share * reach);
+    const BoxHeight sight(box, h);
     Seen seen;
     for (std::size_t i = 0; i < 3; ++i)
         seen.n[i] = h.normal(i) * box.half[i] / sight.reach;

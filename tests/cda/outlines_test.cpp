@@ -62,7 +62,7 @@ TEST(Outlines, TellsPointsOfOnePageApartByTheirPlanes) {
     }
     // All corners of a grid, on each page.
     for (int page = 0; page < 3; ++page) {
-        if (page > 0) outlines.turn_page();
+        if (page > 0) outlines.start_page();
         const std::size_t before = outlines.points().size();
         for (int again = 0; again < 2; ++again) {
             for (std::size_t i = 0; i < 1000; ++i) {
@@ -107,7 +107,7 @@ TEST(Outlines, DropsWhatGoesThereAndBack) {
         add(seam, front, back, first);
         add(back, seam, left, first);
         add(left, back, front, first);
-        outlines.turn_page();
+        outlines.start_page();
         const Origin other = second == Second::OfAnother ? Origin{2} : first;
         const std::uint32_t end = second == Second::Longer ? beyond : back;
         add(front, seam, right, other);
@@ -145,7 +145,7 @@ TEST(Outlines, DropsPointsOfDroppedPieces) {
     };
     add(0, 1);
     add(2, 3);
-    outlines.turn_page();
+    outlines.start_page();
     add(1, 0);
     const std::vector<std::uint32_t> seams{0, 1, 2};
     outlines.cancel(seams);

@@ -77,7 +77,7 @@ TEST(SameWay, DeeperPassesForgetTheOthersAndChangeNothing) {
             settled.settle();  // no cell waits, so no cell is forgotten
         }
         const Boundary found = part.boundary(), expected = settled.boundary();
-        EXPECT_EQ(part.counts().forgotten, cells.size() - (way.size() - 1));
+        EXPECT_EQ(part.counts().superseded, cells.size() - (way.size() - 1));
         EXPECT_NEAR(part.volume(), settled.volume(), 1e-12 * settled.volume());
         EXPECT_TRUE(found.vertices == expected.vertices);
         ASSERT_EQ(found.faces.size(), expected.faces.size());
@@ -97,7 +97,7 @@ TEST(SameWay, WhatIsHigherIsNotForgotten) {
     TreeCda part(kStock, kLattice);
     for (const Cell& cell : cells)
         part.subtract_step(std::span(&cell, 1));
-    EXPECT_EQ(part.counts().forgotten, 0U);
+    EXPECT_EQ(part.counts().superseded, 0U);
 }
 
 // A copy that is not cut deeper keeps the cells that the original forgets.
@@ -111,7 +111,7 @@ TEST(SameWay, CopiesForgetWhatLiesWithinTheirOwnCells) {
     alone.subtract_unmeasured(first);
     const TreeCda copy(part);
     part.subtract_unmeasured(second);
-    EXPECT_EQ(part.counts().forgotten, second.size());
+    EXPECT_EQ(part.counts().superseded, second.size());
     EXPECT_EQ(copy.volume(), alone.volume());
     EXPECT_LT(part.volume(), copy.volume());
 }
@@ -126,7 +126,7 @@ TEST(SameWay, AToolOfTheSameShapeGoesOn) {
     part.subtract_unmeasured(std::span(cells).first(lines));
     part.subtract_unmeasured(std::span(others).subspan(lines));
     one_tool.subtract_unmeasured(cells);
-    EXPECT_EQ(part.counts().forgotten, lines);
+    EXPECT_EQ(part.counts().superseded, lines);
     EXPECT_EQ(part.volume(), one_tool.volume());
 }
 
@@ -136,7 +136,7 @@ TEST(SameWay, NothingIsForgottenThatIsBooked) {
     TreeCda part(kStock, kLattice);
     part.track_removal();
     part.subtract_unmeasured(cells);
-    EXPECT_EQ(part.counts().forgotten, 0U);
+    EXPECT_EQ(part.counts().superseded, 0U);
     double sum = 0.0;
     for (const auto& [origin, taken] : part.account())
         sum += taken.volume;

@@ -46,8 +46,8 @@ const Points kCube = box({0, 0, 0}, {1000, 1000, 1000});
 
 TEST(Separation, AGapIsProvenToTheUnit) {
     const Points beside = box({1010, 200, 300}, {1500, 900, 700});
-    EXPECT_TRUE(nearness(kCube, beside, 10).is_apart);
-    const Nearness wider = nearness(kCube, beside, 11);
+    EXPECT_TRUE(body_distance(kCube, beside, 10).is_apart);
+    const BodyDistance wider = body_distance(kCube, beside, 11);
     EXPECT_FALSE(wider.is_apart);
     EXPECT_NEAR(wider.distance, 10.0, 1e-9);
     EXPECT_FALSE(common_point(kCube, beside, 0));
@@ -55,14 +55,14 @@ TEST(Separation, AGapIsProvenToTheUnit) {
 
 TEST(Separation, WhatTouchesIsApartButHasNoGap) {
     const Points on_top = box({-500, -500, 1000}, {1500, 1500, 2000});
-    EXPECT_TRUE(nearness(kCube, on_top, 0, {0, 0, 1}).is_apart);
-    EXPECT_FALSE(nearness(kCube, on_top, 1).is_apart);
+    EXPECT_TRUE(body_distance(kCube, on_top, 0, {0, 0, 1}).is_apart);
+    EXPECT_FALSE(body_distance(kCube, on_top, 1).is_apart);
     EXPECT_FALSE(common_point(kCube, on_top, 0));
 }
 
 TEST(Separation, AnOverlapOfOneUnitIsFoundAndMeasured) {
     const Points into = box({999, 200, 300}, {1500, 900, 700});
-    EXPECT_FALSE(nearness(kCube, into, 0).is_apart);
+    EXPECT_FALSE(body_distance(kCube, into, 0).is_apart);
     const auto found = common_point(kCube, into, 0);
     ASSERT_TRUE(found);
     EXPECT_GT(found->x, 999.0);
@@ -90,7 +90,7 @@ TEST(Separation, EdgesThatCrossAreMeasuredAcrossThem) {
 TEST(Separation, FarAwayIsApart) {
     const std::int64_t far = std::int64_t{1} << 35;
     const Points there = box({far, far, far}, {far + 10, far + 10, far + 10});
-    EXPECT_TRUE(nearness(kCube, there, std::int64_t{1} << 34).is_apart);
+    EXPECT_TRUE(body_distance(kCube, there, std::int64_t{1} << 34).is_apart);
 }
 
 // A plane proves separation, and a point proves overlap. For each pair exactly one proof exists.
@@ -105,7 +105,7 @@ TEST(Separation, RandomBodiesAreApartOrOverlap) {
             a.push_back(test::random_point(random, 100'000));
             b.push_back(way + test::random_point(random, 60'000));
         }
-        const bool is_apart = nearness(a, b, 0).is_apart;
+        const bool is_apart = body_distance(a, b, 0).is_apart;
         const auto deep = depth_of(a, b);
         EXPECT_NE(is_apart, deep.has_value());
         (is_apart ? apart : meet) += 1;

@@ -86,13 +86,13 @@ bool is_simple(const gcode::Motion& motion) {
     if (motion.kind != gcode::MoveKind::Feed) return true;
     const gcode::Position *from = gcode::start_of(motion), *to = gcode::end_of(motion);
     if (from && to && (is_turned(*from) || is_turned(*to))) return false;
-    if (const auto* line = std::get_if<gcode::Linear>(&motion.what)) {
+    if (const auto* line = std::get_if<gcode::Linear>(&motion.action)) {
         const bool is_upright = line->from.x == line->to.x && line->from.y == line->to.y;
         return is_upright || line->from.z == line->to.z;
     }
-    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what))
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.action))
         return arc->plane == gcode::Plane::XY && !arc->tilted && arc->from.z == arc->to.z;
-    return !std::holds_alternative<gcode::Spline>(motion.what);
+    return !std::holds_alternative<gcode::Spline>(motion.action);
 }
 
 std::string step_of(const brep::Part& part, const exporter::Provenance& provenance) {

@@ -225,24 +225,24 @@ Event to_event(const gcode::Motion& motion, const gcode::ProgramFrame& frame) {
         event.end = {p->x.mm(),      p->y.mm(), p->z.mm(), p->a.degrees(), p->b.degrees(),
                      p->c.degrees(), p->u.mm(), p->v.mm(), p->w.mm()};
     }
-    if (std::holds_alternative<gcode::Linear>(motion.what)) {
+    if (std::holds_alternative<gcode::Linear>(motion.action)) {
         event.call = motion.kind == gcode::MoveKind::Rapid   ? Call::Traverse
                      : motion.kind == gcode::MoveKind::Probe ? Call::Probe
                                                              : Call::Feed;
-    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
         event.call = Call::Arc;
         event.centre_1 = arc->centre_1.mm();
         event.centre_2 = arc->centre_2.mm();
         event.turns = arc->turns;
         event.plane = arc->plane;
-    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
+    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.action)) {
         event.call = Call::Spline;
         event.value = static_cast<double>(spline->control_points.size());
         event.knots = static_cast<double>(spline->knots.size());
-    } else if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.what)) {
+    } else if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.action)) {
         event.call = Call::Dwell;
         event.value = dwell->seconds;
-    } else if (const auto* change = std::get_if<gcode::ToolChange>(&motion.what)) {
+    } else if (const auto* change = std::get_if<gcode::ToolChange>(&motion.action)) {
         event.call = Call::ToolChange;
         event.value = change->tool;
     }

@@ -36,7 +36,7 @@ TEST(ThinPlaces, APlainBlockHasNone) {
     EXPECT_EQ(found->material.count, 0U);
     EXPECT_EQ(found->gaps.count, 0U);
     EXPECT_EQ(found->material.thinnest_mm, 0.0);
-    EXPECT_FALSE(found->is_seen_along_z_alone);
+    EXPECT_FALSE(found->checks_only_along_z);
 }
 
 // Three pockets with two ribs of 0.2 mm in between, and rays of 0.4 mm pitch. Exactly one rib
@@ -82,7 +82,7 @@ TEST(ThinPlaces, AlongZAloneWallsAreNotLookedForAndThatIsTold) {
     const auto part = block(0.4, Directions::OnlyZ);
     part->subtract_unmeasured(box({1, 1, 2}, {4.9, 9, 7}, 1));
     part->subtract_unmeasured(box({5.1, 1, 2}, {9, 9, 7}, 2));
-    EXPECT_TRUE(part->aliasing()->is_seen_along_z_alone);
+    EXPECT_TRUE(part->aliasing()->checks_only_along_z);
     EXPECT_EQ(part->aliasing()->material.count, 0U);
     // A thin floor is reported.
     part->subtract_unmeasured(box({1, 1, 0.1}, {4, 4, 3}, 3));

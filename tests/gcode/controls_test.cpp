@@ -302,7 +302,7 @@ TEST(Controls, ARapidIsStraightAcrossAnOutsideCornerOnLinuxCncAlone) {
         options.dialect = dialect;
         options.compensation[1] = Length::from_mm(2.0);
         (void)interpret({"t.nc", kHead + body + "M30\n"}, options, [&](const Motion& motion) {
-            count += std::holds_alternative<Arc>(motion.what) ? 1 : 0;
+            count += std::holds_alternative<Arc>(motion.action) ? 1 : 0;
         });
         return count;
     };
@@ -361,7 +361,7 @@ TEST(Controls, ADwellWithoutAPointIsInMillisecondsOnFanuc) {
         options.dialect = dialect;
         (void)interpret({"t.nc", kHead + "G0 X0 Y0 Z5\n" + block + "\nM30\n"}, options,
                         [&](const Motion& motion) {
-                            if (const auto* dwell = std::get_if<Dwell>(&motion.what))
+                            if (const auto* dwell = std::get_if<Dwell>(&motion.action))
                                 sum += dwell->seconds;
                         });
         return sum;
@@ -420,7 +420,7 @@ TEST(Controls, AllArcsDecideHowCentresAreRead) {
     std::vector<double> radii;
     InterpreterOptions options;
     made.result = interpret({"t.nc", kHead + body + "M2\n"}, options, [&](const Motion& motion) {
-        if (const auto* arc = std::get_if<Arc>(&motion.what))
+        if (const auto* arc = std::get_if<Arc>(&motion.action))
             radii.push_back(std::hypot(arc->to.x.mm() - arc->centre_1.mm(),
                                        arc->to.y.mm() - arc->centre_2.mm()));
     });
@@ -468,7 +468,7 @@ TEST(Controls, AnArcByRadiusIsNeverAFullCircle) {
                 double length = 0.0;
                 (void)interpret({"t.nc", kHead + "G0 X1 Y7 Z0\n" + block + "\nM2\n"}, {},
                                 [&](const Motion& motion) {
-                                    const auto* arc = std::get_if<Arc>(&motion.what);
+                                    const auto* arc = std::get_if<Arc>(&motion.action);
                                     if (!arc) return;
                                     const double r =
                                         std::hypot(arc->from.x.mm() - arc->centre_1.mm(),

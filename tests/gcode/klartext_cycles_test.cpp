@@ -262,7 +262,7 @@ TEST(Klartext, Cycle208MillsAlongAHelix) {
                      "Q351=1\nL X+50 Y+20 FMAX M99"));
     expect_end(r, 50, 20, 20);
     const auto helix = std::ranges::count_if(r.moves, [](const Motion& m) {
-        const auto* arc = std::get_if<Arc>(&m.what);
+        const auto* arc = std::get_if<Arc>(&m.action);
         return arc && arc->from.z != arc->to.z && arc->turns == 1 && arc->to.x.mm() == 60.0;
     });
     EXPECT_EQ(helix, 4);

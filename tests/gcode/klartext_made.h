@@ -61,7 +61,7 @@ inline Made run(const std::string& text, const Files& files = {}, Dialect dialec
     const SourceFile file{"test.h", text};
     out.result = interpret(file, options, [&](const Motion& motion) {
         if (start_of(motion)) out.moves.push_back(motion);
-        if (std::holds_alternative<ToolChange>(motion.what)) return;
+        if (std::holds_alternative<ToolChange>(motion.action)) return;
         std::string line;
         print(line, motion);
         out.texts.push_back(line.substr(line.find(' ') + 1));

@@ -57,13 +57,13 @@ TEST(Klartext, CirclePolarAloneIsAFullCircle) {
 TEST(Klartext, HelixOfNineTurns) {
     const Made r = run(klartext("L X+10 Y+0 Z+0 F100\nCC X+0 Y+0\nCP IPA+3240 IZ+13.5 DR+"));
     expect_end(r, 10, 0, 13.5);
-    EXPECT_EQ(std::get<Arc>(r.moves.back().what).turns, 9);
+    EXPECT_EQ(std::get<Arc>(r.moves.back().action).turns, 9);
 }
 
 TEST(Klartext, HelixWithPartOfATurn) {
     const Made r = run(klartext("L X+10 Y+0 Z+0 F100\nCC X+0 Y+0\nCP IPA-450 Z-5 DR-"));
     expect_end(r, 0, -10, -5);
-    EXPECT_EQ(std::get<Arc>(r.moves.back().what).turns, -2);
+    EXPECT_EQ(std::get<Arc>(r.moves.back().action).turns, -2);
 }
 
 TEST(Klartext, SignOfIpaAndDrMustBeEqual) {
@@ -73,7 +73,7 @@ TEST(Klartext, SignOfIpaAndDrMustBeEqual) {
 TEST(Klartext, WholeTurnsFollowDr) {
     const Made r = run(klartext("L X+10 Y+0 Z+0 F100\nCC X+0 Y+0\nCP IPA+360 Z-2 DR-"));
     expect_end(r, 10, 0, -2);
-    EXPECT_EQ(std::get<Arc>(r.moves.back().what).turns, -1);
+    EXPECT_EQ(std::get<Arc>(r.moves.back().action).turns, -1);
 }
 
 TEST(Klartext, CircleByRadius) {
@@ -85,7 +85,7 @@ TEST(Klartext, TangentialCircle) {
     // An arc that starts at X25 Y0 along +X and ends at X45 Y20 has the radius 20.
     const Made r = run(klartext("L X+0 Y+0 F100\nL X+25 Y+0\nCT X+45 Y+20\nL Y+40"));
     expect_end(r, 45, 40, 50);
-    const auto& arc = std::get<Arc>(r.moves[3].what);
+    const auto& arc = std::get<Arc>(r.moves[3].action);
     EXPECT_NEAR(arc.centre_1.mm(), 25, 1e-9);
     EXPECT_NEAR(arc.centre_2.mm(), 20, 1e-9);
     EXPECT_EQ(arc.turns, 1);
@@ -103,12 +103,12 @@ TEST(Klartext, PlaneOfTheToolAxis) {
         run("BEGIN PGM T MM\nTOOL CALL 1 Y S1\nL X+0 Y+0 Z+10 FMAX\nCC X+0 Z+0\nC X+10 Z+0 DR+ "
             "F100\nEND PGM T MM\n");
     EXPECT_EQ(y.errors(), "");
-    EXPECT_EQ(std::get<Arc>(y.moves.back().what).plane, Plane::ZX);
+    EXPECT_EQ(std::get<Arc>(y.moves.back().action).plane, Plane::ZX);
     const Made x =
         run("BEGIN PGM T MM\nTOOL CALL 1 X S1\nL X+0 Y+10 Z+0 FMAX\nCC Y+0 Z+0\nC Y+0 Z+10 DR+ "
             "F100\nEND PGM T MM\n");
     EXPECT_EQ(x.errors(), "");
-    EXPECT_EQ(std::get<Arc>(x.moves.back().what).plane, Plane::YZ);
+    EXPECT_EQ(std::get<Arc>(x.moves.back().action).plane, Plane::YZ);
 }
 
 // --- Corners ---
@@ -208,7 +208,7 @@ TEST(Klartext, MirrorImageSwapsArcsAndCompensation) {
     const Made arc = run(klartext(
         "CYCL DEF 8.1 X\nL X+10 Y+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\nCYCL DEF 8.1\nL X+1"));
     EXPECT_EQ(arc.errors(), "");
-    EXPECT_EQ(std::get<Arc>(arc.moves[2].what).turns, -1);
+    EXPECT_EQ(std::get<Arc>(arc.moves[2].action).turns, -1);
     EXPECT_NEAR(arc.end().x.mm(), 1.0, 1e-9);
 }
 

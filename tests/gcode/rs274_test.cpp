@@ -84,18 +84,18 @@ std::vector<Event> events_of(const Recorded& program, bool& has_errors) {
     const Interpretation result =
         interpret({"p.ngc", program.text}, options, [&](const Motion& motion) {
             in_xy.push_back(false);
-            if (const auto* line = std::get_if<Linear>(&motion.what)) {
+            if (const auto* line = std::get_if<Linear>(&motion.action)) {
                 events.push_back(
                     {motion.kind == MoveKind::Rapid ? "rapid" : "feed", numbers_of(line->to)});
-            } else if (const auto* arc = std::get_if<Arc>(&motion.what)) {
+            } else if (const auto* arc = std::get_if<Arc>(&motion.action)) {
                 events.push_back({"arc", numbers_of(arc->to)});
                 for (const double value :
                      {arc->centre_1.mm(), arc->centre_2.mm(), static_cast<double>(arc->turns)})
                     events.back().values.push_back(value);
                 in_xy.back() = arc->plane == Plane::XY;
-            } else if (const auto* spline = std::get_if<Spline>(&motion.what)) {
+            } else if (const auto* spline = std::get_if<Spline>(&motion.action)) {
                 events.push_back({"spline", numbers_of(spline->to)});
-            } else if (const auto* dwell = std::get_if<Dwell>(&motion.what)) {
+            } else if (const auto* dwell = std::get_if<Dwell>(&motion.action)) {
                 events.push_back({"dwell", {dwell->seconds}});
             } else {
                 in_xy.pop_back();

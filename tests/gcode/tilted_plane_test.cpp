@@ -228,7 +228,7 @@ TEST(TiltedPlane, KeepsWhatWorksInAPlane) {
     expect_at(drilled.end(1), 5, 8, 8);
     // An arc in the plane.
     const Made round = run(tilted + "G0 X10 Y0 Z0\nG3 X0 Y10 I-10\nG2 I0 J-10 Z-1\n");
-    const auto& arc = std::get<Arc>(round.moves[round.moves.size() - 2].what);
+    const auto& arc = std::get<Arc>(round.moves[round.moves.size() - 2].action);
     ASSERT_TRUE(arc.tilted);
     expect_at(arc.to, 1, 2, 13);
     expect_triple(arc.tilted->origin, {1, 2, 3});
@@ -236,7 +236,7 @@ TEST(TiltedPlane, KeepsWhatWorksInAPlane) {
     const Arc own = in_own_frame(arc);
     expect_at(own.from, 10, 0, 0);
     expect_at(own.to, 0, 10, 0);
-    const Arc turn = in_own_frame(std::get<Arc>(round.moves.back().what));
+    const Arc turn = in_own_frame(std::get<Arc>(round.moves.back().action));
     expect_at(turn.from, 0, 10, 0);
     expect_at(turn.to, 0, 10, -1);
     // Cutter compensation offsets by the radius within the plane.
@@ -482,7 +482,7 @@ TEST(PolarInterpolation, XAndCTellPlacesAcrossTheAxis) {
         ASSERT_EQ(made.moves.size(), 6U);
         EXPECT_EQ(made.moves[2].coordinates, Coordinates::Tip);
         expect_at(made.end(3), 20, 10, -1);
-        expect_at(std::get<Arc>(made.moves[3].what).to, 10, 20, -1);
+        expect_at(std::get<Arc>(made.moves[3].action).to, 10, 20, -1);
         expect_at(made.end(1), -20, 0, -1);
         // After the end, X is the radius again, and C is the angle reached.
         EXPECT_EQ(made.moves[5].coordinates, Coordinates::Axes);

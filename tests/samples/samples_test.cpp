@@ -283,7 +283,7 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
         for (std::size_t i = first; i < hulls.size(); ++i)
             hulls_of[line].push_back(i);
         const Vec3 way = path.poses.back().translation - path.poses.front().translation;
-        const bool is_straight = std::holds_alternative<gcode::Linear>(motion.what);
+        const bool is_straight = std::holds_alternative<gcode::Linear>(motion.action);
         const double both = norm(way) * norm(last_way);
         if (is_straight && both > 0.0 && dot(way, last_way) > (1.0 - 1e-12) * both)
             goes_on[line] = last_line;

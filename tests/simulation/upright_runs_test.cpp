@@ -39,7 +39,7 @@ Taken take(const std::string& moves) {
 }
 
 const Linear& line(const Motion& motion) {
-    return std::get<Linear>(motion.what);
+    return std::get<Linear>(motion.action);
 }
 
 // Returns the distance of the end of move `first` from the vertical plane through the start of

@@ -29,7 +29,7 @@ Position place(double x, double y, double z, double a = 0.0, double b = 0.0, dou
 
 Motion straight(const Position& from, const Position& to, bool of_tip) {
     Motion motion;
-    motion.what = gcode::Linear{from, to};
+    motion.action = gcode::Linear{from, to};
     motion.coordinates = of_tip ? gcode::Coordinates::Tip : gcode::Coordinates::Axes;
     motion.length = Length::from_mm(80.0);
     return motion;
@@ -139,7 +139,7 @@ TEST(JointPath, TheAxesKeepTheirBounds) {
             arc.from = *gcode::start_of(motion);
             arc.to = *gcode::end_of(motion);
             arc.turns = random.one_in(2) ? 1 : -1;
-            motion.what = arc;
+            motion.action = arc;
         }
         const JointPath path(machine, motion);
         const double low = random.within(0.0, 0.5), high = random.within(0.5, 1.0);
@@ -178,7 +178,7 @@ TEST(JointPath, DogLegsAreLegs) {
     RapidPath dog_leg;
     dog_leg.dog_leg = true;
     EXPECT_EQ(legs_of(motion, dog_leg).motions.size(), 2U);
-    motion.what = gcode::Dwell{};
+    motion.action = gcode::Dwell{};
     EXPECT_TRUE(legs_of(motion, RapidPath{}).motions.empty());
 }
 

@@ -27,7 +27,7 @@ using machine::joint_of;
 
 gcode::Motion line(const Position& from, const Position& to, gcode::Coordinates coordinates) {
     gcode::Motion m;
-    m.what = gcode::Linear{from, to};
+    m.action = gcode::Linear{from, to};
     m.coordinates = coordinates;
     return m;
 }
@@ -139,7 +139,7 @@ struct Case {
     }
     std::optional<cda::Box> where;
     Pose pose(double t) const {
-        const auto& m = std::get<gcode::Linear>(motion.what);
+        const auto& m = std::get<gcode::Linear>(motion.action);
         return Poses(&specified, motion).at(interpolate(m.from, m.to, t));
     }
 };
@@ -229,13 +229,13 @@ TEST(SpecifiedMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
     for (int i = 0; i < 10'000; ++i) {
         Case c(random);
         if (!c.where) continue;
-        auto& line = std::get<gcode::Linear>(c.motion.what);
+        auto& line = std::get<gcode::Linear>(c.motion.action);
         if (random.one_in(2)) line.to = interpolate(line.from, line.to, 0.001);
         if (random.one_in(3)) {
             gcode::Arc arc{line.from, line.to, gcode::Plane::XY, {}, {}, 1, {}};
             arc.centre_1 = Length::from_mm(random.within(-20, 20));
             arc.centre_2 = Length::from_mm(random.within(-20, 20));
-            c.motion.what = arc;
+            c.motion.action = arc;
         }
         const Kinematics* specified = random.one_in(3) ? nullptr : &c.specified;
         if (!specified) c.motion.coordinates = gcode::Coordinates::Axes;
@@ -259,12 +259,12 @@ TEST(SpecifiedMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
     double worst = 0.0;
     for (int i = 0; i < 4'000; ++i) {
         Case c(random);
-        const auto line = std::get<gcode::Linear>(c.motion.what);
+        const auto line = std::get<gcode::Linear>(c.motion.action);
         if (random.one_in(3)) {
             gcode::Arc arc{line.from, line.to, gcode::Plane::XY, {}, {}, 1, {}};
             arc.centre_1 = Length::from_mm(random.within(-20, 20));
             arc.centre_2 = Length::from_mm(random.within(-20, 20));
-            c.motion.what = arc;
+            c.motion.action = arc;
         }
         const Kinematics* specified = random.one_in(3) ? nullptr : &c.specified;
         if (!specified) c.motion.coordinates = gcode::Coordinates::Axes;
@@ -337,13 +337,13 @@ TEST(SpecifiedMachine, TheExtentHoldsTheWayWhateverUVWDo) {
     test::Random random(15);
     for (int i = 0; i < 4'000; ++i) {
         Case c(random);
-        const auto line = std::get<gcode::Linear>(c.motion.what);
+        const auto line = std::get<gcode::Linear>(c.motion.action);
         if (random.one_in(2)) {
             const gcode::Plane plane = random.one_in(3) ? gcode::Plane::UV : gcode::Plane::XY;
             gcode::Arc arc{line.from, line.to, plane, {}, {}, 1, {}};
             arc.centre_1 = Length::from_mm(random.within(-20, 20));
             arc.centre_2 = Length::from_mm(random.within(-20, 20));
-            c.motion.what = arc;
+            c.motion.action = arc;
         }
         c.motion.coordinates = gcode::Coordinates::Tip;
         const Poses poses(&c.specified, c.motion);

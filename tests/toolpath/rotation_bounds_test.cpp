@@ -89,7 +89,7 @@ struct Case {
     // Samples of the motion in a single step.
     Samples samples() const {
         gcode::Motion motion;
-        motion.what = gcode::Linear{from, to};
+        motion.action = gcode::Linear{from, to};
         SamplingOptions options;
         options.max_steps = 1;
         return sample(motion, {{extent_of(piece)}}, options, place);
@@ -336,7 +336,7 @@ TEST(RotationBounds, ASlabGainsWhereTheBallThatRollsAroundItReaches) {
 TEST(RotationBounds, ALongToolIsCutIntoSlabsInsteadOfTurningInSmallSteps) {
     const auto taken_by = [](double length) {
         gcode::Motion motion;
-        motion.what = gcode::Linear{place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 10, 0, 0)};
+        motion.action = gcode::Linear{place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 10, 0, 0)};
         const ToolExtent tool = extent_of(flat_end_mill(6, length));
         const Samples s = sample(motion, tool, {});
         EXPECT_LE(s.bounds.gained_mm, SamplingOptions{}.rotation_gain_mm);
@@ -458,7 +458,7 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
     Tool tool = flat_end_mill(10.0, 5.0);
     add_holder_segment(tool, 10.0, 10.0, 60.0);
     gcode::Motion motion;
-    motion.what = gcode::Linear{place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 10, 0, 0)};
+    motion.action = gcode::Linear{place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 10, 0, 0)};
     motion.kind = gcode::MoveKind::Feed;
     motion.tool = 1;
     motion.known_start = motion.known_end = {true, true, true};
@@ -488,7 +488,8 @@ TEST(Walk, LeavesFacetsWhatStepsDoNotGain) {
         Walk walk(cda::Lattice::for_stock(stock), stock, {}, {});
         walk.add_tool(1, tool);
         gcode::Motion motion;
-        motion.what = gcode::Linear{place_at(0, 0, -5, 0, 0, 0), place_at(0, 0, -5, degrees, 0, 0)};
+        motion.action =
+            gcode::Linear{place_at(0, 0, -5, 0, 0, 0), place_at(0, 0, -5, degrees, 0, 0)};
         motion.kind = gcode::MoveKind::Feed;
         motion.tool = 1;
         motion.known_start = motion.known_end = {true, true, true};

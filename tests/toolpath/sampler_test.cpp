@@ -22,13 +22,13 @@ using gcode::Position;
 
 Motion line(Position from, Position to) {
     Motion m;
-    m.what = gcode::Linear{from, to};
+    m.action = gcode::Linear{from, to};
     return m;
 }
 
 Motion arc(Position from, Position to, gcode::Plane plane, double c1, double c2, int turns) {
     Motion m;
-    m.what = gcode::Arc{from, to, plane, Length::from_mm(c1), Length::from_mm(c2), turns, {}};
+    m.action = gcode::Arc{from, to, plane, Length::from_mm(c1), Length::from_mm(c2), turns, {}};
     return m;
 }
 
@@ -84,7 +84,7 @@ TEST(ExtentOfPath, OfAQuarterAndAHundredThousandTurns) {
 
 TEST(Sample, OfADwellIsEmpty) {
     Motion m;
-    m.what = gcode::Dwell{1.0};
+    m.action = gcode::Dwell{1.0};
     EXPECT_TRUE(sample(m, kTool, {}).poses.empty());
 }
 
@@ -263,7 +263,7 @@ TEST(Sample, OfACubicSplineStaysOnTheCurve) {
     }
     spline.knots = {0, 0, 0, 0, 1, 1, 1, 1};
     Motion m;
-    m.what = spline;
+    m.action = spline;
     const Samples s = sample(m, kTool, {});
     EXPECT_EQ(s.poses.front().translation, (Vec3{0, 0, -1}));
     EXPECT_EQ(s.poses.back().translation, (Vec3{10, 0, -1}));
@@ -279,7 +279,7 @@ TEST(Sample, ASplineThatMakesNoSenseIsAStraightLine) {
     spline.from = at(0, 0, 0);
     spline.to = at(10, 0, 0);
     Motion m;
-    m.what = spline;
+    m.action = spline;
     EXPECT_EQ(sample(m, kTool, {}).poses.size(), 2U);
 }
 

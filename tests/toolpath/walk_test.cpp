@@ -25,11 +25,11 @@ gcode::Position at(double x, double y, double z) {
     return p;
 }
 
-gcode::Motion motion(decltype(gcode::Motion::what) what) {
+gcode::Motion motion(decltype(gcode::Motion::action) action) {
     gcode::Motion m;
     m.kind = gcode::MoveKind::Feed;
     m.tool = 1;
-    m.what = std::move(what);
+    m.action = std::move(action);
     return m;
 }
 
@@ -155,7 +155,7 @@ TEST(Walk, CoversNothingElse) {
 // Appends a move away from the part, because a straight path is reported at the first motion that
 // does not continue the path.
 std::vector<gcode::Motion> and_away(std::vector<gcode::Motion> motions) {
-    const gcode::Position end = std::get<gcode::Linear>(motions.back().what).to;
+    const gcode::Position end = std::get<gcode::Linear>(motions.back().action).to;
     gcode::Position up = end;
     up.z = Length::from_mm(50);
     motions.push_back(line(end, up));

@@ -355,7 +355,7 @@ TEST(MachineCollision, TheWayOfTheAxesUnderTipControlCounts) {
         p.a = gcode::Angle::from_degrees(a);
         return p;
     };
-    motion.what = gcode::Linear{place(0, 100, 0), place(0, 100, 60)};
+    motion.action = gcode::Linear{place(0, 100, 0), place(0, 100, 60)};
     motion.coordinates = gcode::Coordinates::Tip;
     motion.length = gcode::Length::from_mm(80.0);
     const toolpath::JointPath path(*setup.kinematics, motion);
@@ -393,7 +393,7 @@ double distance(const verify::RigidBody& one, const verify::RigidBody& other,
     for (const Vec3& p : other.pieces()[0].outer)
         b.push_back(lattice.round(X * p));
     // Larger than any distance here.
-    return cda::nearness(a, b, std::int64_t{1} << 35).distance * lattice.unit_mm;
+    return cda::body_distance(a, b, std::int64_t{1} << 35).distance * lattice.unit_mm;
 }
 
 // Random bodies on random paths, compared at hundreds of times.
@@ -436,7 +436,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
             begin.z = begin.z + gcode::Length::from_mm(i % 4 == 0 ? 60.0 : 0.0);
             end = toolpath::interpolate(begin, end, 0.05);
         }
-        motion.what = gcode::Linear{begin, end};
+        motion.action = gcode::Linear{begin, end};
         if (random.one_in(2)) motion.coordinates = gcode::Coordinates::Tip;
         const toolpath::JointPath path(machine, motion);
         const auto from = path.at(0.0), to = path.at(1.0);
@@ -473,7 +473,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
                 a.push_back(kLattice.round(p));
             for (const Vec3& p : head.pieces()[0].outer)
                 b.push_back(kLattice.round(X * p));
-            if (cda::nearness(a, b, 0).is_apart) continue;
+            if (cda::body_distance(a, b, 0).is_apart) continue;
             meets = true;
             if (k % 20 != 0) continue;
             const auto turned = [&X](std::vector<Vec3> directions) {

@@ -318,7 +318,7 @@ double Dexel::volume_error() const {
 
 std::optional<cda::Aliasing> Dexel::aliasing() const {
     cda::Aliasing found;
-    found.is_seen_along_z_alone = impl_->has_only_z();
+    found.checks_only_along_z = impl_->has_only_z();
     for (const Rays& along : impl_->rays())
         find_thin_places(along, impl_->grid(), impl_->lattice(), found);
     return found;

@@ -184,7 +184,7 @@ struct WhatJson {
 Json to_json(const gcode::Motion& motion) {
     Json json{{"line", motion.span.line}};
     if (motion.file != 0) json["file"] = motion.file;
-    std::visit(WhatJson{json}, motion.what);
+    std::visit(WhatJson{json}, motion.action);
     if (!gcode::start_of(motion)) return json;
     json["kind"] = name_of(motion.kind);
     if (motion.kind != gcode::MoveKind::Rapid) {

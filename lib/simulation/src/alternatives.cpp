@@ -95,12 +95,12 @@ public:
         if (!to) return;
         add(static_cast<std::uint64_t>(motion.kind));
         add(static_cast<std::uint64_t>(motion.tool));
-        add(motion.what.index());
+        add(motion.action.index());
         for (const double value :
              {to->x.mm(), to->y.mm(), to->z.mm(), to->a.degrees(), to->b.degrees(), to->c.degrees(),
               to->u.mm(), to->v.mm(), to->w.mm()})
             add(std::bit_cast<std::uint64_t>(value));
-        if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
             for (const double value : {arc->centre_1.mm(), arc->centre_2.mm()})
                 add(std::bit_cast<std::uint64_t>(value));
             add(static_cast<std::uint64_t>(arc->turns));

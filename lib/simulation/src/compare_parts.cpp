@@ -22,12 +22,12 @@ namespace {
 // Values of a motion that affect the part.
 struct Trace {
     explicit Trace(const gcode::Motion& m)
-        : what(m.what),
+        : action(m.action),
           kind(m.kind),
           tool(m.tool),
           coordinates(m.coordinates),
           known(m.known_start) {}
-    decltype(gcode::Motion::what) what;
+    decltype(gcode::Motion::action) action;
     gcode::MoveKind kind;
     int tool;
     gcode::Coordinates coordinates;

@@ -49,7 +49,7 @@ Condition condition_of(const gcode::Motion& m) {
     c.coolant = m.coolant;
     c.file = m.file;
     c.line = m.span.line;
-    if (const auto* dwell = std::get_if<gcode::Dwell>(&m.what)) {
+    if (const auto* dwell = std::get_if<gcode::Dwell>(&m.action)) {
         c.dwell_s = dwell->seconds;
     } else {
         c.feed_mode = m.feed_mode;
@@ -61,7 +61,7 @@ Condition condition_of(const gcode::Motion& m) {
 std::vector<Condition> conditions_of(const Plan& plan) {
     std::vector<Condition> all;
     gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& m) {
-        const bool dwells = std::holds_alternative<gcode::Dwell>(m.what);
+        const bool dwells = std::holds_alternative<gcode::Dwell>(m.action);
         if (!dwells && (!gcode::start_of(m) || m.kind == gcode::MoveKind::Rapid)) return;
         const Condition c = condition_of(m);
         if (all.empty() || dwells || !same(all.back(), c)) all.push_back(c);

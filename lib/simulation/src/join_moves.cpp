@@ -26,7 +26,7 @@ bool moves_xyz_only(const gcode::Linear& line) {
 
 /// Returns the straight feed move if all its values are known; otherwise null.
 const gcode::Linear* plain_line(const gcode::Motion& motion) {
-    const auto* line = std::get_if<gcode::Linear>(&motion.what);
+    const auto* line = std::get_if<gcode::Linear>(&motion.action);
     if (!line || motion.kind != gcode::MoveKind::Feed || motion.machine_coordinates) return nullptr;
     const gcode::KnownAxes all;
     return motion.known_start == all && motion.known_end == all && moves_xyz_only(*line) ? line
@@ -51,7 +51,7 @@ bool MoveJoiner::can_join(const gcode::Motion& next) const {
     const gcode::Linear* line = plain_line(next);
     if (!held_ || !line || !is_same_kind(*held_, next) || intermediate_ends_.size() >= kMostPlaces)
         return false;
-    const auto& row = std::get<gcode::Linear>(held_->what);
+    const auto& row = std::get<gcode::Linear>(held_->action);
     if (!(row.to == line->from)) return false;
     const cda::Vec3 from = place(row.from);
     const cda::Vec3 way = place(line->to) - from;
@@ -71,10 +71,10 @@ bool MoveJoiner::can_join(const gcode::Motion& next) const {
 void MoveJoiner::take(const gcode::Motion& motion) {
     if (tolerance_mm_ <= 0.0) return sink_(motion);
     if (can_join(motion)) {
-        auto& row = std::get<gcode::Linear>(held_->what);
+        auto& row = std::get<gcode::Linear>(held_->action);
         intermediate_ends_.push_back(place(row.to));
         has_joined_ = true;
-        row.to = std::get<gcode::Linear>(motion.what).to;
+        row.to = std::get<gcode::Linear>(motion.action).to;
         return;
     }
     flush();

@@ -45,7 +45,7 @@ public:
         gcode::Motion from_known = motion;
         if (!toolpath::has_known_start(motion)) {
             const gcode::Position end = *gcode::end_of(motion);
-            from_known.what = gcode::Linear{end, end};
+            from_known.action = gcode::Linear{end, end};
         }
         const toolpath::Legs legs = toolpath::legs_of(from_known, {});
         std::vector<double> lengths;
@@ -72,7 +72,7 @@ public:
 
 private:
     double length_of(const gcode::Motion& leg) const {
-        const auto* line = std::get_if<gcode::Linear>(&leg.what);
+        const auto* line = std::get_if<gcode::Linear>(&leg.action);
         if (!line) return 1.0;
         const toolpath::Poses poses(&machine_, leg);
         return norm(poses.place(line->to) - poses.place(line->from));

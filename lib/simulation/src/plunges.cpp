@@ -66,7 +66,7 @@ public:
     explicit PlungeCount(const Plan& plan) : candidates_(candidates_of(plan)) {}
 
     void take(const gcode::Motion& motion) {
-        const auto* line = std::get_if<gcode::Linear>(&motion.what);
+        const auto* line = std::get_if<gcode::Linear>(&motion.action);
         if (!line || !toolpath::has_known_start(motion)) return;
         const machine::Values from = toolpath::values_of(line->from);
         const machine::Values to = toolpath::values_of(line->to);

@@ -98,7 +98,7 @@ public:
           tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume) {
-        if (result.part->takes_sweeps()) walk_.prefer_sweeps();
+        if (result.part->supports_sweeps()) walk_.prefer_sweeps();
         if (verification.own_lines) walk_.disable_merged_cells();
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);

@@ -90,7 +90,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         // On specified machines no moves are combined.
         if (start_of_row && !plan.placed) {
             gcode::Motion together = motion;
-            std::get<gcode::Linear>(together.what).from = *start_of_row;
+            std::get<gcode::Linear>(together.action).from = *start_of_row;
             brep::SweptSurfaces of_row = brep::surfaces_of(together, tool->second.tool, nullptr);
             std::ranges::move(of_row.candidates, std::back_inserter(source.candidates));
         }

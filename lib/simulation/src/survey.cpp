@@ -66,10 +66,10 @@ public:
         const gcode::Position* from = start_of(motion);
         const gcode::Position* to = end_of(motion);
         if (!from || !to) {
-            const auto* change = std::get_if<gcode::ToolChange>(&motion.what);
+            const auto* change = std::get_if<gcode::ToolChange>(&motion.action);
             const int tool = change ? change->tool : motion.tool;
             result_.calls_tools |= change != nullptr;
-            if (change || std::holds_alternative<gcode::Dwell>(motion.what))
+            if (change || std::holds_alternative<gcode::Dwell>(motion.action))
                 verify::add_rest(result_.distances[tool], motion);
             return;
         }
@@ -208,7 +208,7 @@ private:
         const bool turns = from.a != to.a || from.b != to.b || from.c != to.c;
         if (turns) {
             pieces.turning += chords;
-        } else if (!std::holds_alternative<gcode::Linear>(motion.what)) {
+        } else if (!std::holds_alternative<gcode::Linear>(motion.action)) {
             pieces.chords += chords;
         } else {
             ++(is_turned ? pieces.indexed : pieces.straight);

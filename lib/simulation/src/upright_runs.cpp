@@ -36,7 +36,7 @@ const Linear* sloped(const Motion& motion) {
 }
 
 const Linear& line_of(const Motion& motion) {
-    return std::get<Linear>(motion.what);
+    return std::get<Linear>(motion.action);
 }
 
 // The vertical plane through two positions.
@@ -82,12 +82,12 @@ void UprightRuns::flush() {
     const Plane plane(place(line_of(run_.front()).from), place(line_of(run_.back()).to));
     double moved_mm = 0.0;
     for (std::size_t i = 0; i + 1 < run_.size(); ++i) {
-        gcode::Position& end = std::get<Linear>(run_[i].what).to;
+        gcode::Position& end = std::get<Linear>(run_[i].action).to;
         const Vec3 off = plane.offset_from_line(place(end));
         moved_mm = std::max(moved_mm, cda::norm(off));
         end.x = gcode::Length::from_mm(end.x.mm() - off.x);
         end.y = gcode::Length::from_mm(end.y.mm() - off.y);
-        std::get<Linear>(run_[i + 1].what).from = end;
+        std::get<Linear>(run_[i + 1].action).from = end;
     }
     for (const Motion& motion : run_)
         sink_(motion, moved_mm);

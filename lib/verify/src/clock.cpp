@@ -80,7 +80,7 @@ void Clock::take(const Move& move, std::size_t row) {
 
 void Clock::rest(const gcode::Motion& motion, std::size_t row) {
     planner_.stop();
-    if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.what)) {
+    if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.action)) {
         other_seconds_ += dwell->seconds;
         add(row, dwell->seconds);
     } else if (machine_->tool_change_seconds) {

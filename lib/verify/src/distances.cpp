@@ -54,9 +54,9 @@ void add_path(Distances& distances, const gcode::Motion& motion, const toolpath:
 }
 
 void add_rest(Distances& distances, const gcode::Motion& motion) {
-    if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.what))
+    if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.action))
         distances.dwell_seconds += dwell->seconds;
-    if (std::holds_alternative<gcode::ToolChange>(motion.what)) ++distances.tool_changes;
+    if (std::holds_alternative<gcode::ToolChange>(motion.action)) ++distances.tool_changes;
 }
 
 void add(Distances& distances, const gcode::Motion& motion, const toolpath::Kinematics* machine) {

@@ -95,13 +95,14 @@ double apart_mm(const Pose& X, const RigidBody& observer, const RigidBody& body,
                 const auto width = [&](double mm) {
                     return static_cast<std::int64_t>(mm / lattice.unit_mm);
                 };
-                const cda::Nearness near = cda::nearness(resting[a], moved[b], width(apart) + 1);
+                const cda::BodyDistance near =
+                    cda::body_distance(resting[a], moved[b], width(apart) + 1);
                 if (near.is_apart) continue;
                 // A value slightly below the true distance can be proven.
                 constexpr double kNearly = 0.98;
                 const std::int64_t less = width(kNearly * near.distance * lattice.unit_mm);
                 const bool is_proven =
-                    less > 0 && cda::nearness(resting[a], moved[b], less, near.way).is_apart;
+                    less > 0 && cda::body_distance(resting[a], moved[b], less, near.way).is_apart;
                 const double proven = is_proven ? static_cast<double>(less) * lattice.unit_mm : 0.0;
                 apart = std::min(apart, std::max(between, proven));
             }

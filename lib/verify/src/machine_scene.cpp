@@ -221,7 +221,7 @@ bool MachineScene::needs_length(const Pair& pair) const {
 // True if the pair has moved since the last check, or moves in `leg`.
 bool MachineScene::moves(const Pair& pair, const Leg& leg) const {
     if (!leg.from || !leg.to || !pair.last_values) return true;
-    const bool is_curved = !std::holds_alternative<gcode::Linear>(leg.motion.what) ||
+    const bool is_curved = !std::holds_alternative<gcode::Linear>(leg.motion.action) ||
                            leg.motion.coordinates == gcode::Coordinates::Tip;
     return std::ranges::any_of(pair.way.joints, [&](const machine::Joint& joint) {
         const std::size_t i = *machine::index_of(joint.letter);
@@ -390,7 +390,7 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
         // The start position is unknown; only the end position is checked.
         legs.motions.push_back(motion);
         const gcode::Position end = *gcode::end_of(motion);
-        legs.motions.back().what = gcode::Linear{end, end};
+        legs.motions.back().action = gcode::Linear{end, end};
     }
     length_mm_ = motion.length.mm();
     for (gcode::Motion& leg : legs.motions)

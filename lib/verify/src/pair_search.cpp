@@ -263,7 +263,7 @@ public:
         std::erase_if(s.open, [&](const PiecePair& p) {
             const Box& box = observer_.boxes()[p.first];
             if (!box.overlaps(swept(place, body_.boxes()[p.second]))) return true;
-            if (cda::nearness(resting[p.first], joint_motion[p.second], width).is_apart)
+            if (cda::body_distance(resting[p.first], joint_motion[p.second], width).is_apart)
                 return true;
             // A hull of two rotated positions also contains the region between the ends of a long
             // piece. The hull is smaller if the shorter body moves, so the roles are swapped.
@@ -273,8 +273,8 @@ public:
                 observer_going.emplace(observer_, *other_way, lattice_);
                 body_resting.emplace(body_, Span{}, lattice_);
             }
-            return cda::nearness((*body_resting)[p.second], (*observer_going)[p.first],
-                                 round_up_units(other_way->grow_mm, lattice_))
+            return cda::body_distance((*body_resting)[p.second], (*observer_going)[p.first],
+                                      round_up_units(other_way->grow_mm, lattice_))
                 .is_apart;
         });
     }
@@ -289,7 +289,7 @@ public:
             if (one.inner.empty() || other.inner.empty() || (is_known && !measured)) return false;
             const auto a = points_of(one.inner, {}, lattice_);
             const auto b = points_of(other.inner, {X, X, 0.0}, lattice_);
-            if (cda::nearness(a, b, 0).is_apart) return false;
+            if (cda::body_distance(a, b, 0).is_apart) return false;
             const auto point = cda::common_point(a, b, round_up_units(rounding_mm_, lattice_));
             if (!point) return false;
             const double amount_mm = measured ? depth_mm(one, other, X) : 0.0;
@@ -306,7 +306,8 @@ public:
         return for_each_near(values, clearance_mm, [&](const PiecePair& p, const Pose& X) {
             const auto a = points_of(observer_.pieces()[p.first].outer, {}, lattice_);
             const auto b = points_of(body_.pieces()[p.second].outer, {X, X, 0.0}, lattice_);
-            const cda::Nearness near = cda::nearness(a, b, round_up_units(limit, lattice_));
+            const cda::BodyDistance near =
+                cda::body_distance(a, b, round_up_units(limit, lattice_));
             const double apart = near.distance * lattice_.unit_mm;
             if (near.is_apart || apart > limit) return false;
             if (found.closeness == Closeness::Certain && apart >= found.amount_mm) return false;

@@ -102,7 +102,7 @@ void PathFacts::measure(Move& move, const toolpath::Poses& poses, const gcode::P
     Box& path = move.path;
     const bool turns = from.a != to.a || from.b != to.b || from.c != to.c;
     const bool is_shifted = poses.shift(from) != Vec3{} || poses.shift(to) != Vec3{};
-    if (std::holds_alternative<gcode::Linear>(motion.what) && !(turns && is_shifted)) {
+    if (std::holds_alternative<gcode::Linear>(motion.action) && !(turns && is_shifted)) {
         const Vec3 a = poses.place(from);
         const Vec3 b = poses.place(to);
         move.length_mm = norm(b - a);
@@ -118,7 +118,7 @@ void PathFacts::measure(Move& move, const toolpath::Poses& poses, const gcode::P
             move.leaves = normalized(chord);
             if (i == 1) move.enters = move.leaves;
         }
-        if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
             move.radius_mm = smallest_radius(*arc);
         }
     }

@@ -263,7 +263,7 @@ public:
             judge(setup_, move_, log_);
         count_idle_cuts();
         if (!move_.is_move) {
-            if (setup_.ledger && std::holds_alternative<gcode::Dwell>(move_.motion->what))
+            if (setup_.ledger && std::holds_alternative<gcode::Dwell>(move_.motion->action))
                 ledger_book_.enter(move_, books_);
             clock_.rest(*move_.motion, ledger_book_.row());
             return;

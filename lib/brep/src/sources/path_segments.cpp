@@ -215,7 +215,7 @@ std::vector<SplinePath> spline_paths(const gcode::Spline& spline, const toolpath
 }
 
 std::optional<RotaryPath> rotary_path(const gcode::Motion& motion, const toolpath::Poses& poses) {
-    const auto* line = std::get_if<gcode::Linear>(&motion.what);
+    const auto* line = std::get_if<gcode::Linear>(&motion.action);
     if (!line) return std::nullopt;
     return fit_rotary_path([&](double t) {
         const Pose pose = poses.at(in_step(line->from, line->to, t));

@@ -520,13 +520,13 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
     const bool turns =
         poses.has_tip_control() ? start.rows != end.rows : !are_rotary_axes_fixed(*from, *to);
     const Vec3 axis = axis_of(start);
-    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.action);
     std::optional<ArcPath> path;
     if (arc) path = arc_path(*arc, poses);
     std::optional<RotaryPath> turning;
     if (turns) turning = rotary_path(motion, poses);
     std::vector<SplinePath> spline;
-    if (const auto* curve = std::get_if<gcode::Spline>(&motion.what); curve && !turns)
+    if (const auto* curve = std::get_if<gcode::Spline>(&motion.action); curve && !turns)
         spline = spline_paths(*curve, poses);
     if (!spline.empty()) source.deviation_mm = kSplineArcError;
     Sweeps sweeps(source.candidates);
@@ -544,7 +544,7 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
             } else if (turning) {
                 sweeps.envelope(e, *turning);
                 if (is_corner) sweeps.rim(e, *turning);
-            } else if (turns || !std::holds_alternative<gcode::Linear>(motion.what)) {
+            } else if (turns || !std::holds_alternative<gcode::Linear>(motion.action)) {
                 sweeps.note_unlisted_surfaces();
             } else if (start.translation != end.translation) {
                 const Vec3 d = direction_of(end.translation - start.translation, axis);
@@ -557,7 +557,7 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
         }
     }
     source.may_leave_other_surfaces = sweeps.may_leave_other_surfaces();
-    const bool is_straight = !turns && std::holds_alternative<gcode::Linear>(motion.what);
+    const bool is_straight = !turns && std::holds_alternative<gcode::Linear>(motion.action);
     source.chords = is_straight ? 0.0 : sweeps.chords();
     return source;
 }

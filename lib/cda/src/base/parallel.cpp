@@ -17,7 +17,7 @@ struct Background::Shared {
     std::mutex failure_mutex;
     std::vector<std::jthread> others;
 
-    void take_tasks() {
+    void run_tasks() {
         try {
             for (std::size_t i = next++; i < tasks; i = next++)
                 work(i);
@@ -36,7 +36,7 @@ std::size_t thread_count(std::size_t threads) {
 Background::Background(std::size_t others, std::size_t tasks, std::function<void(std::size_t)> work)
     : shared_(new Shared{tasks, std::move(work), {}, {}, {}, {}}) {
     for (std::size_t i = 0; i < std::min(others, tasks); ++i)
-        shared_->others.emplace_back([shared = shared_.get()] { shared->take_tasks(); });
+        shared_->others.emplace_back([shared = shared_.get()] { shared->run_tasks(); });
 }
 
 Background::~Background() {
@@ -45,7 +45,7 @@ Background::~Background() {
 }
 
 void Background::finish() {
-    shared_->take_tasks();
+    shared_->run_tasks();
     shared_->others.clear();
     if (shared_->failure) std::rethrow_exception(shared_->failure);
 }

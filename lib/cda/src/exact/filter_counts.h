@@ -23,15 +23,15 @@ inline constexpr std::size_t kFilters = 4;
 
 #ifdef NCSIM_COUNT_FILTERS
 struct FilterCount {
-    std::atomic<std::uint64_t> asked{0};
+    std::atomic<std::uint64_t> queries{0};
     std::atomic<std::uint64_t> doubtful{0};  ///< Number of decisions that doubles left undecided.
     /// Number of undecided cases with the result On, which doubles can never prove.
     std::atomic<std::uint64_t> touching{0};
 };
 inline std::array<FilterCount, kFilters> filter_counts;
 
-inline void count_asked(Filter filter, std::uint64_t n = 1) {
-    filter_counts[static_cast<std::size_t>(filter)].asked += n;
+inline void count_query(Filter filter, std::uint64_t n = 1) {
+    filter_counts[static_cast<std::size_t>(filter)].queries += n;
 }
 inline void count_doubtful(Filter filter, std::uint64_t n = 1) {
     filter_counts[static_cast<std::size_t>(filter)].doubtful += n;
@@ -40,7 +40,7 @@ inline void count_touching(Filter filter, std::uint64_t n = 1) {
     filter_counts[static_cast<std::size_t>(filter)].touching += n;
 }
 #else
-inline void count_asked(Filter /*filter*/, std::uint64_t /*n*/ = 1) {}
+inline void count_query(Filter /*filter*/, std::uint64_t /*n*/ = 1) {}
 inline void count_doubtful(Filter /*filter*/, std::uint64_t /*n*/ = 1) {}
 inline void count_touching(Filter /*filter*/, std::uint64_t /*n*/ = 1) {}
 #endif

@@ -81,8 +81,8 @@ struct HalfPlane {
 
 /// Height of a box's middle above a plane, and reach of the box to both sides of its middle; in
 /// half units times the length of the normal.
-struct Sight {
-    Sight(const BoxFrame& box, const HalfPlane& p)
+struct BoxHeight {
+    BoxHeight(const BoxFrame& box, const HalfPlane& p)
         : above(p.nx * box.centre[0] + p.ny * box.centre[1] + p.nz * box.centre[2] - p.d2),
           reach(std::abs(p.nx) * box.half[0] + std::abs(p.ny) * box.half[1] +
                 std::abs(p.nz) * box.half[2]) {}
@@ -97,7 +97,7 @@ struct Sight {
 
 /// Returns how a box lies to a plane.
 inline Side side_of(const BoxFrame& box, const HalfPlane& p) {
-    return Sight(box, p).side();
+    return BoxHeight(box, p).side();
 }
 
 }  // namespace ncsim::cda

@@ -140,7 +140,7 @@ std::optional<Side> classify_in_doubles(const ExactPoint& p, const Plane& plane)
 }
 
 Side classify(const ExactPoint& p, const Plane& plane) {
-    count_asked(Filter::Point);
+    count_query(Filter::Point);
     if (const auto side = classify_in_doubles(p, plane)) return *side;
     count_doubtful(Filter::Point);
     const Side side = classify_exact(p, plane);
@@ -171,7 +171,7 @@ int compare_coordinate_exact(const ExactPoint& a, const ExactPoint& b, int axis)
 int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
     const double p = a.approx[axis];
     const double q = b.approx[axis];
-    count_asked(Filter::Coordinate);
+    count_query(Filter::Coordinate);
     // Both coordinates are within 2 ulp.
     if (std::abs(p - q) > 1e-15 * (std::abs(p) + std::abs(q))) return p < q ? -1 : 1;
     count_doubtful(Filter::Coordinate);

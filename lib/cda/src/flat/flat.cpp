@@ -27,7 +27,7 @@ CdaCell make_cell(CellKind kind, const Cell& from, ConvexPolytope body) {
 
 // Reverses a fragment: the facet of a negative cell is a wall with the material outside of the
 // cell.
-void turn_over(Fragment& fragment) {
+void reverse_fragment(Fragment& fragment) {
     fragment.plane = fragment.plane.opposite();
     for (auto& loop : fragment.loops) {
         std::vector<Fragment::Corner> turned;
@@ -53,7 +53,7 @@ FlatCda::FlatCda(const Cell& stock, const Lattice& lattice, Clock clock)
     for (std::uint32_t i = 0; i < positive_.body.facets().size(); ++i) {
         add_remainder({CellKind::Positive, 0, i});
     }
-    settle_volume();
+    compute_volume();
 }
 
 std::unique_ptr<WorkpieceModel> FlatCda::create(const Cell& stock, const Lattice& lattice) const {
@@ -101,14 +101,14 @@ FlatCda::Remainder& FlatCda::remainder_of(const FacetRef& facet) {
 void FlatCda::add_remainder(const FacetRef& facet) {
     Remainder& whole = remainder_of(facet);
     whole.polygons.push_back(polygon(facet));
-    touched_.push_back(facet);
+    changed_.push_back(facet);
 }
 
 // The volume is a third of the sum of distance times area over the surface, relative to the centre
 // of the stock; walls made by negative cells have the opposite sign.
-double FlatCda::settle_volume() {
+double FlatCda::compute_volume() {
     double change = 0.0;
-    for (const FacetRef& facet : touched_) {
+    for (const FacetRef& facet : changed_) {
         Remainder& remainder = remainder_of(facet);
         double now = 0.0;
         for (const ConvexPolygon& polygon : remainder.polygons)
@@ -119,7 +119,7 @@ double FlatCda::settle_volume() {
         change += sign * distance_about(plane, centre_) * (now - remainder.area) / 3.0;
         remainder.area = now;
     }
-    touched_.clear();
+    changed_.clear();
     volume_ += change;
     return change;
 }
@@ -143,7 +143,7 @@ void FlatCda::bind(const FacetRef& hole, const FacetRef& facet, const ConvexPoly
         cda::subtract(polygon, mask.edges, rest);
     }
     remainder.polygons = std::move(rest);
-    touched_.push_back(facet);
+    changed_.push_back(facet);
 }
 
 bool FlatCda::comes_before(std::uint32_t a, std::uint32_t b) const {
@@ -181,7 +181,7 @@ bool FlatCda::add_contact(std::uint32_t first, std::uint32_t second) {
         contacts_.push_back({std::move(*common), first_facet, second_facet});
         const ConvexPolygon& mask = contacts_.back().polygon;
         bind(hole, first_facet, mask);
-        bind(hole, second_facet, turned_over(mask));
+        bind(hole, second_facet, reversed(mask));
         return true;  // convex bodies without common inner points touch in one plane at most
     }
     return false;
@@ -243,7 +243,7 @@ double FlatCda::subtract(const Cell& cell) {
             ++totals_.new_contacts;
         }
     }
-    const double change = settle_volume();
+    const double change = compute_volume();
     totals_.removed_volume = change == 0.0 ? 0.0 : -change * lattice_.cubic_unit_mm3();
     steps_.push_back(totals_);
     return totals_.removed_volume;
@@ -302,7 +302,7 @@ Boundary FlatCda::boundary() const {
         auto parts = facet_difference(polygon(facet), masks, cell.origin);
         if (facet.kind == CellKind::Negative) {
             for (Fragment& part : parts)
-                turn_over(part);
+                reverse_fragment(part);
         }
         std::move(parts.begin(), parts.end(), std::back_inserter(fragments));
     };
@@ -315,7 +315,7 @@ Boundary FlatCda::boundary() const {
         }
     }
     Stitcher stitcher(lattice_, 1);
-    stitcher.take(outlines_of(fragments));
+    stitcher.add_part(outlines_of(fragments));
     return stitcher.finish();
 }
 
@@ -355,7 +355,7 @@ void FlatCda::accept(CdaVisitor& visitor) const {
         visit(zero_[i], i);
     for (std::uint32_t i = 0; i < contacts_.size(); ++i)
         visitor.visit_contact(contacts_[i], i);
-    visitor.leave_cda(*this);
+    visitor.end_cda(*this);
 }
 
 }  // namespace ncsim::cda

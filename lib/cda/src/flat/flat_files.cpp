@@ -58,7 +58,7 @@ public:
     void visit_cell(const CdaCell&, std::uint32_t) override {}
     void visit_facet(const CdaCell&, const FacetRef&) override {}
     void visit_contact(const Contact&, std::uint32_t) override {}
-    void leave_cda(const FlatCda&) override {}
+    void end_cda(const FlatCda&) override {}
 
 private:
     template <class First, class... Rest>
@@ -125,7 +125,7 @@ public:
         out_ << "  </contact>\n";
     }
 
-    void leave_cda(const FlatCda&) override {
+    void end_cda(const FlatCda&) override {
         close_cell();
         out_ << "</cda>\n";
     }

@@ -22,7 +22,7 @@ bool FacetRegion::assign(const Plane& plane, const HalfBox& box) {
         middle_[i] = 0.5 * frame.centre[i];
         e_ -= n_[i] * middle_[i];
     }
-    stretch_ = std::sqrt(n_[0] * n_[0] + n_[1] * n_[1] + n_[2] * n_[2]) / std::abs(n_[w]);
+    area_ratio_ = std::sqrt(n_[0] * n_[0] + n_[1] * n_[1] + n_[2] * n_[2]) / std::abs(n_[w]);
     const double u = 0.5 * frame.half[axes_[0]];
     const double v = 0.5 * frame.half[axes_[1]];
     points_.assign({{-u, -v}, {u, -v}, {u, v}, {-u, v}});
@@ -31,10 +31,10 @@ bool FacetRegion::assign(const Plane& plane, const HalfBox& box) {
     const double h = 0.5 * frame.half[w] * std::abs(n_[w]);
     for (const double sign : {1.0, -1.0}) {
         const Line wall{sign * n_[axes_[0]], sign * n_[axes_[1]], h + sign * e_};
-        switch (where(corners(polygons_[0]), wall)) {
-            case Where::Below: break;
-            case Where::Above: polygons_.clear(); return false;
-            case Where::Cut: polygons_[0] = part(polygons_[0], wall, false); break;
+        switch (position(corners(polygons_[0]), wall)) {
+            case LinePosition::Below: break;
+            case LinePosition::Above: polygons_.clear(); return false;
+            case LinePosition::Cut: polygons_[0] = part(polygons_[0], wall, false); break;
         }
     }
     return true;
@@ -50,7 +50,7 @@ FacetRegion::Line FacetRegion::line_of(const Plane& cut) const {
     return {m[axes_[0]] - along * n_[axes_[0]], m[axes_[1]] - along * n_[axes_[1]], g - along * e_};
 }
 
-FacetRegion::Where FacetRegion::where(std::span<const Point> corners, const Line& line) {
+FacetRegion::LinePosition FacetRegion::position(std::span<const Point> corners, const Line& line) {
     bool any_below = false;
     bool any_above = false;
     for (const Point& p : corners) {
@@ -58,7 +58,7 @@ FacetRegion::Where FacetRegion::where(std::span<const Point> corners, const Line
         any_below |= above < 0.0;
         any_above |= above > 0.0;
     }
-    return !any_above ? Where::Below : any_below ? Where::Cut : Where::Above;
+    return !any_above ? LinePosition::Below : any_below ? LinePosition::Cut : LinePosition::Above;
 }
 
 // Appends the part of a polygon on a side of a line that cuts the polygon.
@@ -84,10 +84,10 @@ bool FacetRegion::clip(const Plane& cut) {
     const Line line = line_of(cut);
     std::size_t kept = 0;
     for (const Polygon& polygon : polygons_) {
-        switch (where(corners(polygon), line)) {
-            case Where::Below: polygons_[kept++] = polygon; break;
-            case Where::Above: break;
-            case Where::Cut: polygons_[kept++] = part(polygon, line, false); break;
+        switch (position(corners(polygon), line)) {
+            case LinePosition::Below: polygons_[kept++] = polygon; break;
+            case LinePosition::Above: break;
+            case LinePosition::Cut: polygons_[kept++] = part(polygon, line, false); break;
         }
     }
     polygons_.resize(kept);
@@ -98,49 +98,49 @@ bool FacetRegion::meets(std::span<const Plane* const> cuts) const {
     return std::ranges::all_of(cuts, [this](const Plane* cut) {
         const Line line = line_of(*cut);
         return std::ranges::any_of(polygons_, [&](const Polygon& polygon) {
-            return where(corners(polygon), line) != Where::Above;
+            return position(corners(polygon), line) != LinePosition::Above;
         });
     });
 }
 
-double FacetRegion::take(std::span<const Plane* const> cuts) {
+double FacetRegion::remove(std::span<const Plane* const> cuts) {
     lines_.clear();
     for (const Plane* cut : cuts)
         lines_.push_back(line_of(*cut));
-    rest_.clear();
-    taken_.clear();
+    remaining_.clear();
+    removed_.clear();
     double sum = 0.0;
     for (const Polygon& polygon : polygons_)
-        sum += take(polygon);
-    polygons_.swap(rest_);
-    return stretch_ * sum;
+        sum += remove(polygon);
+    polygons_.swap(remaining_);
+    return area_ratio_ * sum;
 }
 
-// Removes a single polygon's part below all lines; the remainder goes to rest_.
-double FacetRegion::take(Polygon polygon) {
-    const std::size_t before = rest_.size();
+// Removes a single polygon's part below all lines; the remainder goes to remaining_.
+double FacetRegion::remove(Polygon polygon) {
+    const std::size_t before = remaining_.size();
     const Polygon whole = polygon;
     for (const Line& line : lines_) {
-        if (where(corners(whole), line) == Where::Above) {
-            rest_.push_back(whole);
+        if (position(corners(whole), line) == LinePosition::Above) {
+            remaining_.push_back(whole);
             return 0.0;
         }
     }
     for (const Line& line : lines_) {
-        switch (where(corners(polygon), line)) {
-            case Where::Below: break;
-            case Where::Above:
+        switch (position(corners(polygon), line)) {
+            case LinePosition::Below: break;
+            case LinePosition::Above:
                 // Nothing is removed; the pieces are replaced by the whole polygon.
-                rest_.resize(before);
-                rest_.push_back(whole);
+                remaining_.resize(before);
+                remaining_.push_back(whole);
                 return 0.0;
-            case Where::Cut:
-                rest_.push_back(part(polygon, line, true));
+            case LinePosition::Cut:
+                remaining_.push_back(part(polygon, line, true));
                 polygon = part(polygon, line, false);
                 break;
         }
     }
-    taken_.push_back(polygon);
+    removed_.push_back(polygon);
     return flat_area(polygon);
 }
 
@@ -158,7 +158,7 @@ double FacetRegion::area() const {
     double sum = 0.0;
     for (const Polygon& polygon : polygons_)
         sum += flat_area(polygon);
-    return stretch_ * sum;
+    return area_ratio_ * sum;
 }
 
 }  // namespace ncsim::cda

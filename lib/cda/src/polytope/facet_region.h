@@ -42,7 +42,7 @@ public:
     /// False if one cut has the whole region above, so that no part is below all of `cuts`.
     bool meets(std::span<const Plane* const> cuts) const;
     /// Removes the part below all of `cuts` and returns the removed area.
-    double take(std::span<const Plane* const> cuts);
+    double remove(std::span<const Plane* const> cuts);
 
     double area() const;
     bool is_empty() const { return polygons_.empty(); }
@@ -50,7 +50,7 @@ public:
     /// Return the remaining polygons and the polygons removed last. Valid until the next facet. A
     /// polygon may have no area.
     std::span<const Polygon> polygons() const { return polygons_; }
-    std::span<const Polygon> taken() const { return taken_; }
+    std::span<const Polygon> removed() const { return removed_; }
     std::span<const Point> corners(const Polygon& polygon) const {
         return std::span(points_).subspan(polygon.first, polygon.count);
     }
@@ -62,21 +62,21 @@ public:
     double flattened(double along) const { return along / std::abs(n_[axes_[2]]); }
 
 private:
-    enum class Where : std::uint8_t { Below, Above, Cut };
+    enum class LinePosition : std::uint8_t { Below, Above, Cut };
 
-    static Where where(std::span<const Point> corners, const Line& line);
+    static LinePosition position(std::span<const Point> corners, const Line& line);
     Polygon part(const Polygon& polygon, const Line& line, bool above);
     double flat_area(const Polygon& polygon) const;
-    double take(Polygon polygon);
+    double remove(Polygon polygon);
 
     // Coordinates are relative to the middle of the box, along two axes; the third coordinate
     // follows.
     std::array<std::size_t, 3> axes_{};
     std::array<double, 3> middle_{}, n_{};
     double e_ = 0;
-    double stretch_ = 1;  // ratio of true areas to projected areas
+    double area_ratio_ = 1;  // ratio of true areas to projected areas
     std::vector<Point> points_;
-    std::vector<Polygon> polygons_, rest_, taken_;
+    std::vector<Polygon> polygons_, remaining_, removed_;
     std::vector<Line> lines_;
 };
 

@@ -58,7 +58,7 @@ Side side_exactly(const FilterPlane& a, const FilterPlane& b, const FilterPlane&
 // The same, in doubles first. `height` receives the height above `cut` in units of the normal.
 Side side_of(const FilteredPoint& point, const FilterPlane& a, const FilterPlane& b,
              const FilterPlane& c, const FilterPlane& cut, double& height) {
-    count_asked(Filter::Corner);
+    count_query(Filter::Corner);
     height = point.p.x * cut.nx + point.p.y * cut.ny + point.p.z * cut.nz - cut.d;
     const double bound = height_error(cut, point.error);
     if (height > bound) return Side::Above;
@@ -93,13 +93,13 @@ FilteredPoint crossing(const FilterPlane& plane, const FilterPlane& line, const 
 }
 
 // Numbers of corners certainly above and certainly below a plane.
-struct Found {
+struct CornerCounts {
     std::int64_t above = 0, below = 0;
 };
 
 // Requires: `count` is a multiple of kLanes.
-Found heights_above(const FilterPlane& cut, double bound, const double* x, const double* y,
-                    const double* z, std::size_t count, double* heights) {
+CornerCounts heights_above(const FilterPlane& cut, double bound, const double* x, const double* y,
+                           const double* z, std::size_t count, double* heights) {
     using Lanes = decltype(Doubles{} > Doubles{});
     Lanes certainly_above{};
     Lanes certainly_below{};
@@ -120,7 +120,7 @@ struct RowsOfPlanes {
 struct RowsOfPoints {
     const double *x, *y, *z;
 };
-struct RowsOfGlances {
+struct FilterResultRows {
     FilterResult* where;
     double *low, *high;
 };
@@ -130,11 +130,11 @@ constexpr std::size_t kRowsAtOnce = 8;
 
 // Vector types of several lengths. Not templates, because GCC ignores the attribute on dependent
 // types.
-struct Twos {
+struct TwoLanes {
     using Numbers = double __attribute__((vector_size(2 * sizeof(double))));
     using Masks = std::int64_t __attribute__((vector_size(2 * sizeof(double))));
 };
-struct Fours {
+struct FourLanes {
     using Numbers = double __attribute__((vector_size(4 * sizeof(double))));
     using Masks = std::int64_t __attribute__((vector_size(4 * sizeof(double))));
 };
@@ -148,9 +148,9 @@ template <class Numbers>
 // Processes two vectors of planes at a time. Compiled for several instruction sets with identical
 // results, because no fused multiplication is used and lanes are independent.
 template <class Lanes>
-[[gnu::always_inline]] inline void look_at_with(const RowsOfPlanes& planes, std::size_t count,
-                                                const RowsOfPoints& points, std::size_t corners,
-                                                double error, const RowsOfGlances& glances) {
+[[gnu::always_inline]] inline void classify_lanes(const RowsOfPlanes& planes, std::size_t count,
+                                                  const RowsOfPoints& points, std::size_t corners,
+                                                  double error, const FilterResultRows& results) {
     using Wide = typename Lanes::Numbers;
     using Mask = typename Lanes::Masks;
     constexpr std::size_t kWide = sizeof(Wide) / sizeof(double);
@@ -189,43 +189,43 @@ template <class Lanes>
             bound *= kHeightError + error;
             const Mask where = ((high[v] < -bound) & kBelow) | ((low[v] > bound) & kAbove) |
                                ((high[v] > bound) & (low[v] < -bound) & kAcross);
-            std::memcpy(glances.where + j, &where, sizeof(Wide));
-            std::memcpy(glances.low + j, &low[v], sizeof(Wide));
-            std::memcpy(glances.high + j, &high[v], sizeof(Wide));
+            std::memcpy(results.where + j, &where, sizeof(Wide));
+            std::memcpy(results.low + j, &low[v], sizeof(Wide));
+            std::memcpy(results.high + j, &high[v], sizeof(Wide));
         }
     }
 }
 
-// Counts glances; empty except in builds that count.
-void count_glances([[maybe_unused]] std::span<const FilterResult> glances) {
+// Counts filter results; empty except in builds that count.
+void count_results([[maybe_unused]] std::span<const FilterResult> results) {
 #ifdef NCSIM_COUNT_FILTERS
-    count_asked(Filter::FilterResult, glances.size());
+    count_query(Filter::FilterResult, results.size());
     count_doubtful(Filter::FilterResult,
-                   static_cast<std::uint64_t>(std::ranges::count(glances, FilterResult::Doubtful)));
+                   static_cast<std::uint64_t>(std::ranges::count(results, FilterResult::Doubtful)));
 #endif
 }
 
-using LookAt = void (*)(const RowsOfPlanes&, std::size_t, const RowsOfPoints&, std::size_t, double,
-                        const RowsOfGlances&);
+using Classifier = void (*)(const RowsOfPlanes&, std::size_t, const RowsOfPoints&, std::size_t,
+                            double, const FilterResultRows&);
 
-void look_at_by_twos(const RowsOfPlanes& planes, std::size_t count, const RowsOfPoints& points,
-                     std::size_t corners, double error, const RowsOfGlances& glances) {
-    look_at_with<Twos>(planes, count, points, corners, error, glances);
+void classify_in_pairs(const RowsOfPlanes& planes, std::size_t count, const RowsOfPoints& points,
+                       std::size_t corners, double error, const FilterResultRows& results) {
+    classify_lanes<TwoLanes>(planes, count, points, corners, error, results);
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] void look_at_by_fours(const RowsOfPlanes& planes, std::size_t count,
-                                              const RowsOfPoints& points, std::size_t corners,
-                                              double error, const RowsOfGlances& glances) {
-    look_at_with<Fours>(planes, count, points, corners, error, glances);
+[[gnu::target("avx2")]] void classify_in_fours(const RowsOfPlanes& planes, std::size_t count,
+                                               const RowsOfPoints& points, std::size_t corners,
+                                               double error, const FilterResultRows& results) {
+    classify_lanes<FourLanes>(planes, count, points, corners, error, results);
 }
 
-LookAt fastest_look() {
-    return __builtin_cpu_supports("avx2") ? look_at_by_fours : look_at_by_twos;
+Classifier fastest_classifier() {
+    return __builtin_cpu_supports("avx2") ? classify_in_fours : classify_in_pairs;
 }
 #else
-LookAt fastest_look() {
-    return look_at_by_twos;
+Classifier fastest_classifier() {
+    return classify_in_pairs;
 }
 #endif
 
@@ -267,8 +267,8 @@ FilteredSegment::Clipped FilteredSegment::clip(const FilterPlane& cut) {
 }
 
 void FilteredPolygon::Corners::make_room(std::size_t most) {
-    static_assert(kSpare >= kLanes);
-    const std::size_t room = 2 * (most + kSpare);
+    static_assert(kPadding >= kLanes);
+    const std::size_t room = 2 * (most + kPadding);
     x.resize(room);
     y.resize(room);
     z.resize(room);
@@ -338,11 +338,11 @@ bool FilteredPolygon::clip_to_walls(const FilterPlane& lower, const FilterPlane&
         insiders += where[i] == 0 ? 1 : 0;
         uppers += where[i] > 0 ? 1 : 0;
     }
-    count_asked(Filter::Corner, 2 * kCorners);
+    count_query(Filter::Corner, 2 * kCorners);
     if (insiders == kCorners) return true;
     if (insiders == 0 && (uppers == 0 || uppers == kCorners)) return false;
     const Corners& from = corners();
-    Corners& to = kept();
+    Corners& to = spare_corners();
     to.clear(2 * kCorners);
     double error = error_;
     for (std::size_t i = 0; i < kCorners; ++i) {
@@ -360,18 +360,18 @@ bool FilteredPolygon::clip_to_walls(const FilterPlane& lower, const FilterPlane&
         if (where[i] != 0) cross(where[i], from.edge[i]);
         if (where[k] != 0) cross(where[k], where[k] < 0 ? &lower : &upper);
     }
-    turn();
+    swap_corners();
     error_ = error;
     padded_ = to.pad();
     return true;
 }
 
 int FilteredPolygon::classify_corners(const FilterPlane& cut) {
-    count_asked(Filter::Corner, size());
+    count_query(Filter::Corner, size());
     if (heights_.size() < padded_) heights_.resize(2 * padded_);
     const double bound = height_error(cut, error_);
-    const Found found = heights_above(cut, bound, corners().x.data(), corners().y.data(),
-                                      corners().z.data(), padded_, heights_.data());
+    const CornerCounts found = heights_above(cut, bound, corners().x.data(), corners().y.data(),
+                                             corners().z.data(), padded_, heights_.data());
     if (found.below + found.above < static_cast<std::int64_t>(padded_))
         return classify_doubtful(cut, bound);
     if (found.below == 0) return -1;
@@ -394,7 +394,7 @@ int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) {
         } else if (heights_[i] < -bound) {
             side = Side::Below;
         } else {
-            side = side_exactly(*plane_, *corners().edge[before(i)], *corners().edge[i], cut,
+            side = side_exactly(*plane_, *corners().edge[previous(i)], *corners().edge[i], cut,
                                 2.0 * bound);
             if (side == Side::On) heights_[i] = 0.0;
         }
@@ -410,13 +410,13 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
     // Corners above are consecutive: from `first` up to `next`, perhaps across the end.
     const std::size_t n = size();
     std::size_t first = 0;
-    while (sides_[first] != Side::Above || sides_[before(first)] == Side::Above)
+    while (sides_[first] != Side::Above || sides_[previous(first)] == Side::Above)
         first = after(first);
     std::size_t next = first;
     while (sides_[next] == Side::Above)
         next = after(next);
     const Corners& from = corners();
-    Corners& to = kept();
+    Corners& to = spare_corners();
     to.clear(n + 2);
     double error = error_;
     const auto keep = [&](std::size_t begin, std::size_t end) __attribute__((always_inline)) {
@@ -433,7 +433,7 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
     // The edge in `cut` begins at the last corner before the corners above, if this corner lies in
     // `cut`.
     const auto leave = [&]() __attribute__((always_inline)) {
-        const std::size_t last = before(first);
+        const std::size_t last = previous(first);
         if (sides_[last] == Side::On) {
             to.edge[to.size - 1] = &cut;
         } else {
@@ -441,7 +441,7 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
         }
     };
     const auto enter = [&]() __attribute__((always_inline)) {
-        const std::size_t last = before(next);
+        const std::size_t last = previous(next);
         if (sides_[next] != Side::On) cross(last, next, from.edge[last]);
     };
     if (first < next) {
@@ -455,29 +455,29 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
         keep(next, first);
         leave();
     }
-    turn();
+    swap_corners();
     error_ = error;
     if (size() < 3) return false;
     padded_ = to.pad();
     return true;
 }
 
-void FilteredPolygon::look(const PlaneRows& planes, std::size_t begin, std::size_t end,
-                           Glances& glances) const {
+void FilteredPolygon::classify_rows(const PlaneRows& planes, std::size_t begin, std::size_t end,
+                                    FilterResults& results) const {
     const std::size_t room = planes.size() + kRowsAtOnce;
-    if (glances.where.size() < room) {
-        glances.where.resize(room);
-        glances.low.resize(room);
-        glances.high.resize(room);
+    if (results.where.size() < room) {
+        results.where.resize(room);
+        results.low.resize(room);
+        results.high.resize(room);
     }
     const auto from = [&](const std::vector<double>& row) { return row.data() + begin; };
-    static const LookAt look_at = fastest_look();
+    static const Classifier look_at = fastest_classifier();
     look_at(
         {from(planes.nx_), from(planes.ny_), from(planes.nz_), from(planes.d_),
          from(planes.one_norm_)},
         end - begin, {corners().x.data(), corners().y.data(), corners().z.data()}, size(), error_,
-        {glances.where.data() + begin, glances.low.data() + begin, glances.high.data() + begin});
-    count_glances(std::span(glances.where).subspan(begin, end - begin));
+        {results.where.data() + begin, results.low.data() + begin, results.high.data() + begin});
+    count_results(std::span(results.where).subspan(begin, end - begin));
 }
 
 void FilteredPolygon::assign(const FilteredPolygon& other) {
@@ -494,7 +494,7 @@ void FilteredPolygon::assign(const FilteredPolygon& other) {
 }
 
 FilteredSegment FilteredPolygon::edge(std::size_t i) const {
-    return {plane_,    corners().edge[i], corners().edge[before(i)], corners().edge[after(i)],
+    return {plane_,    corners().edge[i], corners().edge[previous(i)], corners().edge[after(i)],
             corner(i), corner(after(i))};
 }
 

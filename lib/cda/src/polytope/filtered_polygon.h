@@ -54,7 +54,7 @@ enum class FilterResult : std::int64_t { Doubtful = 0, Below = 1, Above = 2, Acr
 
 /// Position for each plane of some rows, with the approximate heights of the lowest and the highest
 /// corner above the plane.
-struct Glances {
+struct FilterResults {
     std::vector<FilterResult> where;
     std::vector<double> low, high;
 };
@@ -110,7 +110,8 @@ public:
     /// Classifies the polygon against planes [begin, end) of the rows. Results have the same
     /// indices; a few more entries are overwritten with undefined values.
     /// Cost: O(corners · planes), with a small factor.
-    void look(const PlaneRows& planes, std::size_t begin, std::size_t end, Glances& glances) const;
+    void classify_rows(const PlaneRows& planes, std::size_t begin, std::size_t end,
+                       FilterResults& results) const;
 
     /// Returns 1 if the polygon is below or in the plane, -1 if no part is below, 0 if parts are on
     /// both sides. Exact. Not const, because sides and heights are cached.
@@ -125,7 +126,7 @@ private:
         // Removes all corners and reserves space for `most`.
         void clear(std::size_t most) {
             size = 0;
-            if (x.size() < most + kSpare) make_room(most);
+            if (x.size() < most + kPadding) make_room(most);
         }
         void add(const Vec3& p, const FilterPlane* edge_after) {
             x[size] = p.x;
@@ -140,17 +141,17 @@ private:
         std::size_t pad();
 
     private:
-        static constexpr std::size_t kSpare = 2;  // for pad()
+        static constexpr std::size_t kPadding = 2;  // for pad()
         void make_room(std::size_t most);
     };
     Corners& corners() { return sets_[now_]; }
     const Corners& corners() const { return sets_[now_]; }
     // Second set of corners that clip() fills; turn() makes it current.
-    Corners& kept() { return sets_[1 - now_]; }
-    void turn() { now_ = 1 - now_; }
+    Corners& spare_corners() { return sets_[1 - now_]; }
+    void swap_corners() { now_ = 1 - now_; }
     FilteredPoint corner(std::size_t i) const { return {corners().at(i), error_}; }
     std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
-    std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
+    std::size_t previous(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
     // Returns 1 if all corners are below or on, -1 if none is below, 0 if cut; sides_ and heights_
     // are then valid.
     int classify_corners(const FilterPlane& cut);

@@ -323,7 +323,7 @@ public:
           heights_(points.size()),
           known_(points.size(), 0) {}
 
-    void turn_to(Normal normal) {
+    void set_normal(Normal normal) {
         normal_ = normal;
         ++number_;
     }
@@ -372,11 +372,11 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     const Neighbours neighbours(hull.loops);
     if (!neighbours.is_closed()) return std::nullopt;
     const auto count = static_cast<std::uint32_t>(hull.loops.size());
-    struct Sized {
+    struct FacetArea {
         double area;
         std::uint32_t facet;
     };
-    std::vector<Sized> order;
+    std::vector<FacetArea> order;
     order.reserve(count);
     for (std::uint32_t f = 0; f < count; ++f) {
         const Wide& a = hull.areas[f];
@@ -384,24 +384,24 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
                         static_cast<double>(a.z)};
         order.push_back({norm(area), f});
     }
-    std::sort(order.begin(), order.end(), [](const Sized& a, const Sized& b) {
+    std::sort(order.begin(), order.end(), [](const FacetArea& a, const FacetArea& b) {
         return a.area > b.area || (a.area == b.area && a.facet < b.facet);
     });
     constexpr std::uint32_t kNone = ~0U;
     std::vector<std::uint32_t> patch_of(count, kNone);
-    std::vector<std::uint32_t> looked_at(count, kNone);  // patch of the last test
+    std::vector<std::uint32_t> tested_point(count, kNone);  // patch of the last test
     Heights heights(points, hull, neighbours);
     std::vector<std::uint32_t> facets;  // patch by patch
     facets.reserve(count);
     std::vector<std::size_t> begins;
     Patches result;
-    for (const Sized& seed : order) {
+    for (const FacetArea& seed : order) {
         if (patch_of[seed.facet] != kNone) continue;
         const auto number = static_cast<std::uint32_t>(begins.size());
         const Normal n = hull.normal(seed.facet);
         const double length = norm(
             Vec3{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)});
-        heights.turn_to(n);
+        heights.set_normal(n);
         const std::int64_t d = heights.largest(hull.loops[seed.facet][0]);
         const auto lowest = d - static_cast<std::int64_t>(depth * length);
         const auto is_near = [&](std::uint32_t f) {
@@ -415,8 +415,8 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
             const auto& loop = hull.loops[facets[i]];
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const std::uint32_t next = neighbours.across(loop[k], loop[(k + 1) % loop.size()]);
-                if (patch_of[next] != kNone || looked_at[next] == number) continue;
-                looked_at[next] = number;
+                if (patch_of[next] != kNone || tested_point[next] == number) continue;
+                tested_point[next] = number;
                 if (!is_near(next)) continue;
                 patch_of[next] = number;
                 facets.push_back(next);

@@ -28,8 +28,8 @@ struct Triangle {
     std::uint32_t farthest = kNone;         // farthest of these points
     double distance = 0.0;                  // distance of `farthest`, times |n|
     bool is_gone = false;
-    std::uint32_t looked_at = kNone;  // point of the last test
-    bool sees_it = false;
+    std::uint32_t tested_point = kNone;  // point of the last test
+    bool is_visible = false;
 };
 
 class Quickhull {
@@ -38,7 +38,7 @@ public:
         : points_(points), next_(points.size(), kNone) {}
 
     std::optional<HullFacets> operator()() {
-        if (points_.size() < 4 || !is_near_together() || !begin()) return std::nullopt;
+        if (points_.size() < 4 || !has_small_extent() || !begin()) return std::nullopt;
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
             if (triangles_[t].is_gone || triangles_[t].seen == kNone) continue;
             if (!add_point(triangles_[t].farthest, t)) return std::nullopt;
@@ -53,7 +53,7 @@ public:
 private:
     // True if all coordinates are close enough: normals then have 62 bits, and products of normals
     // and differences 91.
-    bool is_near_together() const {
+    bool has_small_extent() const {
         constexpr std::int64_t kFarthest = std::int64_t{1} << 29;
         const LatticePoint a = points_[0];
         return std::all_of(points_.begin(), points_.end(), [a](LatticePoint p) {
@@ -92,7 +92,7 @@ private:
 
     // Assigns a point to the first triangle from `first` on that sees the point. A point that no
     // triangle sees is in the hull.
-    void give(std::uint32_t p, std::size_t first) {
+    void assign_to_triangle(std::uint32_t p, std::size_t first) {
         for (std::size_t i = first; i < triangles_.size(); ++i) {
             Triangle& t = triangles_[i];
             const double distance = above(t, p);
@@ -145,40 +145,40 @@ private:
         for (std::uint32_t i = 0; i < 3; ++i)
             triangles_[i + 1].across = {0, 1 + (i + 2) % 3, 1 + (i + 1) % 3};
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (i != a && i != b && i != c && i != d) give(i, 0);
+            if (i != a && i != b && i != c && i != d) assign_to_triangle(i, 0);
         }
         return true;
     }
 
-    bool sees(std::uint32_t triangle, std::uint32_t p) {
+    bool is_visible_from(std::uint32_t triangle, std::uint32_t p) {
         Triangle& t = triangles_[triangle];
-        if (t.looked_at != p) {
-            t.looked_at = p;
-            t.sees_it = above(t, p) > 0.0;
+        if (t.tested_point != p) {
+            t.tested_point = p;
+            t.is_visible = above(t, p) > 0.0;
         }
-        return t.sees_it;
+        return t.is_visible;
     }
 
     // Adds a point; false if the cone would have a triangle without area.
     bool add_point(std::uint32_t p, std::uint32_t first) {
-        gone_.assign(1, first);
-        rim_.clear();
+        removed_.assign(1, first);
+        horizon_.clear();
         triangles_[first].is_gone = true;
-        for (std::size_t i = 0; i < gone_.size(); ++i) {
+        for (std::size_t i = 0; i < removed_.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t other = triangles_[gone_[i]].across[k];
+                const std::uint32_t other = triangles_[removed_[i]].across[k];
                 if (triangles_[other].is_gone) continue;
-                if (sees(other, p)) {
+                if (is_visible_from(other, p)) {
                     triangles_[other].is_gone = true;
-                    gone_.push_back(other);
+                    removed_.push_back(other);
                 } else {
-                    const Triangle& t = triangles_[gone_[i]];
-                    rim_.push_back({t.corners[k], t.corners[(k + 1) % 3], other});
+                    const Triangle& t = triangles_[removed_[i]];
+                    horizon_.push_back({t.corners[k], t.corners[(k + 1) % 3], other});
                 }
             }
         }
         const auto begin = static_cast<std::uint32_t>(triangles_.size());
-        for (const Edge& e : rim_) {
+        for (const Edge& e : horizon_) {
             const std::uint32_t made = add_triangle(e.from, e.to, p);
             if (made == kNone) return false;
             triangles_[made].across[0] = e.beyond;
@@ -191,17 +191,17 @@ private:
         // The rim is one loop: a triangle is adjacent to the triangle that begins where the first
         // ends.
         at_.resize(points_.size());
-        for (std::uint32_t i = 0; i < rim_.size(); ++i)
-            at_[rim_[i].from] = begin + i;
-        for (std::uint32_t i = 0; i < rim_.size(); ++i) {
-            const std::uint32_t after = at_[rim_[i].to];
+        for (std::uint32_t i = 0; i < horizon_.size(); ++i)
+            at_[horizon_[i].from] = begin + i;
+        for (std::uint32_t i = 0; i < horizon_.size(); ++i) {
+            const std::uint32_t after = at_[horizon_[i].to];
             triangles_[begin + i].across[1] = after;
             triangles_[after].across[2] = begin + i;
         }
-        for (const std::uint32_t g : gone_) {
+        for (const std::uint32_t g : removed_) {
             for (std::uint32_t q = triangles_[g].seen; q != kNone;) {
                 const std::uint32_t next = next_[q];
-                if (q != p) give(q, begin);
+                if (q != p) assign_to_triangle(q, begin);
                 q = next;
             }
         }
@@ -214,8 +214,8 @@ private:
     std::span<const LatticePoint> points_;
     std::vector<std::uint32_t> next_;  // list of the points that a triangle sees
     std::vector<Triangle> triangles_;
-    std::vector<std::uint32_t> gone_;
-    std::vector<Edge> rim_;
+    std::vector<std::uint32_t> removed_;
+    std::vector<Edge> horizon_;
     std::vector<std::uint32_t> at_;
 };
 

@@ -101,7 +101,7 @@ void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
     }
 }
 
-ConvexPolygon turned_over(const ConvexPolygon& polygon) {
+ConvexPolygon reversed(const ConvexPolygon& polygon) {
     ConvexPolygon turned;
     turned.plane = polygon.plane.opposite();
     turned.corners.assign(polygon.corners.rbegin(), polygon.corners.rend());

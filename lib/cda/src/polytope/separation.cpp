@@ -47,7 +47,7 @@ Corner support(Points a, Points b, Vec3 way) {
 }
 
 // Returns integers of kNormalBits along `way`; 0 if there is no direction.
-LatticePoint whole(Vec3 way) {
+LatticePoint to_integers(Vec3 way) {
     const double largest = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
     if (!(largest > 0.0) || !std::isfinite(largest)) return {};
     const double scale = std::ldexp(1.0, kNormalBits) / largest;
@@ -59,7 +59,7 @@ LatticePoint whole(Vec3 way) {
 
 // True if a slab of `width` perpendicular to `way` lies between the hulls. Exact.
 bool is_slab(Points a, Points b, Vec3 way, std::int64_t width) {
-    const LatticePoint n = whole(way);
+    const LatticePoint n = to_integers(way);
     if (n == LatticePoint{}) return false;
     const auto height = [&n](LatticePoint p) { return n.x * p.x + n.y * p.y + n.z * p.z; };
     std::int64_t highest = height(a[0]), lowest = height(b[0]);
@@ -142,7 +142,7 @@ Closest closest(const std::vector<Corner>& s) {
 }
 
 // Returns the halfspaces of the hull, moved inwards by `margin`.
-std::vector<Plane> drawn_in(const Cell& hull, std::int64_t margin) {
+std::vector<Plane> inset(const Cell& hull, std::int64_t margin) {
     std::vector<Plane> planes;
     for (const Plane& p : hull.planes) {
         const Vec3 n{static_cast<double>(p.nx), static_cast<double>(p.ny),
@@ -154,7 +154,7 @@ std::vector<Plane> drawn_in(const Cell& hull, std::int64_t margin) {
     return planes;
 }
 
-void keep_different(std::vector<Vec3>& directions) {
+void drop_parallel(std::vector<Vec3>& directions) {
     const auto before = [](Vec3 a, Vec3 b) {
         return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
     };
@@ -169,8 +169,8 @@ void keep_different(std::vector<Vec3>& directions) {
 
 }  // namespace
 
-Nearness nearness(Points a, Points b, std::int64_t width, Vec3 hint) {
-    Nearness result;
+BodyDistance body_distance(Points a, Points b, std::int64_t width, Vec3 hint) {
+    BodyDistance result;
     result.way = hint;
     if (is_slab(a, b, hint, width)) {
         result.is_apart = true;
@@ -235,8 +235,8 @@ std::optional<Vec3> common_point(Points a, Points b, std::int64_t margin) {
     };
     const auto in_a = hull(a), in_b = hull(b);
     if (!in_a || !in_b) return std::nullopt;
-    std::vector<Plane> planes = drawn_in(*in_a, margin);
-    const std::vector<Plane> others = drawn_in(*in_b, margin);
+    std::vector<Plane> planes = inset(*in_a, margin);
+    const std::vector<Plane> others = inset(*in_b, margin);
     planes.insert(planes.end(), others.begin(), others.end());
     const Vec3 origin = in_doubles(centre);
     const Box box{{std::max(box_a.min.x, box_b.min.x) - origin.x,
@@ -262,7 +262,7 @@ Directions directions_of(const ConvexPolytope& body) {
                                                   body.vertices()[facet.vertices[i]].approx));
         }
     }
-    keep_different(directions.edges);
+    drop_parallel(directions.edges);
     return directions;
 }
 

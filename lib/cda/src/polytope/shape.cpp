@@ -56,7 +56,7 @@ Vec3 area_vector(const std::vector<Vec3>& corners) {
     return 0.5 * sum;
 }
 
-Vec3 middle(const std::vector<Vec3>& corners) {
+Vec3 mean(const std::vector<Vec3>& corners) {
     Vec3 sum;
     for (const Vec3& p : corners)
         sum = sum + p;
@@ -228,7 +228,7 @@ private:
         std::vector<double> middles;
         middles.reserve(pieces.size());
         for (const Piece& piece : pieces)
-            middles.push_back(middle(piece.corners)[axis]);
+            middles.push_back(mean(piece.corners)[axis]);
         std::nth_element(middles.begin(),
                          middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2),
                          middles.end());
@@ -287,12 +287,12 @@ private:
         std::vector<Vec3> corners;
         for (const ExactPoint& p : part.vertices())
             corners.push_back(p.approx);
-        const Vec3 start = corners.empty() ? from : middle(corners);
+        const Vec3 start = corners.empty() ? from : mean(corners);
         double surest = -1.0;
         bool result = true;
         const std::size_t step = std::max<std::size_t>(1, pieces.size() / kCandidates);
         for (std::size_t i = 0; i < pieces.size(); i += step) {
-            const Vec3 way = middle(pieces[i].corners) - start;
+            const Vec3 way = mean(pieces[i].corners) - start;
             double nearest = 2.0;
             double sure = 0.0;
             bool outside = true;

@@ -30,37 +30,38 @@ bool follows(const Interval& first, const Interval& second) {
 }
 
 // The points on a line in order, with the position of each point.
-class Stops {
+class LinePoints {
 public:
-    explicit Stops(const Naming& names) : names_(names) {}
+    explicit LinePoints(const Naming& names) : names_(names) {}
 
     template <class Intervals>
     void rank(std::uint32_t line, const Intervals& here) {
-        stops_.clear();
+        line_points_.clear();
         for (const Interval& i : here)
-            stops_.insert(stops_.end(), {i.tail, i.head});
-        std::sort(stops_.begin(), stops_.end());
-        stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+            line_points_.insert(line_points_.end(), {i.tail, i.head});
+        std::sort(line_points_.begin(), line_points_.end());
+        line_points_.erase(std::unique(line_points_.begin(), line_points_.end()),
+                           line_points_.end());
         by_number_.clear();
-        for (const std::uint32_t stop : stops_)
+        for (const std::uint32_t stop : line_points_)
             by_number_.emplace_back(stop, 0U);
-        std::sort(stops_.begin(), stops_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        std::sort(line_points_.begin(), line_points_.end(), [&](std::uint32_t a, std::uint32_t b) {
             return names_.comes_before(line, a, b);
         });
-        for (std::uint32_t i = 0; i < stops_.size(); ++i) {
-            std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{stops_[i], 0U})
+        for (std::uint32_t i = 0; i < line_points_.size(); ++i) {
+            std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{line_points_[i], 0U})
                 ->second = i;
         }
     }
     std::uint32_t position(std::uint32_t point) const {
         return std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{point, 0U})->second;
     }
-    std::uint32_t operator[](std::size_t i) const { return stops_[i]; }
-    std::size_t size() const { return stops_.size(); }
+    std::uint32_t operator[](std::size_t i) const { return line_points_[i]; }
+    std::size_t size() const { return line_points_.size(); }
 
 private:
     const Naming& names_;
-    std::vector<std::uint32_t> stops_;
+    std::vector<std::uint32_t> line_points_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> by_number_;
 };
 
@@ -68,7 +69,7 @@ private:
 // covers. Each end of a cover is an end of a piece, so there are at most as many covers as pieces.
 class Canceller {
 public:
-    explicit Canceller(const Naming& names) : names_(names), stops_(names) {}
+    explicit Canceller(const Naming& names) : names_(names), line_points_(names) {}
 
     void operator()(std::uint32_t line, std::span<Interval> here, std::vector<Interval>& covers) {
         // A line with only outside pieces has no edge of a face.
@@ -80,10 +81,10 @@ public:
             covers.insert(covers.end(), here.begin(), here.end());
             return;
         }
-        stops_.rank(line, here);
+        line_points_.rank(line, here);
         std::sort(here.begin(), here.end(), [&](const Interval& a, const Interval& b) {
-            return std::tuple(a.owner, stops_.position(a.tail)) <
-                   std::tuple(b.owner, stops_.position(b.tail));
+            return std::tuple(a.owner, line_points_.position(a.tail)) <
+                   std::tuple(b.owner, line_points_.position(b.tail));
         });
         for (std::size_t begin = 0; begin < here.size();) {
             std::size_t end = begin + 1;
@@ -98,23 +99,23 @@ public:
             }
             breaks_.clear();
             for (std::size_t i = begin; i < end; ++i)
-                breaks_.insert(breaks_.end(),
-                               {stops_.position(here[i].tail), stops_.position(here[i].head)});
+                breaks_.insert(breaks_.end(), {line_points_.position(here[i].tail),
+                                               line_points_.position(here[i].head)});
             std::sort(breaks_.begin(), breaks_.end());
             breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
             active_.clear();
             std::size_t next = begin;
             for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
                 std::erase_if(active_, [&](const Interval* c) {
-                    return stops_.position(c->head) <= breaks_[b];
+                    return line_points_.position(c->head) <= breaks_[b];
                 });
-                while (next < end && stops_.position(here[next].tail) <= breaks_[b])
+                while (next < end && line_points_.position(here[next].tail) <= breaks_[b])
                     active_.push_back(&here[next++]);
                 // Pieces of one owner with the same direction have no common inner points, so there
                 // is at most one piece per direction.
                 if (active_.size() != 1) continue;
-                covers.push_back({stops_[breaks_[b]], stops_[breaks_[b + 1]], here[begin].owner,
-                                  active_[0]->forward});
+                covers.push_back({line_points_[breaks_[b]], line_points_[breaks_[b + 1]],
+                                  here[begin].owner, active_[0]->forward});
             }
             begin = end;
         }
@@ -122,7 +123,7 @@ public:
 
 private:
     const Naming& names_;
-    Stops stops_;
+    LinePoints line_points_;
     std::vector<std::uint32_t> breaks_;
     std::vector<const Interval*> active_;
 };
@@ -131,12 +132,12 @@ private:
 // corner between the covers, where an edge on another line begins or ends.
 class Corners {
 public:
-    Corners(const Naming& names, Groups<Interval>& covers) : asked_(names.points(), kNone) {
+    Corners(const Naming& names, Groups<Interval>& covers) : query_number_(names.points(), kNone) {
         std::uint32_t count = 0;
         for (std::size_t line = 0; line < names.lines(); ++line) {
             const std::span<Interval> here = covers.of(line);
             for (std::size_t i = 1; i < here.size(); ++i) {
-                std::uint32_t& asked = asked_[here[i].tail];
+                std::uint32_t& asked = query_number_[here[i].tail];
                 if (asked == kNone && follows(here[i - 1], here[i])) asked = count++;
             }
         }
@@ -144,7 +145,7 @@ public:
         const auto for_each_end = [&](auto take) {
             for (const Interval& c : covers.all()) {
                 for (const std::uint32_t end : {c.tail, c.head}) {
-                    if (asked_[end] != kNone) take(asked_[end], c.owner);
+                    if (query_number_[end] != kNone) take(query_number_[end], c.owner);
                 }
             }
         };
@@ -152,15 +153,16 @@ public:
         ends_.reserve();
         for_each_end([&](std::uint32_t asked, std::uint32_t owner) { ends_.add(asked, owner); });
     }
-    // True if exactly two covers of the owner end at the point. Requires: the point is in asked_.
+    // True if exactly two covers of the owner end at the point. Requires: the point is in
+    // query_number_.
     bool is_passed(std::uint32_t owner, std::uint32_t point) const {
-        const std::span<const std::uint32_t> owners = ends_.of(asked_[point]);
+        const std::span<const std::uint32_t> owners = ends_.of(query_number_[point]);
         return std::count(owners.begin(), owners.end(), owner) == 2;
     }
 
 private:
-    std::vector<std::uint32_t> asked_;  // per point: number among the queried points
-    Groups<std::uint32_t> ends_{0};     // per queried point: owners of the covers that end there
+    std::vector<std::uint32_t> query_number_;  // per point: number among the queried points
+    Groups<std::uint32_t> ends_{0};  // per queried point: owners of the covers that end there
 };
 
 // Joins the covers of a line that are one edge.
@@ -178,12 +180,12 @@ void join_covers(const Naming& names, const Corners& corners, std::span<const In
 }
 
 // Step 4: divides the edges of all owners on a line at each corner of an owner.
-class Breaker {
+class EdgeDivider {
 public:
-    Breaker(const Naming& names, const Corners& corners)
-        : names_(names), corners_(corners), stops_(names) {}
+    EdgeDivider(const Naming& names, const Corners& corners)
+        : names_(names), corners_(corners), line_points_(names) {}
 
-    void break_up(std::uint32_t line, std::span<Interval> here) {
+    void divide_edges(std::uint32_t line, std::span<Interval> here) {
         join_covers(names_, corners_, here, joined_);
         if (joined_.size() == 2 && joined_[0].tail == joined_[1].tail &&
             joined_[0].head == joined_[1].head && joined_[0].forward != joined_[1].forward) {
@@ -195,24 +197,24 @@ public:
             return;
         }
         if (joined_.empty()) return;
-        stops_.rank(line, joined_);
+        line_points_.rank(line, joined_);
         std::sort(joined_.begin(), joined_.end(), [&](const Interval& a, const Interval& b) {
-            return std::tuple(stops_.position(a.tail), a.owner) <
-                   std::tuple(stops_.position(b.tail), b.owner);
+            return std::tuple(line_points_.position(a.tail), a.owner) <
+                   std::tuple(line_points_.position(b.tail), b.owner);
         });
         active_.clear();
         std::size_t next = 0;
-        for (std::uint32_t b = 0; b + 1 < stops_.size(); ++b) {
+        for (std::uint32_t b = 0; b + 1 < line_points_.size(); ++b) {
             std::erase_if(active_,
-                          [&](const Interval* c) { return stops_.position(c->head) <= b; });
-            while (next < joined_.size() && stops_.position(joined_[next].tail) <= b)
+                          [&](const Interval* c) { return line_points_.position(c->head) <= b; });
+            while (next < joined_.size() && line_points_.position(joined_[next].tail) <= b)
                 active_.push_back(&joined_[next++]);
-            here_.clear();
+            line_intervals_.clear();
             for (const Interval* c : active_) {
-                here_.push_back(static_cast<std::uint32_t>(half_edges.size()));
-                add_half_edge(*c, stops_[b], stops_[b + 1], line);
+                line_intervals_.push_back(static_cast<std::uint32_t>(half_edges.size()));
+                add_half_edge(*c, line_points_[b], line_points_[b + 1], line);
             }
-            if (!here_.empty()) pair(names_.direction(line), here_);
+            if (!line_intervals_.empty()) pair(names_.direction(line), line_intervals_);
         }
     }
 
@@ -270,15 +272,15 @@ private:
         for (std::size_t i = 0; i < here.size(); ++i) {
             const std::uint32_t a = here[i];
             const std::uint32_t b = here[(i + 1) % here.size()];
-            half_edges[a].crowded = true;
+            half_edges[a].is_non_manifold = true;
             if (!half_edges[a].forward && half_edges[b].forward) link(a, b);
         }
     }
 
     const Naming& names_;
     const Corners& corners_;
-    Stops stops_;
-    std::vector<std::uint32_t> here_;
+    LinePoints line_points_;
+    std::vector<std::uint32_t> line_intervals_;
     std::vector<const Interval*> active_;
     std::vector<Interval> joined_;
 };
@@ -294,9 +296,9 @@ Chunks<HalfEdge> pair_half_edges(const Naming& names, Groups<Interval> pieces,
     make_in_parallel(
         threads, runs.tasks(),
         [&](std::size_t task) {
-            Breaker breaker(names, corners);
+            EdgeDivider breaker(names, corners);
             for (std::size_t line = runs.begin(task); line < runs.end(task); ++line)
-                breaker.break_up(static_cast<std::uint32_t>(line), pieces.of(line));
+                breaker.divide_edges(static_cast<std::uint32_t>(line), pieces.of(line));
             return std::move(breaker.half_edges);
         },
         [&](std::size_t, const std::vector<HalfEdge>& part) {

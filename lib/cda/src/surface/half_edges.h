@@ -22,8 +22,8 @@ struct HalfEdge {
     std::uint32_t tail, head;
     std::uint32_t owner;
     std::uint32_t line : 30;
-    std::uint32_t forward : 1;  ///< 1 if directed along the line.
-    std::uint32_t crowded : 1;  ///< 1 if more than two faces meet at the edge.
+    std::uint32_t forward : 1;          ///< 1 if directed along the line.
+    std::uint32_t is_non_manifold : 1;  ///< 1 if more than two faces meet at the edge.
     std::uint32_t partner = kNone;
     std::uint32_t next = kNone;  ///< Next half-edge of the face; step 6.
 };

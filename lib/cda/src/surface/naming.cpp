@@ -13,7 +13,7 @@ namespace ncsim::cda {
 
 namespace {
 
-bool is_turned(const Plane& plane) {
+bool is_flipped(const Plane& plane) {
     return plane.nx != 0 ? plane.nx < 0 : plane.ny != 0 ? plane.ny < 0 : plane.nz < 0;
 }
 
@@ -33,13 +33,13 @@ Plane Naming::plane_of(PlaneRef ref) const {
     return ref & 1 ? plane.opposite() : plane;
 }
 
-void Naming::take(const Outlines& part) {
-    take(part, false);
+void Naming::add_part(const Outlines& part) {
+    add_part(part, false);
 }
 
-void Naming::take_outside(const Outlines& part) {
+void Naming::add_outside(const Outlines& part) {
     has_outside_ = true;
-    take(part, true);
+    add_part(part, true);
 }
 
 std::array<Plane, 3> Naming::planes_at(std::uint32_t p) const {
@@ -48,13 +48,13 @@ std::array<Plane, 3> Naming::planes_at(std::uint32_t p) const {
             planes_.keys()[key.planes[2]]};
 }
 
-void Naming::take(const Outlines& part, bool is_outside) {
+void Naming::add_part(const Outlines& part, bool is_outside) {
     plane_keys_.clear();
     for (const Plane& plane : part.planes())
-        plane_keys_.push_back(is_turned(plane) ? plane.opposite() : plane);
+        plane_keys_.push_back(is_flipped(plane) ? plane.opposite() : plane);
     plane_refs_.resize(plane_keys_.size());
     planes_.number_all(plane_keys_, [&](std::size_t i, std::uint32_t n) {
-        plane_refs_[i] = 2 * n + static_cast<PlaneRef>(is_turned(part.planes()[i]));
+        plane_refs_[i] = 2 * n + static_cast<PlaneRef>(is_flipped(part.planes()[i]));
     });
     point_keys_.clear();
     for (const Outlines::Point& point : part.points()) {
@@ -73,7 +73,7 @@ void Naming::take(const Outlines& part, bool is_outside) {
     line_keys_.clear();
     line_directions_.clear();
     owner_keys_.clear();
-    std::vector<Named>& named = named_.emplace_back();
+    std::vector<NumberedPiece>& named = named_.emplace_back();
     named.reserve(part.pieces().size());
     for (const Outlines::Piece& piece : part.pieces()) {
         const std::uint32_t tail = point_numbers_[piece.tail];
@@ -102,7 +102,7 @@ void Naming::take(const Outlines& part, bool is_outside) {
     part_owners_.resize(owner_keys_.size());
     owner_numbers_.number_all(owner_keys_,
                               [&](std::size_t i, std::uint32_t n) { part_owners_[i] = n; });
-    for (Named& n : named) {
+    for (NumberedPiece& n : named) {
         n.line = line_numbers_[n.line];
         n.owner = part_owners_[n.owner] & kMostOwners;
     }
@@ -132,20 +132,20 @@ Groups<Interval> Naming::finish(std::size_t threads) {
         owners_.push_back(values[order[i]]);
     }
     in_parallel(threads, named_.size(), [&](std::size_t i) {
-        for (Named& n : named_[i]) {
+        for (NumberedPiece& n : named_[i]) {
             n.forward = comes_before(n.line, n.tail, n.head);
             if (!n.forward) std::swap(n.tail, n.head);
             n.owner = rank[n.owner] & kMostOwners;
         }
     });
     Groups<Interval> intervals(lines());
-    for (const std::vector<Named>& part : named_) {
-        for (const Named& n : part)
+    for (const std::vector<NumberedPiece>& part : named_) {
+        for (const NumberedPiece& n : part)
             intervals.count(n.line);
     }
     intervals.reserve();
-    for (std::vector<Named>& part : named_) {
-        for (const Named& n : part)
+    for (std::vector<NumberedPiece>& part : named_) {
+        for (const NumberedPiece& n : part)
             intervals.add(n.line, {n.tail, n.head, n.owner, n.forward});
         part = {};
     }

@@ -53,9 +53,9 @@ public:
     Naming& operator=(const Naming&) = delete;
 
     /// Adds a part. Numbers depend on the order of parts. Cost: expected O(pieces).
-    void take(const Outlines& part);
+    void add_part(const Outlines& part);
     /// Adds a part of the outside: all pieces get the origin kOutside.
-    void take_outside(const Outlines& part);
+    void add_outside(const Outlines& part);
     /// Ends the input. Returns all pieces by line. The numbers of owners depend only on the
     /// geometry.
     /// Throws: std::length_error if there are too many owners or lines.
@@ -95,7 +95,7 @@ private:
         std::uint64_t operator()(const Plane& p) const { return PlaneHash{}(p); }
     };
     Plane plane_of(PlaneRef ref) const;
-    void take(const Outlines& part, bool is_outside);
+    void add_part(const Outlines& part, bool is_outside);
 
     // Points are compared by rounded coordinates first, then exactly.
     struct PointKey {
@@ -150,7 +150,7 @@ private:
         }
     };
     // A piece with numbers: numbers of the part at first, global numbers later.
-    struct Named {
+    struct NumberedPiece {
         std::uint32_t line, tail, head;
         std::uint32_t owner : 31;
         std::uint32_t forward : 1;
@@ -161,7 +161,7 @@ private:
     Interner<LineKey, HashLine, SameLine> lines_;
     Chunks<Direction> directions_;  // by line
     Interner<Owner, HashOwner> owner_numbers_;
-    std::vector<std::vector<Named>> named_;  // by part
+    std::vector<std::vector<NumberedPiece>> named_;  // by part
     std::vector<std::pair<Plane, Origin>> owners_;
     bool has_outside_ = false;
 

@@ -70,7 +70,7 @@ std::uint32_t Outlines::point(std::uint32_t a, std::uint32_t b, std::uint32_t c)
     return number;
 }
 
-void Outlines::turn_page() {
+void Outlines::start_page() {
     page_begin_ = points_.size();
     ++page_;
 }
@@ -130,7 +130,7 @@ void Outlines::cancel(std::span<const std::uint32_t> pieces) {
         piece.tail = moved[piece.tail];
         piece.head = moved[piece.head];
     }
-    turn_page();
+    start_page();
 }
 
 Outlines Outlines::at(const Walls& walls) const {

@@ -69,13 +69,13 @@ public:
         return static_cast<std::uint32_t>(planes_.size() - 1);
     }
     /// Returns the meeting point of three planes of the table. Points of the same three planes
-    /// since turn_page() are the same point. Requires: the planes meet in one point.
+    /// since start_page() are the same point. Requires: the planes meet in one point.
     std::uint32_t point(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     /// Adds a point computed elsewhere, without duplicates; point() does not find this point.
     void add_point(const Point& point) { points_.push_back(point); }
     /// Starts a new page, so that the lookup table stays small. Points before and after are not
     /// compared; a point on two pages is stored twice.
-    void turn_page();
+    void start_page();
     void add(const Piece& piece) { pieces_.push_back(piece); }
     /// Drops pairs of `pieces` (numbers) that connect the same points on a line of one face in
     /// opposite directions, and points that become unused. Points are the same if their planes are

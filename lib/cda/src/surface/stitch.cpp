@@ -66,8 +66,8 @@ class Stitcher::Impl {
 public:
     Impl(const Lattice& lattice, std::size_t threads) : lattice_(lattice), threads_(threads) {}
 
-    void take(const Outlines& part) { names_.take(part); }
-    void take_outside(const Outlines& border) { names_.take_outside(border); }
+    void add_part(const Outlines& part) { names_.add_part(part); }
+    void add_outside(const Outlines& border) { names_.add_outside(border); }
 
     Outlines finish_border(const Walls& walls) {
         Groups<Interval> pieces = names_.finish(threads_);
@@ -299,7 +299,8 @@ private:
     std::vector<bool> find_twins(DisjointSets& corners) const {
         std::vector<std::array<std::uint32_t, 3>> ends;  // tail, head, half-edge
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
-            if (!half_edges_[h].crowded || half_edges_[h].next == kNone || !is_inner(h)) continue;
+            if (!half_edges_[h].is_non_manifold || half_edges_[h].next == kNone || !is_inner(h))
+                continue;
             ends.push_back({corners.find(h), corners.find(half_edges_[h].next), h});
         }
         std::sort(ends.begin(), ends.end());
@@ -422,12 +423,12 @@ Stitcher::Stitcher(const Lattice& lattice, std::size_t threads)
     : impl_(std::make_unique<Impl>(lattice, threads)) {}
 Stitcher::~Stitcher() = default;
 
-void Stitcher::take(const Outlines& part) {
-    impl_->take(part);
+void Stitcher::add_part(const Outlines& part) {
+    impl_->add_part(part);
 }
 
-void Stitcher::take_outside(const Outlines& border) {
-    impl_->take_outside(border);
+void Stitcher::add_outside(const Outlines& border) {
+    impl_->add_outside(border);
 }
 
 Outlines Stitcher::finish_border(const Walls& walls) {

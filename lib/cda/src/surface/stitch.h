@@ -28,7 +28,7 @@ struct Fragment {
     std::vector<std::vector<Corner>> loops;
 };
 
-/// Returns the outlines of fragments, for Stitcher::take().
+/// Returns the outlines of fragments, for Stitcher::add_part().
 Outlines outlines_of(const std::vector<Fragment>& fragments);
 
 /// Joins outlines that together are the whole surface of a solid. Pieces of one plane and one
@@ -42,10 +42,10 @@ public:
     ~Stitcher();
 
     /// Adds a part. Cost: expected O(pieces).
-    void take(const Outlines& part);
+    void add_part(const Outlines& part);
     /// Adds edges of the outside along the border of the input. Ends of these edges divide
     /// coincident edges of the input.
-    void take_outside(const Outlines& border);
+    void add_outside(const Outlines& border);
     /// Returns the boundary; call after the last part. The result depends neither on the order of
     /// the pieces nor on the division of faces into pieces.
     /// Throws: std::logic_error if the pieces are not the whole surface, an error of the caller.
@@ -55,7 +55,7 @@ public:
     /// The same for a part of a surface, which stays open where the outside continues and is
     /// divided there at the same points. Throws: std::logic_error at an edge without continuation.
     Boundary finish_open();
-    /// Returns the edges of the input between points in one of `walls`, for take_outside() of the
+    /// Returns the edges of the input between points in one of `walls`, for add_outside() of the
     /// adjacent part.
     Outlines finish_border(const Walls& walls);
 

@@ -68,7 +68,7 @@ struct Projection {
 };
 
 // Net number of traversals of edges by the loops of a face: forward minus backward.
-class Passes {
+class EdgeTraversals {
 public:
     void add(std::uint32_t from, std::uint32_t to) {
         ++net_[{from, to}];
@@ -90,7 +90,7 @@ private:
 // traversals of an edge.
 // Requires: all edges of the path are constrained.
 template <class Triangulation, class Net>
-void wind(Triangulation& cdt, Net net) {
+void propagate_winding(Triangulation& cdt, Net net) {
     constexpr int kUnknown = std::numeric_limits<int>::min();
     for (auto f : cdt.all_face_handles())
         f->info() = kUnknown;
@@ -114,7 +114,7 @@ void wind(Triangulation& cdt, Net net) {
 
 // Appends each triangle as often as its winding number, reversed if the number is negative.
 template <class Triangulation>
-void append_wound(const Triangulation& cdt, std::vector<Triangle>& triangles) {
+void append_by_winding(const Triangulation& cdt, std::vector<Triangle>& triangles) {
     for (const auto f : cdt.finite_face_handles()) {
         Triangle t{f->vertex(0)->info().vertex, f->vertex(1)->info().vertex,
                    f->vertex(2)->info().vertex};
@@ -164,7 +164,7 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     }
     if (!all_edges([&](Handle from, Handle to) { return cdt.is_edge(from, to); }))
         return std::nullopt;
-    wind(cdt, [](const Corner& from, const Corner& to) {
+    propagate_winding(cdt, [](const Corner& from, const Corner& to) {
         return static_cast<int>(from.next == to.vertex) - static_cast<int>(to.next == from.vertex);
     });
     const auto all = cdt.finite_face_handles();
@@ -172,7 +172,7 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
                     [](const auto f) { return f->info() != 0 && f->info() != 1; }))
         return std::nullopt;
     std::vector<Triangle> triangles;
-    append_wound(cdt, triangles);
+    append_by_winding(cdt, triangles);
     if (triangles.size() + 2 != corners + 2 * (face.loops.size() - 1)) return std::nullopt;
     return triangles;
 }
@@ -319,10 +319,10 @@ public:
                 fill(face_.loops[l][i], face_.loops[l][next], chain);
             }
         }
-        wind(cdt_, [this](const Corner& from, const Corner& to) {
+        propagate_winding(cdt_, [this](const Corner& from, const Corner& to) {
             return passes_.net(from.vertex, to.vertex);
         });
-        append_wound(cdt_, triangles_);
+        append_by_winding(cdt_, triangles_);
         return outline_is_right() ? std::move(triangles_) : fans();
     }
 
@@ -334,7 +334,7 @@ private:
 
     // True if the triangles traverse exactly the edges of the face, up to cancellation.
     bool outline_is_right() const {
-        Passes rest;
+        EdgeTraversals rest;
         for (const Triangle& t : triangles_) {
             for (std::size_t i = 0; i < 3; ++i)
                 rest.add(t[i], t[(i + 1) % 3]);
@@ -402,7 +402,7 @@ private:
     const BoundaryFace& face_;
     Projection view_;
     Crossing cdt_;
-    Passes passes_;  // traversals by the chains
+    EdgeTraversals passes_;  // traversals by the chains
     std::vector<Triangle> triangles_;
 };
 
@@ -436,12 +436,12 @@ public:
             return std::span(sides).subspan(first[v], first[v + 1] - first[v]);
         };
         const auto vertices = static_cast<std::uint32_t>(mesh_.vertices.size());
-        for (const std::uint32_t v : those_that(threads_, vertices, [&](std::uint32_t i) {
+        for (const std::uint32_t v : filter_indices(threads_, vertices, [&](std::uint32_t i) {
                  std::ranges::sort(sides_of(i), [](const Side& a, const Side& b) {
                      return std::tie(a.edge, a.face, a.triangle) <
                             std::tie(b.edge, b.face, b.triangle);
                  });
-                 return !stand_twice(sides_of(i));
+                 return !is_paired(sides_of(i));
              })) {
             split(sides_of(v));
         }
@@ -457,7 +457,7 @@ private:
     };
 
     // True if each edge has exactly two triangles, as nearly all edges have.
-    static bool stand_twice(std::span<const Side> sides) {
+    static bool is_paired(std::span<const Side> sides) {
         for (std::size_t i = 0; i < sides.size(); i += 2) {
             if (i + 1 == sides.size() || sides[i].edge != sides[i + 1].edge) return false;
             if (i + 2 < sides.size() && sides[i].edge == sides[i + 2].edge) return false;
@@ -528,11 +528,11 @@ private:
 struct Part {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> face;
-    struct Left {
+    struct OpenFace {
         std::uint32_t face;
         std::size_t before;  // number of triangles of the run before the face
     };
-    std::vector<Left> left;
+    std::vector<OpenFace> left;
 };
 
 Part part_of(const Boundary& boundary, std::size_t begin, std::size_t end) {
@@ -561,7 +561,7 @@ void append(const Boundary& boundary, const Part& part, TriangleMesh& mesh) {
                               part.triangles.begin() + to);
         mesh.face.insert(mesh.face.end(), part.face.begin() + from, part.face.begin() + to);
     };
-    for (const Part::Left& left : part.left) {
+    for (const Part::OpenFace& left : part.left) {
         append_up_to(left.before);
         std::vector<Triangle> triangles = Chains(mesh, boundary.faces[left.face]).run();
         cancel_opposites(triangles);

@@ -27,95 +27,98 @@ namespace ncsim::cda {
 class BlockTree::Accounting : Descent {
 public:
     void run(const BlockTree& tree, std::span<const IncomingCell* const> cells,
-             const AccountInput& input, std::vector<Taken>& taken);
+             const AccountInput& input, std::vector<RemovedByTurn>& removed);
 
 private:
     // Consecutive cells of one origin form a turn; the volume of a single cell of a turn is not
-    // computed. Turn kBefore holds the cells that are already in the tree.
-    static constexpr std::uint32_t kBefore = 0;
-    static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+    // computed. Turn kInitialTurn holds the cells that are already in the tree.
+    static constexpr std::uint32_t kInitialTurn = 0;
+    static constexpr std::uint32_t kNoTurn = std::numeric_limits<std::uint32_t>::max();
     // The turn after which nothing is left in a box, and the cell that covers the box.
-    struct Last {
-        std::uint32_t turn = kNobody, number = 0;
-        bool is_nobody() const { return turn == kNobody; }
+    struct Cover {
+        std::uint32_t turn = kNoTurn, number = 0;
+        bool is_none() const { return turn == kNoTurn; }
     };
     // Areas below this share of a facet are rounding errors and are assigned to no cell.
     static constexpr double kRounding = 1e-9;
 
     // A cell with a surface in the box.
-    struct Local {
+    struct LocalCell {
         std::uint32_t turn = 0, number = 0;
         std::size_t first = 0, count = 0;  // in planes_
     };
 
-    void go_down(std::uint32_t node, std::size_t begin, std::size_t end, Last last);
+    void visit(std::uint32_t node, std::size_t begin, std::size_t end, Cover last);
     void divide(const HalfBox& box, std::size_t begin, std::size_t end, int fruitless,
-                std::size_t parent_load, Last last);
-    Last take_in(const HalfBox& box, std::size_t begin, std::size_t end, Last last);
+                std::size_t parent_load, Cover last);
+    Cover enqueue(const HalfBox& box, std::size_t begin, std::size_t end, Cover last);
     void split(const HalfBox& box, std::size_t axis, std::size_t begin, int fruitless,
-               std::size_t parent_load, Last last);
-    void settle(const HalfBox& box, std::size_t begin, Last last);
-    void share_out();
-    void follow(const Plane& plane, double sign, const Local& self, Last last);
-    bool takes_from(const Local& other, const Plane& plane, bool takes_same, bool takes_opposite);
+               std::size_t parent_load, Cover last);
+    void account_for_leaf(const HalfBox& box, std::size_t begin, Cover last);
+    void divide_among_steps();
+    void follow_facet(const Plane& plane, double sign, const LocalCell& self, Cover last);
+    bool find_cuts(const LocalCell& other, const Plane& plane, bool takes_same,
+                   bool takes_opposite);
     bool clip_to(const Plane& plane, std::span<const Plane> planes);
-    std::span<const Plane> planes_of(const Local& local) const {
+    std::span<const Plane> planes_of(const LocalCell& local) const {
         return std::span(planes_).subspan(local.first, local.count);
     }
 
     const AccountInput* input_ = nullptr;
-    std::vector<Taken>* taken_ = nullptr;  // by turn; turn 0 (kBefore) is not returned
+    std::vector<RemovedByTurn>* removed_ =
+        nullptr;  // by turn; turn 0 (kInitialTurn) is not returned
     std::vector<StepShares> shares_;
-    std::vector<std::uint32_t> shares_of_turn_;  // index, or kNobody
+    std::vector<std::uint32_t> shares_of_turn_;  // index, or kNoTurn
     // The current box.
     std::vector<Plane> stock_, planes_;
-    std::vector<Local> locals_;
+    std::vector<LocalCell> locals_;
     std::vector<const Plane*> cuts_;
     FacetRegion facet_;
 };
 
 void BlockTree::account(std::span<const IncomingCell* const> cells, const AccountInput& input,
-                        std::vector<Taken>& taken) const {
+                        std::vector<RemovedByTurn>& removed) const {
     if (nodes_[0].kind == Kind::Empty || cells.empty()) return;
     thread_local Accounting accounting;
-    accounting.run(*this, cells, input, taken);
+    accounting.run(*this, cells, input, removed);
 }
 
 void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingCell* const> cells,
-                                const AccountInput& input, std::vector<Taken>& taken) {
+                                const AccountInput& input, std::vector<RemovedByTurn>& removed) {
     input_ = &input;
-    taken_ = &taken;
-    taken.assign(1, {});
+    removed_ = &removed;
+    removed.assign(1, {});
     begin(tree, cells, input.cells);
     shares_.clear();
-    shares_of_turn_.assign(1, kNobody);
+    shares_of_turn_.assign(1, kNoTurn);
     for (Item& item : items_) {
         const Origin origin = input.cells.origin(item.number);
         const bool is_shared = item.cell->steps != nullptr;
-        if (taken.back().origin != origin || taken.size() == 1 || is_shared ||
-            shares_of_turn_.back() != kNobody) {
-            taken.push_back({origin, 0.0, {}});
+        if (removed.back().origin != origin || removed.size() == 1 || is_shared ||
+            shares_of_turn_.back() != kNoTurn) {
+            removed.push_back({origin, 0.0, {}});
             shares_of_turn_.push_back(is_shared ? static_cast<std::uint32_t>(shares_.size())
-                                                : kNobody);
+                                                : kNoTurn);
             if (is_shared) shares_.emplace_back(*item.cell);
         }
-        item.turn = static_cast<std::uint32_t>(taken.size() - 1);
+        item.turn = static_cast<std::uint32_t>(removed.size() - 1);
     }
-    go_down(0, 0, items_.size(), {});
-    for (Taken& turn : taken) {
+    visit(0, 0, items_.size(), {});
+    for (RemovedByTurn& turn : removed) {
         std::ranges::sort(turn.cells);
         turn.cells.erase(std::unique(turn.cells.begin(), turn.cells.end()), turn.cells.end());
     }
-    share_out();
+    divide_among_steps();
 }
 
-// Divides the volume of cells that represent several steps between the steps. Drops turn kBefore.
-void BlockTree::Accounting::share_out() {
-    std::vector<Taken> all;
-    for (std::size_t turn = 1; turn < taken_->size(); ++turn) {
-        Taken& whole = (*taken_)[turn];
+// Divides the volume of cells that represent several steps between the steps. Drops turn
+// kInitialTurn.
+void BlockTree::Accounting::divide_among_steps() {
+    std::vector<RemovedByTurn> all;
+    for (std::size_t turn = 1; turn < removed_->size(); ++turn) {
+        RemovedByTurn& whole = (*removed_)[turn];
         const std::uint32_t number = shares_of_turn_[turn];
-        if (number == kNobody) {
+        if (number == kNoTurn) {
             all.push_back(std::move(whole));
             continue;
         }
@@ -124,51 +127,51 @@ void BlockTree::Accounting::share_out() {
         for (std::size_t step = 0; step < volumes.size(); ++step)
             all.push_back({shares.origin(step), volumes[step], whole.cells, step});
     }
-    taken_->swap(all);
+    removed_->swap(all);
 }
 
 // Visits a node with items [begin, end) of the level above, in chronological order.
-void BlockTree::Accounting::go_down(std::uint32_t node, std::size_t begin, std::size_t end,
-                                    Last last) {
+void BlockTree::Accounting::visit(std::uint32_t node, std::size_t begin, std::size_t end,
+                                  Cover last) {
     const HalfBox box = tree_->nodes_[node].box();
     const Level above = level();
-    last = take_in(box, begin, end, last);
-    if (items_.size() == above.items && last.is_nobody()) {
+    last = enqueue(box, begin, end, last);
+    if (items_.size() == above.items && last.is_none()) {
         // No cell removes anything here.
     } else if (tree_->nodes_[node].kind == Kind::Material) {
-        take_out(node);
+        push_leaf(node);
         divide(box, above.items, items_.size(), 0, kNone, last);
     } else {
         const std::size_t here = items_.size();
         const std::uint32_t first = tree_->nodes_[node].first_child;
         for (const std::uint32_t child : {first, first + 1}) {
-            if (tree_->nodes_[child].kind != Kind::Empty) go_down(child, above.items, here, last);
+            if (tree_->nodes_[child].kind != Kind::Empty) visit(child, above.items, here, last);
         }
     }
-    return_to(above);
+    restore(above);
 }
 
 // Pushes the parts of items [begin, end) in the box, except items whose turn is not before the turn
 // of the first item that covers the box. Returns this turn.
-BlockTree::Accounting::Last BlockTree::Accounting::take_in(const HalfBox& box, std::size_t begin,
-                                                           std::size_t end, Last last) {
-    turn_to_another_box();
+BlockTree::Accounting::Cover BlockTree::Accounting::enqueue(const HalfBox& box, std::size_t begin,
+                                                            std::size_t end, Cover last) {
+    start_box();
     const BoxFrame frame(box);
     const std::size_t mine = items_.size();
-    const std::size_t hopeful = take_those_in(frame, begin, end);
+    const std::size_t hopeful = push_items_in(frame, begin, end);
     const std::size_t met = items_.size();
     const bool is_coarse = met - mine > kFewCells && cut_of_boxes(box, mine).axis != 3;
     const auto longest = static_cast<double>(box.extent(box.longest_axis()));
     if (hopeful != kNone) {
         Item item = items_[hopeful];
-        if (look(frame, item) == Place::Covers) last = {item.turn, item.number};
+        if (classify(frame, item) == Place::Covers) last = {item.turn, item.number};
     }
     std::size_t kept = mine;
     for (std::size_t i = mine; i < met; ++i) {
         Item item = items_[i];
         if (item.turn >= last.turn) continue;
         if (!is_coarse || !is_small_for(longest, item)) {
-            const Place place = look(frame, item);
+            const Place place = classify(frame, item);
             if (place == Place::Outside) continue;
             if (place == Place::Covers) {
                 last = {item.turn, item.number};
@@ -188,15 +191,15 @@ BlockTree::Accounting::Last BlockTree::Accounting::take_in(const HalfBox& box, s
 
 // Divides a box in a leaf of the tree; items [begin, end) are all items in the box.
 void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::size_t end,
-                                   int fruitless, std::size_t parent_load, Last last) {
+                                   int fruitless, std::size_t parent_load, Cover last) {
     const Level above = level();
     const std::size_t mine = above.items;
-    last = take_in(box, begin, end, last);
+    last = enqueue(box, begin, end, last);
     const std::span<const Item> items = std::span(items_).subspan(mine);
-    const auto changes = [](const Item& item) { return item.turn != kBefore; };
-    if (last.is_nobody() && std::ranges::none_of(items, changes)) {
+    const auto changes = [](const Item& item) { return item.turn != kInitialTurn; };
+    if (last.is_none() && std::ranges::none_of(items, changes)) {
         // No cell removes anything here.
-    } else if (std::ranges::any_of(items, [](const Item& item) { return !item.is_looked_at; })) {
+    } else if (std::ranges::any_of(items, [](const Item& item) { return !item.is_classified; })) {
         const Cut cut = cut_of_boxes(box, mine);
         split(box, cut.axis == 3 ? box.longest_axis() : cut.axis, mine, 0, kNone, last);
     } else {
@@ -208,19 +211,19 @@ void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::s
         fruitless = was_in_vain ? fruitless + 1 : 0;
         Cut cut;
         if (planes > input_->leaf && fruitless < kFruitlessSplits) cut = best_cut(box, mine);
-        if (last.is_nobody() && std::ranges::none_of(std::span(items_).subspan(mine), changes)) {
+        if (last.is_none() && std::ranges::none_of(std::span(items_).subspan(mine), changes)) {
             // No cell removes anything here.
         } else if (cut.axis == 3) {
-            settle(box, mine, last);
+            account_for_leaf(box, mine, last);
         } else {
             split(box, cut.axis, mine, fruitless, cut.parts ? kNone : planes, last);
         }
     }
-    return_to(above);
+    restore(above);
 }
 
 void BlockTree::Accounting::split(const HalfBox& box, std::size_t axis, std::size_t begin,
-                                  int fruitless, std::size_t parent_load, Last last) {
+                                  int fruitless, std::size_t parent_load, Cover last) {
     const std::size_t end = items_.size();
     for (const bool upper : {false, true})
         divide(box.half(axis, upper), begin, end, fruitless, parent_load, last);
@@ -229,8 +232,8 @@ void BlockTree::Accounting::split(const HalfBox& box, std::size_t axis, std::siz
 // Sets cuts_ to the planes of `other` that bound the part that `other` removes from a facet in
 // `plane`; false if the part is empty. `takes_same`: true if `other` owns the facet where both
 // cells have a facet in the same plane.
-bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, bool takes_same,
-                                       bool takes_opposite) {
+bool BlockTree::Accounting::find_cuts(const LocalCell& other, const Plane& plane, bool takes_same,
+                                      bool takes_opposite) {
     bool has_same = false;
     bool has_opposite = false;
     cuts_.clear();
@@ -258,7 +261,7 @@ bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane> p
 }
 
 // Follows all facets in a leaf.
-void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, Last last) {
+void BlockTree::Accounting::account_for_leaf(const HalfBox& box, std::size_t begin, Cover last) {
     const BoxFrame frame(box);
     stock_.clear();
     for (const Plane& plane : input_->stock) {
@@ -269,44 +272,45 @@ void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, Last l
     locals_.clear();
     planes_.clear();
     for (const Item& item : std::span(items_).subspan(begin)) {
-        Local local{item.turn, item.number, planes_.size(), 0};
+        LocalCell local{item.turn, item.number, planes_.size(), 0};
         for (const Facet& facet : facets_of(item))
             planes_.push_back(exact(item, facet.plane));
-        for (const Loose plane : loose_of(item))
+        for (const LoosePlane plane : loose_of(item))
             planes_.push_back(exact(item, entry(plane).plane));
         local.count = planes_.size() - local.first;
         locals_.push_back(local);
     }
-    std::ranges::sort(locals_, {}, [](const Local& l) { return std::pair{l.turn, l.number}; });
+    std::ranges::sort(locals_, {}, [](const LocalCell& l) { return std::pair{l.turn, l.number}; });
     for (const Plane& plane : stock_) {
-        if (facet_.assign(plane, box)) follow(plane, 1.0, {kBefore, 0, 0, 0}, last);
+        if (facet_.assign(plane, box)) follow_facet(plane, 1.0, {kInitialTurn, 0, 0, 0}, last);
     }
-    for (const Local& local : locals_) {
+    for (const LocalCell& local : locals_) {
         for (const Plane& plane : planes_of(local)) {
-            if (facet_.assign(plane, box)) follow(plane, -1.0, local, last);
+            if (facet_.assign(plane, box)) follow_facet(plane, -1.0, local, last);
         }
     }
 }
 
 // Follows facet_ through time, starting with the part that `self`, if a cell, has first. `sign`: 1
 // if the facet's normal points out of the part.
-void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local& self, Last last) {
+void BlockTree::Accounting::follow_facet(const Plane& plane, double sign, const LocalCell& self,
+                                         Cover last) {
     const bool is_wall = self.count > 0;
     const double rounding = kRounding * facet_.area();
     const auto begin_of_later = static_cast<std::size_t>(
-        std::ranges::upper_bound(locals_, self.turn, {}, &Local::turn) - locals_.begin());
+        std::ranges::upper_bound(locals_, self.turn, {}, &LocalCell::turn) - locals_.begin());
     // A facet that existed before is processed only if some cell removes part of the facet.
-    if (self.turn == kBefore && last.is_nobody()) {
+    if (self.turn == kInitialTurn && last.is_none()) {
         std::size_t takers = 0;
         std::size_t taker = 0;
         for (std::size_t i = begin_of_later; i < locals_.size() && takers < 2; ++i) {
-            if (!takes_from(locals_[i], plane, !is_wall, is_wall) || !facet_.meets(cuts_)) continue;
+            if (!find_cuts(locals_[i], plane, !is_wall, is_wall) || !facet_.meets(cuts_)) continue;
             ++takers;
             taker = i;
         }
         if (takers == 0) return;
         if (takers == 1) {
-            takes_from(locals_[taker], plane, !is_wall, is_wall);
+            find_cuts(locals_[taker], plane, !is_wall, is_wall);
             for (const Plane* cut : cuts_) {
                 if (!facet_.clip(*cut)) return;
             }
@@ -320,42 +324,42 @@ void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local&
     const double height = sign * distance_about(plane, input_->centre) / 3.0;
     // The latest cells first: a later cell usually contains the region that the tool has passed.
     for (std::size_t i = begin_of_later; i-- > 0;) {
-        const Local& other = locals_[i];
+        const LocalCell& other = locals_[i];
         if (is_wall && other.number == self.number) continue;
         const bool comes_before =
             std::pair{other.turn, other.number} < std::pair{self.turn, self.number};
-        if (!takes_from(other, plane, !is_wall || comes_before, is_wall)) continue;
-        facet_.take(cuts_);
+        if (!find_cuts(other, plane, !is_wall || comes_before, is_wall)) continue;
+        facet_.remove(cuts_);
         if (facet_.is_empty()) return;
     }
     const auto give = [&](std::uint32_t turn, std::uint32_t number, double area,
                           double sign_of_it) {
-        Taken& taken = (*taken_)[turn];
-        taken.volume += sign_of_it * height * area;
-        if (area > rounding && (taken.cells.empty() || taken.cells.back() != number))
-            taken.cells.push_back(number);
+        RemovedByTurn& removed = (*removed_)[turn];
+        removed.volume += sign_of_it * height * area;
+        if (area > rounding && (removed.cells.empty() || removed.cells.back() != number))
+            removed.cells.push_back(number);
     };
     const auto shares_of = [&](std::uint32_t turn) {
         const std::uint32_t shares = shares_of_turn_[turn];
-        return shares == kNobody ? nullptr : &shares_[shares];
+        return shares == kNoTurn ? nullptr : &shares_[shares];
     };
-    if (self.turn != kBefore) {
+    if (self.turn != kInitialTurn) {
         const double area = facet_.area();
         give(self.turn, self.number, area, -1.0);
-        if (StepShares* shares = shares_of(self.turn)) shares->is_born(plane, area);
+        if (StepShares* shares = shares_of(self.turn)) shares->add_wall(plane, area);
     }
     for (std::size_t i = begin_of_later; i < locals_.size(); ++i) {
-        const Local& other = locals_[i];
-        if (!takes_from(other, plane, !is_wall, is_wall)) continue;
-        give(other.turn, other.number, facet_.take(cuts_), 1.0);
+        const LocalCell& other = locals_[i];
+        if (!find_cuts(other, plane, !is_wall, is_wall)) continue;
+        give(other.turn, other.number, facet_.remove(cuts_), 1.0);
         if (StepShares* shares = shares_of(other.turn))
-            shares->takes(plane, sign, facet_, facet_.taken());
+            shares->add_removed(plane, sign, facet_, facet_.removed());
         if (facet_.is_empty()) return;
     }
-    if (last.is_nobody()) return;
+    if (last.is_none()) return;
     give(last.turn, last.number, facet_.area(), 1.0);
     if (StepShares* shares = shares_of(last.turn))
-        shares->takes(plane, sign, facet_, facet_.polygons());
+        shares->add_removed(plane, sign, facet_, facet_.polygons());
 }
 
 }  // namespace ncsim::cda

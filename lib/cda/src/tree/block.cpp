@@ -9,25 +9,25 @@ namespace ncsim::cda {
 
 void Block::settle(const AccountInput& input, bool keeps_account) {
     std::vector<const IncomingCell*> cells;
-    cells.reserve(going_down.size());
-    for (const auto& cell : going_down)
+    cells.reserve(inserting.size());
+    for (const auto& cell : inserting)
         cells.push_back(&cell->incoming);
     if (keeps_account) {
-        std::vector<Taken> turns;
+        std::vector<RemovedByTurn> turns;
         tree->account(cells, input, turns);
-        for (const Taken& turn : turns) {
+        for (const RemovedByTurn& turn : turns) {
             RemovedVolume taking{turn.volume, {}};
             for (const std::uint32_t number : turn.cells) {
                 const auto cell = std::ranges::lower_bound(
-                    going_down, number, {}, [](const auto& w) { return w->incoming.number; });
+                    inserting, number, {}, [](const auto& w) { return w->incoming.number; });
                 taking.bounds.add(turn.step ? (*cell)->cell.steps->steps[*turn.step].bounds
                                             : (*cell)->cell.bounds);
             }
-            taken.emplace_back(turn.origin, taking);
+            removed_volumes.emplace_back(turn.origin, taking);
         }
     }
     own().insert(cells, input.cells, input.leaf);
-    going_down.clear();
+    inserting.clear();
 }
 
 }  // namespace ncsim::cda

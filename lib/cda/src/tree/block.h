@@ -18,7 +18,7 @@
 namespace ncsim::cda {
 
 // A cell that some blocks have not inserted yet.
-struct WaitingCell {
+struct PendingCell {
     Cell cell;
     IncomingCell incoming;
 };
@@ -26,15 +26,15 @@ struct WaitingCell {
 // A part of the tree with a share of the volume.
 struct Block {
     std::shared_ptr<BlockTree> tree;
-    std::vector<std::shared_ptr<const WaitingCell>> waiting;  // in order of arrival
-    // cells in insertion, in order of arrival; all arrived before `waiting`
-    std::vector<std::shared_ptr<const WaitingCell>> going_down;
+    std::vector<std::shared_ptr<const PendingCell>> pending;  // in order of arrival
+    // cells in insertion, in order of arrival; all arrived before `pending`
+    std::vector<std::shared_ptr<const PendingCell>> inserting;
     std::uint64_t last_step = 0;           // step of the last arrival
     mutable std::optional<double> volume;  // volume of `tree`, cubic units; empty until requested
     // surface in `tree`; null until requested; only for a tile
     mutable std::shared_ptr<const Outlines> outlines;
     std::vector<std::pair<Origin, RemovedVolume>>
-        taken;  // amounts not yet in the account; cubic units
+        removed_volumes;  // amounts not yet in the account; cubic units
 
     // Returns the tree for modification; copies the tree if other parts share the tree.
     BlockTree& own() {
@@ -46,17 +46,18 @@ struct Block {
         outlines.reset();
         return *tree;
     }
-    // Moves all waiting cells to `going_down`. Drops the cells whose numbers are set in
-    // `forgotten`.
-    void send_down(const std::vector<bool>& forgotten) {
-        for (auto& cell : waiting) {
+    // Moves all waiting cells to `inserting`. Drops the cells whose numbers are set in
+    // `superseded`.
+    void start_insertion(const std::vector<bool>& superseded) {
+        for (auto& cell : pending) {
             const std::uint32_t number = cell->incoming.number;
-            if (number >= forgotten.size() || !forgotten[number])
-                going_down.push_back(std::move(cell));
+            if (number >= superseded.size() || !superseded[number])
+                inserting.push_back(std::move(cell));
         }
-        waiting.clear();
+        pending.clear();
     }
-    // Inserts the cells of `going_down`; adds the removed volumes to `taken` if `keeps_account`.
+    // Inserts the cells of `inserting`; adds the removed volumes to `removed_volumes` if
+    // `keeps_account`.
     void settle(const AccountInput& input, bool keeps_account);
 };
 

@@ -101,7 +101,7 @@ struct AccountInput {
 };
 
 /// Volume that consecutive cells of one origin removed from a block.
-struct Taken {
+struct RemovedByTurn {
     Origin origin = kStockOrigin;
     double volume = 0.0;  ///< Cubic units; a volume only as a sum over all blocks.
     /// Numbers of the cells that removed volume, ascending; of cells that removed the same volume,
@@ -133,7 +133,7 @@ public:
     /// Computes the volumes that `cells` would remove if inserted in the given order: `taken` per
     /// origin in turn.
     void account(std::span<const IncomingCell* const> cells, const AccountInput& input,
-                 std::vector<Taken>& taken) const;
+                 std::vector<RemovedByTurn>& removed) const;
 
     /// A cell of a leaf: the number and the planes that cut the leaf (indices for plane()).
     struct Entry {

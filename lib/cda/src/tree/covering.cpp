@@ -22,19 +22,19 @@ constexpr std::size_t kFewPlanes = 4;
 class Covering {
 public:
     Covering(const BlockTree& block, const CoveringInput& input)
-        : block_(block), input_(input), left_(input.most_looks) {
-        for (const IncomingCell* cell : input_.waiting)
+        : block_(block), input_(input), left_(input.test_limit) {
+        for (const IncomingCell* cell : input_.pending)
             cells_.push_back({cell->planes, 0, cell});
     }
 
     bool run() {
-        const std::size_t waiting = cells_.size();
+        const std::size_t pending = cells_.size();
         bool is_so = true;
         block_.visit([&](const HalfBox& box) { return is_so && enters(BoxFrame(box)); },
                      [&](const HalfBox& box, std::span<const BlockTree::Entry> entries) {
-                         cells_.resize(waiting);
+                         cells_.resize(pending);
                          add(entries);
-                         is_so = is_taken(box);
+                         is_so = is_removed(box);
                      });
         return is_so;
     }
@@ -73,19 +73,19 @@ private:
         }
     }
 
-    bool is_taken(const HalfBox& leaf) {
+    bool is_removed(const HalfBox& leaf) {
         // The latest cell first: it usually cleared the path.
         std::vector<std::uint32_t>& all = candidates(0);
         all.clear();
         for (std::size_t i = cells_.size(); i > 0; --i)
             all.push_back(static_cast<std::uint32_t>(i - 1));
         const HalfBox box = intersection(leaf, input_.bounds);
-        return box.is_empty() || is_taken(box, 0);
+        return box.is_empty() || is_removed(box, 0);
     }
 
     // True if the window's part of the box is covered. Candidates are the cells that may be in the
     // box twice as large.
-    bool is_taken(const HalfBox& box, std::size_t level) {
+    bool is_removed(const HalfBox& box, std::size_t level) {
         const BoxFrame frame(box);
         if (!enters(frame)) return true;
         std::vector<std::uint32_t>& here = candidates(level + 1);
@@ -101,8 +101,8 @@ private:
         }
         const std::size_t axis = box.longest_axis();
         if (here.empty() || box.extent(axis) < kLeastExtent) return false;
-        return is_taken(box.half(axis, false), level + 1) &&
-               is_taken(box.half(axis, true), level + 1);
+        return is_removed(box.half(axis, false), level + 1) &&
+               is_removed(box.half(axis, true), level + 1);
     }
 
     // Returns how the window's part of the box lies to the cell: below all planes, above a plane,

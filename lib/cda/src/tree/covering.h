@@ -16,15 +16,15 @@ namespace ncsim::cda {
 struct CoveringInput {
     std::span<const Plane> window;  ///< The region to be covered is below all these planes
     HalfBox bounds;                 ///< Box around the region to be covered.
-    std::span<const IncomingCell* const> waiting;
+    std::span<const IncomingCell* const> pending;
     const CellTable& cells;
     /// Limit on box–cell and box–plane tests; beyond the limit the answer is false.
-    std::size_t most_looks;
+    std::size_t test_limit;
 };
 
 /// True if the cells of the block, including waiting cells, cover the part of the window in the
 /// block. A positive answer is exact; a negative answer may be wrong.
-/// Cost: O(most_looks).
+/// Cost: O(test_limit).
 bool is_covered(const BlockTree& block, const CoveringInput& input);
 
 }  // namespace ncsim::cda

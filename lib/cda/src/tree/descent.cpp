@@ -46,7 +46,7 @@ void BlockTree::Descent::begin(const BlockTree& tree, std::span<const IncomingCe
     }
 }
 
-void BlockTree::Descent::return_to(const Level& level) {
+void BlockTree::Descent::restore(const Level& level) {
     items_.resize(level.items);
     facets_.resize(level.facets);
     loose_.resize(level.loose);
@@ -60,7 +60,7 @@ std::size_t BlockTree::Descent::load(std::size_t begin) const {
     return sum;
 }
 
-std::size_t BlockTree::Descent::take_those_in(const BoxFrame& frame, std::size_t begin,
+std::size_t BlockTree::Descent::push_items_in(const BoxFrame& frame, std::size_t begin,
                                               std::size_t end) {
     std::size_t hopeful = kNone;
     double nearest = std::numeric_limits<double>::max();
@@ -85,7 +85,7 @@ std::size_t BlockTree::Descent::take_those_in(const BoxFrame& frame, std::size_t
 }
 
 // Chooses the axis whose halves together have the fewest items from `begin` on, by the boxes of
-// items that have not been looked at; no axis if the number is not much smaller.
+// items that have not been classified; no axis if the number is not much smaller.
 BlockTree::Descent::Cut BlockTree::Descent::cut_of_boxes(const HalfBox& box,
                                                          std::size_t begin) const {
     std::array<double, 3> middle{};
@@ -94,7 +94,7 @@ BlockTree::Descent::Cut BlockTree::Descent::cut_of_boxes(const HalfBox& box,
     std::array<std::size_t, 3> both{};
     std::size_t all = 0;
     for (const Item& item : std::span(items_).subspan(begin)) {
-        if (item.is_looked_at) continue;
+        if (item.is_classified) continue;
         ++all;
         for (std::size_t i = 0; i < 3; ++i) {
             if (item.cell->min[i] <= middle[i] && item.cell->max[i] >= middle[i]) ++both[i];
@@ -115,13 +115,13 @@ BlockTree::Descent::Cut BlockTree::Descent::cut_of_boxes(const HalfBox& box,
 }
 
 // Pushes the cells of a leaf onto the items.
-void BlockTree::Descent::take_out(std::uint32_t number) {
+void BlockTree::Descent::push_leaf(std::uint32_t number) {
     tree_->nodes_[number].cells.read(words_);
     const std::span<const std::uint32_t> words(words_);
     for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1]) {
         Item item;
         item.number = words[at];
-        item.is_looked_at = true;
+        item.is_classified = true;
         item.facets.first = static_cast<std::uint32_t>(facets_.size());
         item.loose.first = static_cast<std::uint32_t>(loose_.size());
         const std::uint32_t family = table_->family(item.number);
@@ -155,8 +155,8 @@ std::uint32_t BlockTree::Descent::view_of(std::uint32_t family) {
 }
 
 // Computes the range of the box along the normals of a family.
-const BlockTree::Descent::View& BlockTree::Descent::see(std::uint32_t family,
-                                                        const BoxFrame& frame) {
+const BlockTree::Descent::View& BlockTree::Descent::view_in(std::uint32_t family,
+                                                            const BoxFrame& frame) {
     View& view = views_[view_of(family)];
     if (view.seen == box_) return view;
     view.seen = box_;
@@ -177,17 +177,17 @@ const BlockTree::Descent::View& BlockTree::Descent::see(std::uint32_t family,
 
 // Finds the planes of an item of the level above that are active in the box, and pushes the planes
 // onto the stacks. The plane most likely to have a smaller box above is tested first.
-BlockTree::Descent::Place BlockTree::Descent::look(const BoxFrame& frame, Item& item) {
+BlockTree::Descent::Place BlockTree::Descent::classify(const BoxFrame& frame, Item& item) {
     const std::size_t facets = facets_.size();
     const std::size_t loose = loose_.size();
     const bool is_outside =
-        item.is_looked_at ? !look_again(frame, item) : !look_at_all(frame, item);
+        item.is_classified ? !narrow_planes(frame, item) : !classify_planes(frame, item);
     if (is_outside) {
         facets_.resize(facets);
         loose_.resize(loose);
         return Place::Outside;
     }
-    item.is_looked_at = true;
+    item.is_classified = true;
     item.facets = {static_cast<std::uint32_t>(facets),
                    static_cast<std::uint32_t>(facets_.size() - facets)};
     item.loose = {static_cast<std::uint32_t>(loose),
@@ -195,10 +195,10 @@ BlockTree::Descent::Place BlockTree::Descent::look(const BoxFrame& frame, Item& 
     return item.facets.count + item.loose.count == 0 ? Place::Covers : Place::Cuts;
 }
 
-bool BlockTree::Descent::look_at_all(const BoxFrame& frame, const Item& item) {
+bool BlockTree::Descent::classify_planes(const BoxFrame& frame, const Item& item) {
     const IncomingCell& cell = *item.cell;
     if (!cell.facets.empty()) {
-        const View& seen = see(table_->family(item.number), frame);
+        const View& seen = view_in(table_->family(item.number), frame);
         const double* const d2 = cell.facets.data();
         const double* const low = &low_[seen.first];
         const double* const high = &high_[seen.first];
@@ -224,8 +224,8 @@ bool BlockTree::Descent::look_at_all(const BoxFrame& frame, const Item& item) {
     return true;
 }
 
-bool BlockTree::Descent::look_again(const BoxFrame& frame, const Item& item) {
-    if (item.facets.count > 0) see(table_->family(item.number), frame);
+bool BlockTree::Descent::narrow_planes(const BoxFrame& frame, const Item& item) {
+    if (item.facets.count > 0) view_in(table_->family(item.number), frame);
     const std::uint32_t first = item.facets.first;
     for (std::uint32_t i = first; i < first + item.facets.count; ++i) {
         const Facet facet = facets_[i];
@@ -237,7 +237,7 @@ bool BlockTree::Descent::look_again(const BoxFrame& frame, const Item& item) {
         if (high_[facet.direction] > facet.d2) facets_.push_back(facet);
     }
     for (std::uint32_t i = 0; i < item.loose.count; ++i) {
-        const Loose plane = loose_[item.loose.first + i];
+        const LoosePlane plane = loose_[item.loose.first + i];
         const Side side = side_of(frame, entry(plane).half_plane);
         if (side == Side::Above) return false;
         if (side == Side::On) loose_.push_back(plane);
@@ -246,7 +246,7 @@ bool BlockTree::Descent::look_again(const BoxFrame& frame, const Item& item) {
 }
 
 // Computes the range of a half of the box along the normals of the table.
-void BlockTree::Descent::look_into_half(const BoxFrame& box, const BoxFrame& half) {
+void BlockTree::Descent::narrow_bounds(const BoxFrame& box, const BoxFrame& half) {
     for (const std::uint32_t direction : directions_) {
         const ScaledNormal& normal = scaled_[column_of_[direction]];
         const double reach = 0.5 * (high_[direction] - low_[direction]);
@@ -280,7 +280,7 @@ BlockTree::Descent::Cut BlockTree::Descent::best_cut(const HalfBox& box, std::si
         for (const bool upper : {false, true}) {
             const HalfBox half = box.half(axis, upper);
             const BoxFrame frame(half);
-            look_into_half(whole, frame);
+            narrow_bounds(whole, frame);
             std::size_t here = 0;
             for (const Item& item : items) {
                 bool outside = false;

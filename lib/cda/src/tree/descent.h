@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Simultaneous descent of cells in a block. While boxes are large compared with cells, only boxes
-// are compared. In a small box a cell is looked at: its *active* planes are the planes that cut the
-// box. If a plane has the box above, the cell is not in the box; if no plane is active, the cell
-// covers the box. If many planes are active, rows of bounds show which planes and cells are
+// are compared. In a small box a cell is classified: its *active* planes are the planes that cut
+// the box. If a plane has the box above, the cell is not in the box; if no plane is active, the
+// cell covers the box. If many planes are active, rows of bounds show which planes and cells are
 // redundant (normal_table.h).
 //
 // Derived classes decide the result for a box: insertion.cpp, account.cpp.
@@ -42,7 +42,7 @@ protected:
         std::uint32_t plane = 0;      // index in the incoming cell, or in the tree's plane store
     };
     // A plane with any other normal.
-    struct Loose {
+    struct LoosePlane {
         std::uint32_t pool = 0;
     };
     struct LooseEntry {
@@ -56,9 +56,9 @@ protected:
     struct Item {
         const IncomingCell* cell = nullptr;  // null: the cell was in the tree before
         std::uint32_t number = 0;
-        std::uint32_t turn = 0;     // a cell of an earlier turn keeps its space against later turns
-        std::uint32_t first = 0;    // offset of the cell's planes among all incoming planes
-        bool is_looked_at = false;  // false: only the box of the cell is known
+        std::uint32_t turn = 0;   // a cell of an earlier turn keeps its space against later turns
+        std::uint32_t first = 0;  // offset of the cell's planes among all incoming planes
+        bool is_classified = false;  // false: only the box of the cell is known
         Range facets, loose;
     };
     // Heights of the stacks.
@@ -78,22 +78,22 @@ protected:
     void begin(const BlockTree& tree, std::span<const IncomingCell* const> cells,
                const CellTable& table);
     Level level() const { return {items_.size(), facets_.size(), loose_.size(), pool_.size()}; }
-    void return_to(const Level& level);
+    void restore(const Level& level);
     // Pushes the items [begin, end) whose boxes meet the box of the frame. Returns the item whose
     // middle is nearest to the box, which may cover the whole box; kNone if no item has a box.
-    std::size_t take_those_in(const BoxFrame& frame, std::size_t begin, std::size_t end);
+    std::size_t push_items_in(const BoxFrame& frame, std::size_t begin, std::size_t end);
     // Pushes the cells of a leaf.
-    void take_out(std::uint32_t number);
+    void push_leaf(std::uint32_t number);
     // Finds the planes of an item of the level above that are active in the box, and pushes the
     // planes onto the stacks. The plane most likely to have a smaller box above is first.
-    Place look(const BoxFrame& frame, Item& item);
-    // True if the item has not been looked at and is so small compared with a box of this extent
+    Place classify(const BoxFrame& frame, Item& item);
+    // True if the item has not been classified and is so small compared with a box of this extent
     // that the comparison of boxes suffices.
     static bool is_small_for(double longest, const Item& item) {
-        return !item.is_looked_at && longest > kLargeBox * item.cell->least_extent();
+        return !item.is_classified && longest > kLargeBox * item.cell->least_extent();
     }
     // Chooses the axis whose halves together have the fewest items from `begin` on, by the boxes of
-    // items that have not been looked at; no axis if the number is not much smaller.
+    // items that have not been classified; no axis if the number is not much smaller.
     Cut cut_of_boxes(const HalfBox& box, std::size_t begin) const;
     // Chooses the axis whose cut divides the cells best; the longest axis among equals.
     Cut best_cut(const HalfBox& box, std::size_t begin);
@@ -108,9 +108,9 @@ protected:
         std::uint32_t first = 0;  // first direction
         std::uint64_t seen = 0;   // the box for which the ranges are valid
     };
-    const View& see(std::uint32_t family, const BoxFrame& frame);
+    const View& view_in(std::uint32_t family, const BoxFrame& frame);
     // Starts a new box: invalidates all views.
-    void turn_to_another_box() { ++box_; }
+    void start_box() { ++box_; }
     // Returns the upper end of the box along a normal, in half units times the normal's length.
     double end_along(const Facet& facet) const { return high_[facet.direction]; }
     std::uint32_t family_of(const Item& item) const { return table_->family(item.number); }
@@ -125,13 +125,13 @@ protected:
     std::span<const Facet> facets_of(const Item& item) const {
         return std::span(facets_).subspan(item.facets.first, item.facets.count);
     }
-    std::span<Loose> loose_of(const Item& item) {
+    std::span<LoosePlane> loose_of(const Item& item) {
         return std::span(loose_).subspan(item.loose.first, item.loose.count);
     }
-    std::span<const Loose> loose_of(const Item& item) const {
+    std::span<const LoosePlane> loose_of(const Item& item) const {
         return std::span(loose_).subspan(item.loose.first, item.loose.count);
     }
-    const LooseEntry& entry(Loose plane) const { return pool_[plane.pool]; }
+    const LooseEntry& entry(LoosePlane plane) const { return pool_[plane.pool]; }
     Plane exact(const Item& item, std::uint32_t plane) const {
         return item.cell ? item.cell->planes[plane] : tree_->plane(item.number, plane, *table_);
     }
@@ -146,10 +146,10 @@ protected:
 
 private:
     // A loose plane in coordinates of the current box.
-    struct SeenLoose {
+    struct BoxedPlane {
         ScaledNormal normal;
         float e = 0;
-        Loose plane;
+        LoosePlane plane;
     };
     // An item that is compared with the rest. Row numbers are item numbers.
     struct Candidate {
@@ -157,22 +157,22 @@ private:
         float reach = 0;                         // sum over all normals, each limited to the box
         float depth = 0;                         // depth of the box's middle in the cell
         std::size_t planes = 0, planes_end = 0;  // in seen_planes_
-        Range loose;                             // in seen_
+        Range loose;                             // in boxed_planes_
     };
 
     std::uint32_t view_of(std::uint32_t family);
-    bool look_at_all(const BoxFrame& frame, const Item& item);
-    bool look_again(const BoxFrame& frame, const Item& item);
-    void look_into_half(const BoxFrame& box, const BoxFrame& half);
+    bool classify_planes(const BoxFrame& frame, const Item& item);
+    bool narrow_planes(const BoxFrame& frame, const Item& item);
+    void narrow_bounds(const BoxFrame& box, const BoxFrame& half);
     bool make_table(const BoxFrame& frame, std::span<const Item> items);
     void fill_rows(const BoxFrame& frame, Item& item, Candidate& candidate);
-    std::size_t see_planes(const Item& item, const Candidate& candidate);
+    std::size_t push_planes(const Item& item, const Candidate& candidate);
     Domination covered(const Candidate& a, const Candidate& b, std::span<const Item> items) const;
-    Domination covered(const Candidate& a, const Item& item, const SeenLoose& p,
+    Domination covered(const Candidate& a, const Item& item, const BoxedPlane& p,
                        const Item& its_item) const;
 
     std::vector<Facet> facets_;
-    std::vector<Loose> loose_;
+    std::vector<LoosePlane> loose_;
     std::vector<LooseEntry> pool_;
 
     // Directions of all families met, family by family, and the range of a view's box along each
@@ -190,7 +190,7 @@ private:
     std::vector<ScaledNormal> scaled_;  // by column
     // rows: own planes; planes with bounds; thresholds for comparison
     std::vector<float> own_, reach_, limit_;
-    std::vector<SeenLoose> seen_;
+    std::vector<BoxedPlane> boxed_planes_;
     SeenPlanes seen_planes_;
     std::vector<Candidate> candidates_;
     std::vector<std::size_t> kept_;

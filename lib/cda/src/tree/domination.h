@@ -19,7 +19,7 @@ namespace ncsim::cda {
 struct BoxPlane {
     BoxPlane() = default;
     BoxPlane(const HalfPlane& p, const Plane& same, const BoxFrame& box)
-        : e(-Sight(box, p).above), exact(&same) {
+        : e(-BoxHeight(box, p).above), exact(&same) {
         for (std::size_t i = 0; i < 3; ++i) {
             n[i] = p.normal(i) * box.half[i];
             inverse[i] = n[i] == 0.0 ? 0.0 : 1.0 / n[i];

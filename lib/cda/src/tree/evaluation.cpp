@@ -52,9 +52,9 @@ public:
     void run() {
         block_.visit([this](const HalfBox& box) { return enters(box); },
                      [this](const HalfBox& box, std::span<const BlockTree::Entry> entries) {
-                         take_leaf(box, entries);
+                         start_leaf(box, entries);
                      });
-        // A query with a window asks only whether a piece exists, and where.
+        // A query with a window returns only whether and where a piece exists.
         if (!input_.window) result_.outlines.cancel(seams_);
     }
 
@@ -67,7 +67,7 @@ private:
         bool is_empty() const { return begin == end; }
     };
     // A cell with the planes that cut the current box.
-    struct Local {
+    struct LocalCell {
         std::uint32_t cell = 0;
         Range planes;
     };
@@ -76,7 +76,7 @@ private:
     // The part of the current facet that a cell removes: the part below all `planes`, each of which
     // bounds an edge of the part.
     struct Section {
-        const Local* cell = nullptr;
+        const LocalCell* cell = nullptr;
         Cuts cuts;
         FilteredPolygon area;
         Planes planes;
@@ -107,7 +107,7 @@ private:
                             });
     }
 
-    void take_leaf(const HalfBox& box, std::span<const BlockTree::Entry> entries) {
+    void start_leaf(const HalfBox& box, std::span<const BlockTree::Entry> entries) {
         if (!active(stock_planes_, box, stock_) || !active(window_planes_, box, window_)) return;
         if (entries.empty() && stock_.empty() && window_.empty()) return;
         // Collects the planes that cut the box in one vector that is not reallocated.
@@ -141,9 +141,9 @@ private:
         }
         if (input_.only_first && input_.window && covers_window(box)) return;
         box_ = &box;
-        killer_ = 0;
+        last_cover_ = 0;
         ++result_.leaves;
-        result_.outlines.turn_page();
+        result_.outlines.start_page();
         evaluate_leaf();
     }
 
@@ -159,26 +159,26 @@ private:
     // overlap; no facet needs evaluation then.
     bool covers_window(const HalfBox& box) {
         const BoxFrame frame(box);
-        const auto see = [&](const Range& planes, std::vector<BoxPlane>& seen) {
+        const auto find_boxed = [&](const Range& planes, std::vector<BoxPlane>& seen) {
             seen.clear();
             for (std::size_t i = planes.begin; i < planes.end; ++i)
                 seen.emplace_back(HalfPlane(rows_[i].exact), rows_[i].exact, frame);
         };
-        see(window_range_, seen_window_);
-        return std::ranges::any_of(cells_, [&](const Local& local) {
-            see(local.planes, seen_cell_);
+        find_boxed(window_range_, seen_window_);
+        return std::ranges::any_of(cells_, [&](const LocalCell& local) {
+            find_boxed(local.planes, seen_cell_);
             return dominated(seen_window_, seen_cell_) != Domination::None;
         });
     }
 
     void evaluate_leaf() {
-        const auto takes_same = [](const Local&, bool same) { return same; };
+        const auto takes_same = [](const LocalCell&, bool same) { return same; };
         for (const FilterPlane* s : stock_) {
             if (section_of_box(*s) && clip_to(stock_range_) && clip_strictly_to(window_range_)) {
                 finish(kStockOrigin, false, nullptr, takes_same);
             }
         }
-        for (const Local& local : cells_) {
+        for (const LocalCell& local : cells_) {
             for (std::size_t i = local.planes.begin; i < local.planes.end; ++i) {
                 if (!section_of_box(rows_[i]) || !clip_to(local.planes) ||
                     !clip_strictly_to(stock_range_) || !clip_strictly_to(window_range_)) {
@@ -187,7 +187,7 @@ private:
                 // If two walls are opposite, both disappear; if two walls are equal, the first
                 // stays.
                 finish(input_.cells.origin(local.cell), true, &local,
-                       [&](const Local& other, bool same) {
+                       [&](const LocalCell& other, bool same) {
                            return !same || input_.cells.comes_before(other.cell, local.cell);
                        });
             }
@@ -208,16 +208,17 @@ private:
     // orientation has no effect; with the opposite orientation, nothing is left.
     bool clip_to(const Range& planes) {
         if (planes.is_empty()) return true;
-        facet_.look(rows_, planes.begin, planes.end, glances_);
+        facet_.classify_rows(rows_, planes.begin, planes.end, filter_results_);
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == FilterResult::Above) return false;
+            if (filter_results_.where[i] == FilterResult::Above) return false;
         }
         cuts_.clear();
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == FilterResult::Below) continue;
+            if (filter_results_.where[i] == FilterResult::Below) continue;
             const Plane& plane = rows_[i].exact;
-            if (glances_.where[i] == FilterResult::Across || !facet_plane().is_parallel_to(plane)) {
-                cuts_.emplace_back(share_below(glances_, i), i);
+            if (filter_results_.where[i] == FilterResult::Across ||
+                !facet_plane().is_parallel_to(plane)) {
+                cuts_.emplace_back(share_below(filter_results_, i), i);
                 continue;
             }
             const bool same = same_direction(facet_plane(), plane);
@@ -227,10 +228,10 @@ private:
         return clip_in_order(facet_, cuts_, planes);
     }
 
-    // Returns the approximate share of a polygon below a plane, from the polygon's glances.
-    static double share_below(const Glances& glances, std::size_t i) {
-        const double low = glances.low[i];
-        const double high = glances.high[i];
+    // Returns the approximate share of a polygon below a plane, from the polygon's filter results.
+    static double share_below(const FilterResults& results, std::size_t i) {
+        const double low = results.low[i];
+        const double high = results.high[i];
         return low < high ? low / (low - high) : 1.0;
     }
 
@@ -245,14 +246,14 @@ private:
                 std::iter_swap(begin, std::min_element(begin, cuts.end()));
                 if (!polygon.clip(rows_[cuts[k].second])) return false;
             }
-            polygon.look(rows_, planes.begin, planes.end, glances_again_);
+            polygon.classify_rows(rows_, planes.begin, planes.end, clipped_results_);
             std::size_t kept = 0;
             for (std::size_t i = kFirst; i < cuts.size(); ++i) {
                 const std::size_t plane = cuts[i].second;
-                const FilterResult where = glances_again_.where[plane];
+                const FilterResult where = clipped_results_.where[plane];
                 if (where == FilterResult::Above) return false;
                 if (where != FilterResult::Below)
-                    cuts[kept++] = {share_below(glances_again_, plane), plane};
+                    cuts[kept++] = {share_below(clipped_results_, plane), plane};
             }
             cuts.resize(kept);
         }
@@ -273,23 +274,23 @@ private:
     // `takes_coplanar(cell, same)` is true if a cell with a facet in the same plane, in the same or
     // the opposite orientation, takes the common part.
     template <class TakesCoplanar>
-    void finish(Origin origin, bool is_wall, const Local* self, TakesCoplanar takes_coplanar) {
+    void finish(Origin origin, bool is_wall, const LocalCell* self, TakesCoplanar takes_coplanar) {
         ++result_.facets_tested;
         sections_in_use_ = 0;
         // Most facets are covered by a single cell, often by the cell that covered the previous
         // facet.
-        if (killer_ < cells_.size() && &cells_[killer_] != self) {
-            const Range& planes = cells_[killer_].planes;
-            facet_.look(rows_, planes.begin, planes.end, glances_);
-            if (taken_by(cells_[killer_], takes_coplanar, next_section()) == Overlap::Covered)
+        if (last_cover_ < cells_.size() && &cells_[last_cover_] != self) {
+            const Range& planes = cells_[last_cover_].planes;
+            facet_.classify_rows(rows_, planes.begin, planes.end, filter_results_);
+            if (removed_by(cells_[last_cover_], takes_coplanar, next_section()) == Overlap::Covered)
                 return;
         }
-        facet_.look(rows_, window_range_.end, rows_.size(), glances_);
+        facet_.classify_rows(rows_, window_range_.end, rows_.size(), filter_results_);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             if (&cells_[i] == self) continue;
-            switch (taken_by(cells_[i], takes_coplanar, next_section())) {
+            switch (removed_by(cells_[i], takes_coplanar, next_section())) {
                 case Overlap::None: break;
-                case Overlap::Covered: killer_ = i; return;
+                case Overlap::Covered: last_cover_ = i; return;
                 case Overlap::Undecided: ++sections_in_use_; break;
             }
         }
@@ -311,24 +312,24 @@ private:
     // Classifies, by single planes, the part of facet_ that `other` takes; facet_ has been looked
     // at. The section receives the undecided planes.
     template <class TakesCoplanar>
-    Overlap taken_by(const Local& other, TakesCoplanar takes_coplanar, Section& section) {
+    Overlap removed_by(const LocalCell& other, TakesCoplanar takes_coplanar, Section& section) {
         bool coplanar_same = false;
         bool coplanar_opposite = false;
         const Range& planes = other.planes;
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == FilterResult::Above) return Overlap::None;
+            if (filter_results_.where[i] == FilterResult::Above) return Overlap::None;
         }
         section.cell = &other;
         section.cuts.clear();
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            if (glances_.where[i] == FilterResult::Below) continue;
+            if (filter_results_.where[i] == FilterResult::Below) continue;
             const Plane& plane = rows_[i].exact;
-            if (glances_.where[i] == FilterResult::Across) {
-                section.cuts.emplace_back(share_below(glances_, i), i);
+            if (filter_results_.where[i] == FilterResult::Across) {
+                section.cuts.emplace_back(share_below(filter_results_, i), i);
             } else if (!plane.is_parallel_to(facet_plane())) {
                 const int where = facet_.classify(rows_[i]);
                 if (where < 0) return Overlap::None;
-                if (where == 0) section.cuts.emplace_back(share_below(glances_, i), i);
+                if (where == 0) section.cuts.emplace_back(share_below(filter_results_, i), i);
             } else {
                 const bool same = same_direction(facet_plane(), plane);
                 const int beyond = distance_beyond(facet_plane(), plane, same);
@@ -348,14 +349,14 @@ private:
         section.planes.clear();
         for (std::size_t i = 0; i < section.area.size(); ++i) {
             const FilterPlane& edge = section.area.edge_plane(i);
-            if (is_of(edge, section.cell->planes)) section.planes.push_back(&edge);
+            if (is_in(edge, section.cell->planes)) section.planes.push_back(&edge);
         }
         return true;
     }
 
     // True if the plane belongs to the range. Planes of cells are in rows_ in the same order as in
     // leaf_planes_.
-    bool is_of(const FilterPlane& plane, const Range& planes) const {
+    bool is_in(const FilterPlane& plane, const Range& planes) const {
         const std::less_equal<const FilterPlane*> comes_first;
         return comes_first(&rows_[planes.begin], &plane) &&
                comes_first(&plane, &rows_[planes.end - 1]);
@@ -508,14 +509,14 @@ private:
     std::vector<FilterPlane> leaf_planes_;
     PlaneRows rows_;  // planes of the stock, the window and the cells
     Range stock_range_, window_range_;
-    std::vector<Local> cells_;
-    std::size_t killer_ = 0;
+    std::vector<LocalCell> cells_;
+    std::size_t last_cover_ = 0;
     std::vector<BoxPlane> seen_window_, seen_cell_;
     // Data of the current facet.
     FilteredPolygon facet_;
-    Glances glances_;  // relation of facet_ to rows_
+    FilterResults filter_results_;  // relation of facet_ to rows_
     Cuts cuts_;
-    Glances glances_again_;  // the same after some clips
+    FilterResults clipped_results_;  // the same after some clips
     std::vector<Section> sections_;
     std::size_t sections_in_use_ = 0;
     std::vector<FilteredSegment> remaining_, rest_;

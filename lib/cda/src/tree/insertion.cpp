@@ -39,11 +39,11 @@ private:
                std::size_t parent_load);
     void split(std::uint32_t number, const HalfBox& box, std::size_t axis, std::size_t begin,
                int fruitless, std::size_t load);
-    bool settle(HalfBox& box, std::size_t begin);
+    bool trim(HalfBox& box, std::size_t begin);
     bool shrink(HalfBox& box, const Item& item);
     void store(std::uint32_t number, std::size_t begin);
 
-    BlockTree* grown_ = nullptr;
+    BlockTree* tree_ = nullptr;
     std::uint32_t leaf_ = 0;
     std::vector<std::uint32_t> stored_;  // per plane of incoming cells: index in the tree
 };
@@ -60,7 +60,7 @@ void BlockTree::insert(std::span<const IncomingCell* const> cells, const CellTab
 
 void BlockTree::Insertion::run(BlockTree& tree, std::span<const IncomingCell* const> cells,
                                const CellTable& table, std::uint32_t leaf) {
-    grown_ = &tree;
+    tree_ = &tree;
     leaf_ = leaf;
     begin(tree, cells, table);
     stored_.assign(incoming_planes_, kNone);
@@ -70,17 +70,17 @@ void BlockTree::Insertion::run(BlockTree& tree, std::span<const IncomingCell* co
 // Inserts items [begin, end) of the level above. Material outside of `within` has been removed.
 void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within, std::size_t begin,
                                      std::size_t end, int fruitless, std::size_t parent_load) {
-    const HalfBox before = grown_->nodes_[number].box();
+    const HalfBox before = tree_->nodes_[number].box();
     HalfBox box = intersection(before, within);
     if (box.is_empty()) {
-        grown_->become_empty(number);
+        tree_->become_empty(number);
         return;
     }
-    turn_to_another_box();
+    start_box();
     const Level above = level();
     const std::size_t my_items = above.items;
     BoxFrame frame(box);
-    const std::size_t hopeful = take_those_in(frame, begin, end);
+    const std::size_t hopeful = push_items_in(frame, begin, end);
     // The cell whose middle is nearest to the box is first, because this cell may cover the whole
     // box.
     if (hopeful != kNone) std::swap(items_[my_items], items_[hopeful]);
@@ -95,7 +95,7 @@ void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within
             if (item.cell->meets(frame)) items_[kept++] = item;
             continue;
         }
-        const Place place = look(frame, item);
+        const Place place = classify(frame, item);
         if (place == Place::Outside) continue;
         is_covered = place == Place::Covers;
         items_[kept++] = item;
@@ -103,26 +103,26 @@ void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within
         is_covered = box.is_empty();
         if (is_covered) break;
         frame = BoxFrame(box);
-        turn_to_another_box();
+        start_box();
     }
     items_.resize(kept);
     if (is_covered) {
-        grown_->become_empty(number);
+        tree_->become_empty(number);
     } else if (kept == my_items && box == before) {
         // No item is in the box.
-    } else if (grown_->nodes_[number].kind == Kind::Material) {
-        take_out(number);
+    } else if (tree_->nodes_[number].kind == Kind::Material) {
+        push_leaf(number);
         build(number, box, my_items, fruitless, parent_load);
     } else {
         const std::size_t my_end = items_.size();
-        const std::uint32_t first = grown_->nodes_[number].first_child;
+        const std::uint32_t first = tree_->nodes_[number].first_child;
         for (const std::uint32_t child : {first, first + 1}) {
-            if (grown_->nodes_[child].kind == Kind::Empty) continue;
+            if (tree_->nodes_[child].kind == Kind::Empty) continue;
             insert_at(child, box, my_items, my_end, 0, kNone);
         }
-        grown_->enclose_children(number);
+        tree_->enclose_children(number);
     }
-    return_to(above);
+    restore(above);
 }
 
 // Moves a wall of the box inwards to the place beyond which the item covers the box, unless the
@@ -144,7 +144,7 @@ bool BlockTree::Insertion::shrink(HalfBox& box, const Item& item) {
             return outermost <= not_worth_it;
         };
         bool is_worth_it = true;
-        const View* seen = item.facets.count > 0 ? &see(family_of(item), frame) : nullptr;
+        const View* seen = item.facets.count > 0 ? &view_in(family_of(item), frame) : nullptr;
         for (const Facet& facet : facets_of(item)) {
             const FacetNormals& normals = *seen->normals;
             const std::size_t k = facet.direction - seen->first;
@@ -154,8 +154,8 @@ bool BlockTree::Insertion::shrink(HalfBox& box, const Item& item) {
         }
         for (std::size_t k = 0; k < item.loose.count && is_worth_it; ++k) {
             const HalfPlane& h = entry(loose_of(item)[k]).half_plane;
-            const Sight sight(frame, h);
-            is_worth_it = takes(h.normal(i), sight.above + sight.reach + h.d2, h.d2);
+            const BoxHeight box_height(frame, h);
+            is_worth_it = takes(h.normal(i), box_height.above + box_height.reach + h.d2, h.d2);
         }
         if (!is_worth_it) continue;
         // Leaves two half units more, for rounding and so that the wall is well within the cell.
@@ -171,16 +171,16 @@ bool BlockTree::Insertion::shrink(HalfBox& box, const Item& item) {
 
 // Cuts off the parts of the box that an item from `begin` on covers, and drops items outside of the
 // box. False if no part of the box is left.
-bool BlockTree::Insertion::settle(HalfBox& box, std::size_t begin) {
+bool BlockTree::Insertion::trim(HalfBox& box, std::size_t begin) {
     for (bool has_shrunk = true; has_shrunk;) {
-        turn_to_another_box();
+        start_box();
         const BoxFrame frame(box);
         const bool is_small = box.extent(box.longest_axis()) < kSmallestBox;
         std::size_t kept = begin;
         for (std::size_t i = begin; i < items_.size(); ++i) {
             Item item = items_[i];
-            if (item.is_looked_at || is_small) {
-                const Place place = look(frame, item);
+            if (item.is_classified || is_small) {
+                const Place place = classify(frame, item);
                 if (place == Place::Covers) return false;
                 if (place == Place::Outside) continue;
             } else if (!item.cell->meets(frame)) {
@@ -191,9 +191,9 @@ bool BlockTree::Insertion::settle(HalfBox& box, std::size_t begin) {
         items_.resize(kept);
         has_shrunk = false;
         for (std::size_t i = begin; i < kept && !box.is_empty(); ++i) {
-            if (!items_[i].is_looked_at || !shrink(box, items_[i])) continue;
+            if (!items_[i].is_classified || !shrink(box, items_[i])) continue;
             has_shrunk = true;
-            turn_to_another_box();
+            start_box();
         }
         if (box.is_empty()) return false;
     }
@@ -203,24 +203,24 @@ bool BlockTree::Insertion::settle(HalfBox& box, std::size_t begin) {
 // Makes a leaf of the items from `begin` on, or a subtree if the items are too many.
 void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t begin,
                                  int fruitless, std::size_t parent_load) {
-    if (!settle(box, begin)) {
-        grown_->become_empty(number);
+    if (!trim(box, begin)) {
+        tree_->become_empty(number);
         return;
     }
     const std::span<const Item> items = std::span(items_).subspan(begin);
-    if (std::ranges::any_of(items, [](const Item& item) { return !item.is_looked_at; })) {
+    if (std::ranges::any_of(items, [](const Item& item) { return !item.is_classified; })) {
         const Cut cut = cut_of_boxes(box, begin);
         const std::size_t axis = cut.axis == 3 ? box.longest_axis() : cut.axis;
         return split(number, box, axis, begin, 0, kNone);
     }
-    grown_->nodes_[number].set_box(box);
+    tree_->nodes_[number].set_box(box);
     const BoxFrame frame(box);
     std::size_t planes = load(begin);
     if (planes > leaf_) {
         drop_redundant(frame, begin);
         planes = load(begin);
     }
-    const std::size_t limit = std::max<std::size_t>(leaf_, grown_->nodes_[number].limit);
+    const std::size_t limit = std::max<std::size_t>(leaf_, tree_->nodes_[number].limit);
     // True if the split left nearly all planes in both halves.
     const bool was_in_vain = 10 * planes > 9 * parent_load;
     fruitless = was_in_vain ? fruitless + 1 : 0;
@@ -229,7 +229,7 @@ void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t 
     if (cut.axis == 3) {
         store(number, begin);
         if (planes > limit)
-            grown_->nodes_[number].limit =
+            tree_->nodes_[number].limit =
                 std::min<std::size_t>(2 * planes, kMostPlanes) & kMostPlanes;
         return;
     }
@@ -238,8 +238,8 @@ void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t 
 
 void BlockTree::Insertion::split(std::uint32_t number, const HalfBox& box, std::size_t axis,
                                  std::size_t begin, int fruitless, std::size_t parent_load) {
-    std::vector<Node>& nodes = grown_->nodes_;
-    std::vector<std::uint32_t>& free = grown_->free_children_;
+    std::vector<Node>& nodes = tree_->nodes_;
+    std::vector<std::uint32_t>& free = tree_->free_children_;
     std::uint32_t first = 0;
     if (free.empty()) {
         first = static_cast<std::uint32_t>(nodes.size());
@@ -263,7 +263,7 @@ void BlockTree::Insertion::split(std::uint32_t number, const HalfBox& box, std::
         nodes[child].set_box(box.half(axis, upper));
         insert_at(child, box, begin, end, fruitless, parent_load);
     }
-    grown_->enclose_children(number);
+    tree_->enclose_children(number);
 }
 
 void BlockTree::Insertion::store(std::uint32_t number, std::size_t begin) {
@@ -278,15 +278,15 @@ void BlockTree::Insertion::store(std::uint32_t number, std::size_t begin) {
                 return;
             }
             std::uint32_t& stored = stored_[item.first + plane];
-            if (stored == kNone) stored = grown_->planes_.add(item.cell->planes[plane], facet);
+            if (stored == kNone) stored = tree_->planes_.add(item.cell->planes[plane], facet);
             words_.push_back(stored);
         };
         for (const Facet& facet : facets_of(item))
             write(facet.plane, static_cast<std::uint16_t>(facet.plane));
-        for (const Loose plane : loose_of(item))
+        for (const LoosePlane plane : loose_of(item))
             write(entry(plane).plane, kLoose);
     }
-    grown_->nodes_[number].cells.write(words_);
+    tree_->nodes_[number].cells.write(words_);
 }
 
 }  // namespace ncsim::cda

@@ -23,7 +23,7 @@ std::uint64_t hash_of(const FacetNormals& normals) {
 
 }  // namespace
 
-std::shared_ptr<const FacetNormals> NormalsPool::first_of(
+std::shared_ptr<const FacetNormals> NormalsPool::intern(
     const std::shared_ptr<const FacetNormals>& normals) {
     if (!normals) return nullptr;
     const auto [known, is_new] = known_.try_emplace(normals.get());

@@ -18,8 +18,7 @@ class NormalsPool {
 public:
     /// Returns the first object with equal content; null for null.
     /// Cost: O(size) for an object that the pool has not seen, O(1) otherwise.
-    std::shared_ptr<const FacetNormals> first_of(
-        const std::shared_ptr<const FacetNormals>& normals);
+    std::shared_ptr<const FacetNormals> intern(const std::shared_ptr<const FacetNormals>& normals);
 
 private:
     struct Known {

@@ -27,10 +27,10 @@ std::uint32_t get(const std::uint8_t*& at) {
 }
 
 // Maps 0, -1, 1, -2 … to 0, 1, 2, 3 …, modulo 2^32.
-std::uint32_t folded(std::uint32_t difference) {
+std::uint32_t zigzag(std::uint32_t difference) {
     return (difference << 1) ^ (0U - (difference >> 31));
 }
-std::uint32_t unfolded(std::uint32_t value) {
+std::uint32_t unzigzag(std::uint32_t value) {
     return (value >> 1) ^ (0U - (value & 1));
 }
 
@@ -97,11 +97,11 @@ void PackedCells::write(const Words& words) {
     std::uint32_t cell = 0;
     std::uint32_t plane = 0;
     for (std::size_t at = 0; at < words.size();) {
-        put(bytes, folded(words[at] - cell));
+        put(bytes, zigzag(words[at] - cell));
         cell = words[at++];
         std::uint32_t planes = words[at++];
         for (put(bytes, planes); planes > 0; --planes) {
-            put(bytes, folded(words[at] - plane));
+            put(bytes, zigzag(words[at] - plane));
             plane = words[at++];
         }
     }
@@ -118,10 +118,10 @@ void PackedCells::read(Words& words) const {
     std::uint32_t plane = 0;
     const std::uint8_t* at = bytes_.get() + sizeof(std::uint32_t);
     for (const std::uint8_t* const end = bytes_.get() + size(); at != end;) {
-        words.push_back(cell += unfolded(get(at)));
+        words.push_back(cell += unzigzag(get(at)));
         std::uint32_t planes = get(at);
         for (words.push_back(planes); planes > 0; --planes)
-            words.push_back(plane += unfolded(get(at)));
+            words.push_back(plane += unzigzag(get(at)));
     }
 }
 

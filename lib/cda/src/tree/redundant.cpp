@@ -24,7 +24,7 @@ bool BlockTree::Descent::make_table(const BoxFrame& frame, std::span<const Item>
     scaled_.clear();
     for (const Item& item : items) {
         if (item.facets.count == 0) continue;
-        const View& seen = see(table_->family(item.number), frame);
+        const View& seen = view_in(table_->family(item.number), frame);
         for (const Facet& facet : facets_of(item)) {
             if (column_of_[facet.direction] != kNone) continue;
             column_of_[facet.direction] = 0;
@@ -67,15 +67,15 @@ void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate&
         const std::uint32_t column = column_of_[facet.direction];
         normals_.bound_by(column, own[column], reach);
     }
-    candidate.loose.first = static_cast<std::uint32_t>(seen_.size());
-    for (const Loose plane : loose_of(item)) {
+    candidate.loose.first = static_cast<std::uint32_t>(boxed_planes_.size());
+    for (const LoosePlane plane : loose_of(item)) {
         const HalfPlane& h = entry(plane).half_plane;
-        const Sight sight(frame, h);
-        SeenLoose seen{{h.nx, h.ny, h.nz, frame, sight.reach},
-                       static_cast<float>(-sight.above / sight.reach),
-                       plane};
+        const BoxHeight box_height(frame, h);
+        BoxedPlane seen{{h.nx, h.ny, h.nz, frame, box_height.reach},
+                        static_cast<float>(-box_height.above / box_height.reach),
+                        plane};
         normals_.bound_by(seen.normal, seen.e, reach);
-        seen_.push_back(seen);
+        boxed_planes_.push_back(seen);
     }
     candidate.loose.count = item.loose.count;
 
@@ -93,11 +93,11 @@ void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate&
         std::remove_if(facets.begin(), facets.end(), is_needless) - facets.begin());
     if (item.loose.count > 0) {
         candidate.planes = seen_planes_.end_group();
-        candidate.planes_end = see_planes(item, candidate);
+        candidate.planes_end = push_planes(item, candidate);
     }
     std::uint32_t kept = 0;
-    const std::span<SeenLoose> seen = std::span(seen_).subspan(candidate.loose.first);
-    for (const SeenLoose& plane : seen) {
+    const std::span<BoxedPlane> seen = std::span(boxed_planes_).subspan(candidate.loose.first);
+    for (const BoxedPlane& plane : seen) {
         if (seen_planes_.imply(candidate.planes, candidate.planes_end, plane.normal, plane.e))
             continue;
         candidate.depth = std::min(candidate.depth, plane.e);
@@ -105,30 +105,30 @@ void BlockTree::Descent::fill_rows(const BoxFrame& frame, Item& item, Candidate&
     }
     if (kept < item.loose.count) {
         std::size_t to = 0;
-        for (const SeenLoose& plane : seen) {
+        for (const BoxedPlane& plane : seen) {
             if (to < kept && plane.plane.pool == loose_[item.loose.first + to].pool)
                 seen[to++] = plane;
         }
         item.loose.count = candidate.loose.count = kept;
-        seen_.resize(candidate.loose.first + kept);
+        boxed_planes_.resize(candidate.loose.first + kept);
     }
     for (std::size_t i = 0; i < stride; ++i) {
         reach[i] = std::min(reach[i] + row::kMargin, own[i]);
         candidate.reach += std::min(reach[i], 1.0F);
     }
     candidate.planes = seen_planes_.end_group();
-    candidate.planes_end = see_planes(item, candidate);
+    candidate.planes_end = push_planes(item, candidate);
 }
 
 // Adds all planes of an item as a group; returns the end of the group.
-std::size_t BlockTree::Descent::see_planes(const Item& item, const Candidate& candidate) {
+std::size_t BlockTree::Descent::push_planes(const Item& item, const Candidate& candidate) {
     const float* const own = own_.data() + candidate.item * normals_.stride();
     for (const Facet& facet : facets_of(item)) {
         const std::uint32_t column = column_of_[facet.direction];
         seen_planes_.add(scaled_[column], own[column]);
     }
     for (std::size_t i = 0; i < item.loose.count; ++i) {
-        const SeenLoose& plane = seen_[candidate.loose.first + i];
+        const BoxedPlane& plane = boxed_planes_[candidate.loose.first + i];
         seen_planes_.add(plane.normal, plane.e);
     }
     return seen_planes_.end_group();
@@ -154,17 +154,17 @@ Domination BlockTree::Descent::covered(const Candidate& a, const Candidate& b,
         if (same->d2 == facet.d2) result = Domination::Coplanar;
     }
     for (std::size_t i = 0; i < b.loose.count && result != Domination::None; ++i)
-        result = std::min(result, covered(a, item, seen_[b.loose.first + i], other));
+        result = std::min(result, covered(a, item, boxed_planes_[b.loose.first + i], other));
     return result;
 }
 
 // Decides if the part of the item in the box is below a loose plane of a second item.
-Domination BlockTree::Descent::covered(const Candidate& a, const Item& item, const SeenLoose& p,
+Domination BlockTree::Descent::covered(const Candidate& a, const Item& item, const BoxedPlane& p,
                                        const Item& its_item) const {
     if (seen_planes_.imply(a.planes, a.planes_end, p.normal, p.e)) return Domination::Strict;
     // Equal or nearly equal planes are decided in integers.
     const Plane plane = exact(its_item, pool_[p.plane.pool].plane);
-    for (const Loose mine : loose_of(item)) {
+    for (const LoosePlane mine : loose_of(item)) {
         const Plane m = exact(item, pool_[mine.pool].plane);
         if (!m.is_parallel_to(plane) || !same_direction(m, plane)) continue;
         const int order = compare_distances(m, plane);
@@ -181,7 +181,7 @@ void BlockTree::Descent::drop_redundant(const BoxFrame& frame, std::size_t begin
     own_.assign(size, row::kUnknown);
     reach_.assign(size, row::kUnknown);
     limit_.assign(size, row::kAnything);
-    seen_.clear();
+    boxed_planes_.clear();
     seen_planes_.clear();
     candidates_.resize(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {

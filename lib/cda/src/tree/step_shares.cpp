@@ -68,10 +68,10 @@ void cut_polygon(std::span<const Point> polygon, const Line& line, bool above,
 StepShares::StepShares(const IncomingCell& cell)
     : steps_(cell.steps),
       shares_(cell.steps->steps.size(), 0.0),
-      before_(cell.steps->steps.size() + 1, 0.0) {
+      areas_before_(cell.steps->steps.size() + 1, 0.0) {
     for (const Plane& plane : cell.planes.first(cell.facets.size())) {
         const double along = along_way(plane);
-        if (along > 0.0) fronts_.push_back({&plane, along});
+        if (along > 0.0) forward_planes_.push_back({&plane, along});
     }
 }
 
@@ -81,31 +81,31 @@ double StepShares::along_way(const Plane& plane) const {
     return static_cast<double>(plane.nx * w.x + plane.ny * w.y + plane.nz * w.z);
 }
 
-void StepShares::is_born(const Plane& plane, double area) {
+void StepShares::add_wall(const Plane& plane, double area) {
     const double along = along_way(plane);
     if (along <= 0.0) return;
     const double length = std::sqrt(static_cast<double>(plane.nx) * plane.nx +
                                     static_cast<double>(plane.ny) * plane.ny +
                                     static_cast<double>(plane.nz) * plane.nz);
-    before_.back() += along / length * area;
+    areas_before_.back() += along / length * area;
 }
 
-void StepShares::takes(const Plane& plane, double sign, const FacetRegion& facet,
-                       std::span<const FacetRegion::Polygon> polygons) {
+void StepShares::add_removed(const Plane& plane, double sign, const FacetRegion& facet,
+                             std::span<const FacetRegion::Polygon> polygons) {
     const double along = along_way(plane);
     if (along == 0.0 || polygons.empty()) return;
     weight_ = sign * facet.flattened(along);
     times_.clear();
-    for (const Front& front : fronts_) {
+    for (const ForwardPlane& front : forward_planes_) {
         const Line line = facet.line_of(*front.plane);
         times_.push_back({line.a / front.along, line.b / front.along, line.c / front.along - 1.0});
     }
     for (const FacetRegion::Polygon& polygon : polygons)
-        take_in(facet.corners(polygon));
+        enqueue(facet.corners(polygon));
 }
 
 // Divides the polygon by the front that arrives last; the first front among equals.
-void StepShares::take_in(std::span<const Point> polygon) {
+void StepShares::enqueue(std::span<const Point> polygon) {
     if (polygon.size() < 3) return;
     double latest_low = -std::numeric_limits<double>::infinity();
     double latest = latest_low;
@@ -120,21 +120,21 @@ void StepShares::take_in(std::span<const Point> polygon) {
         const Span span = span_of(time, polygon);
         if (span.high > latest_low || span.low == latest_low) last_.push_back(time);
     }
-    if (last_.size() == 1) return take_in(polygon, last_[0]);
+    if (last_.size() == 1) return enqueue(polygon, last_[0]);
     for (std::size_t i = 0; i < last_.size(); ++i) {
         part_.assign(polygon.begin(), polygon.end());
         bool is_there = true;
         for (std::size_t k = 0; k < last_.size() && is_there; ++k) {
             if (k == i) continue;
             const Line &first = last_[std::min(i, k)], &second = last_[std::max(i, k)];
-            is_there = keep({first.a - second.a, first.b - second.b, first.c - second.c}, i < k);
+            is_there = clip({first.a - second.a, first.b - second.b, first.c - second.c}, i < k);
         }
-        if (is_there) take_in(part_, last_[i]);
+        if (is_there) enqueue(part_, last_[i]);
     }
 }
 
 // Clips part_ to the side above (or on) the line, or below; false if the result is empty.
-bool StepShares::keep(const Line& line, bool above) {
+bool StepShares::clip(const Line& line, bool above) {
     const Span span = span_of(line, part_);
     if (above ? span.low >= 0.0 : span.high < 0.0) return true;
     if (above ? span.high < 0.0 : span.low >= 0.0) return false;
@@ -144,7 +144,7 @@ bool StepShares::keep(const Line& line, bool above) {
 }
 
 // Adds a polygon at whose points the body arrives at `time`.
-void StepShares::take_in(std::span<const Point> polygon, const Line& time) {
+void StepShares::enqueue(std::span<const Point> polygon, const Line& time) {
     const auto& steps = steps_->steps;
     const Span span = span_of(time, polygon);
     const auto after = [&](double at) {
@@ -157,7 +157,7 @@ void StepShares::take_in(std::span<const Point> polygon, const Line& time) {
     const auto ends_after = [](double at, const auto& step) { return at < step.end; };
     auto i = static_cast<std::size_t>(
         std::upper_bound(steps.begin(), steps.end(), span.low, ends_after) - steps.begin());
-    before_[i] += weight_ * integral(polygon, time).area;
+    areas_before_[i] += weight_ * integral(polygon, time).area;
     for (i = std::max<std::size_t>(i, 1); i < steps.size() && steps[i - 1].end < span.high; ++i)
         shares_[i] += weight_ * (after(steps[i - 1].end) - after(steps[i].end));
 }
@@ -168,7 +168,7 @@ std::vector<double> StepShares::of(double whole) const {
     double later = 0.0;
     double others = 0.0;
     for (std::size_t i = steps.size() - 1; i > 0; --i) {
-        later += before_[i + 1];
+        later += areas_before_[i + 1];
         all[i] += later * (steps[i].end - steps[i - 1].end);
         others += all[i];
     }

@@ -29,11 +29,11 @@ public:
     explicit StepShares(const IncomingCell& cell);
 
     /// Adds a facet of the cell that becomes a wall of the part, with area in square units.
-    void is_born(const Plane& plane, double area);
+    void add_wall(const Plane& plane, double area);
     /// Adds polygons of a facet in `plane` that the cell removes; `sign`: 1 if the facet's normal
     /// points out of the part.
-    void takes(const Plane& plane, double sign, const FacetRegion& facet,
-               std::span<const FacetRegion::Polygon> polygons);
+    void add_removed(const Plane& plane, double sign, const FacetRegion& facet,
+                     std::span<const FacetRegion::Polygon> polygons);
 
     Origin origin(std::size_t step) const { return steps_->steps[step].origin; }
     /// Returns the volume of each step, where all steps together removed `whole`; cubic units.
@@ -41,7 +41,7 @@ public:
 
 private:
     // A forward-facing plane, and the dot product of normal and way.
-    struct Front {
+    struct ForwardPlane {
         const Plane* plane;
         double along;
     };
@@ -49,16 +49,16 @@ private:
     using Line = FacetRegion::Line;
 
     double along_way(const Plane& plane) const;
-    void take_in(std::span<const Point> polygon);
-    void take_in(std::span<const Point> polygon, const Line& time);
-    bool keep(const Line& line, bool above);
+    void enqueue(std::span<const Point> polygon);
+    void enqueue(std::span<const Point> polygon, const Line& time);
+    bool clip(const Line& line, bool above);
 
     const StraightSteps* steps_;
-    std::vector<Front> fronts_;
+    std::vector<ForwardPlane> forward_planes_;
     std::vector<double> shares_;  // shares except the first
     // Projected areas, signed, that the body reaches in step i; the last entry is the end of the
     // way. Each step before i gets the area times the step's length.
-    std::vector<double> before_;
+    std::vector<double> areas_before_;
     // The current facet: weight of the areas, and arrival times of the fronts.
     double weight_ = 0.0;
     std::vector<Line> times_;

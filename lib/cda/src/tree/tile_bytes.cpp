@@ -27,7 +27,7 @@ constexpr std::size_t kPieceBytes = 20;
 }
 
 // True if components and distance have the bits of planes that come near the stock.
-bool is_known_to_the_kernel(const Plane& plane) {
+bool is_representable(const Plane& plane) {
     constexpr std::int64_t kMost = std::int64_t{1} << kNormalBits;
     constexpr std::int64_t kMaxPlaneOffset = 3 * (kMost << kCoordinateBits);
     bool fits = plane.d >= -kMaxPlaneOffset && plane.d <= kMaxPlaneOffset;
@@ -122,7 +122,7 @@ Outlines TileBytes::outlines() {
         plane.ny = static_cast<std::int32_t>(u32());
         plane.nz = static_cast<std::int32_t>(u32());
         plane.d = static_cast<std::int64_t>(u64());
-        if (!is_known_to_the_kernel(plane)) fail("a plane is none of a part");
+        if (!is_representable(plane)) fail("a plane is none of a part");
         outlines.add_plane(plane);
     }
     const std::uint32_t points = count(kPointBytes);

@@ -74,7 +74,7 @@ TileHeader header_of(TileBytes& bytes) {
     return header;
 }
 
-std::string why_not(std::size_t tile, const std::invalid_argument& why) {
+std::string tile_error(std::size_t tile, const std::invalid_argument& why) {
     return "tile " + std::to_string(tile) + ": " + why.what();
 }
 
@@ -123,14 +123,14 @@ public:
 
     // Sums block by block in the order of the blocks: the same sum as without tiles.
     double volume() const override {
-        if (asked_ == tiles_->volumes_)
+        if (requests_ == tiles_->volumes_)
             throw std::logic_error("tiles were not asked that often for their volume");
         double sum = 0.0;
         for (const auto& [tile, number] : tiles_->blocks_) {
             const TileHeader& header = tiles_->tiles_[tile].header;
-            sum += header.volumes[asked_ * header.own.size() + number];
+            sum += header.volumes[requests_ * header.own.size() + number];
         }
-        ++asked_;
+        ++requests_;
         return sum * lattice_.cubic_unit_mm3();
     }
     Boundary boundary() const override {
@@ -140,7 +140,7 @@ public:
             [&](std::size_t tile) { return tiles_->outlines_of(tile); },
             [&](std::size_t, const std::vector<Outlines>& blocks) {
                 for (const Outlines& block : blocks)
-                    stitcher.take(block);
+                    stitcher.add_part(block);
             });
         return fitting([&] { return stitcher.finish(); });
     }
@@ -151,7 +151,7 @@ public:
 private:
     std::shared_ptr<const Tiles> tiles_;
     Lattice lattice_;
-    mutable std::size_t asked_ = 0;
+    mutable std::size_t requests_ = 0;
 };
 
 Tiles::Tiles(std::size_t count, Read read, std::size_t threads)
@@ -180,10 +180,10 @@ Tiles::Tiles(std::size_t count, Read read, std::size_t threads)
             if (!bytes.is_at_end()) throw std::invalid_argument("there is more in it");
             tiles_.push_back(std::move(tile));
         } catch (const std::invalid_argument& e) {
-            throw std::invalid_argument(why_not(i, e));
+            throw std::invalid_argument(tile_error(i, e));
         }
     }
-    if (blocks_.empty() || std::ranges::count(blocks_, kNoTile, &OfTile::tile) > 0)
+    if (blocks_.empty() || std::ranges::count(blocks_, kNoTile, &TileIndex::tile) > 0)
         throw std::invalid_argument("not all blocks of the part are there");
 }
 
@@ -209,17 +209,17 @@ std::vector<Outlines> Tiles::outlines_of(std::size_t tile) const {
             blocks.push_back(bytes.outlines());
         return blocks;
     } catch (const std::invalid_argument& e) {
-        throw std::runtime_error(why_not(tile, e));
+        throw std::runtime_error(tile_error(tile, e));
     }
 }
 
 Boundary Tiles::surface(std::size_t tile, const Lattice& lattice) const {
     Stitcher stitcher(lattice, 1);
     for (const Outlines& block : outlines_of(tile))
-        stitcher.take(block);
+        stitcher.add_part(block);
     for (std::size_t other = 0; other < size(); ++other) {
         if (other != tile && tiles_[other].bounds.touches(tiles_[tile].bounds))
-            stitcher.take_outside(tiles_[other].border);
+            stitcher.add_outside(tiles_[other].border);
     }
     return fitting([&] { return stitcher.finish_open(); });
 }

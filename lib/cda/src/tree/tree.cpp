@@ -88,10 +88,10 @@ TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters param
 }
 
 TreeCda::~TreeCda() {
-    settling_.reset();
+    flush_tasks_.reset();
 }
-TreeCda::TreeCda(const TreeCda& other) : TreeCda(other, Asked(other)) {}
-TreeCda::TreeCda(const TreeCda& other, const Asked&)
+TreeCda::TreeCda(const TreeCda& other) : TreeCda(other, ReadLock(other)) {}
+TreeCda::TreeCda(const TreeCda& other, const ReadLock&)
     : parameters_(other.parameters_),
       lattice_(other.lattice_),
       stock_(other.stock_),
@@ -105,15 +105,15 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       walls_(other.walls_),
       blocks_(other.blocks_),
       places_(other.places_),
-      waiting_(other.waiting_),
+      pending_(other.pending_),
       steps_(other.steps_),
-      recent_ways_(other.recent_ways_),
-      older_ways_(other.older_ways_),
-      forgotten_(other.forgotten_),
-      forgotten_waiting_(other.forgotten_waiting_),
+      recent_paths_(other.recent_paths_),
+      older_paths_(other.older_paths_),
+      superseded_(other.superseded_),
+      superseded_pending_(other.superseded_pending_),
       account_(other.account_),
       counts_(other.counts_),
-      volumes_asked_(other.volumes_asked_) {}
+      requested_volumes_(other.requested_volumes_) {}
 TreeCda& TreeCda::operator=(const TreeCda& other) {
     if (this != &other) *this = TreeCda(other);
     return *this;
@@ -148,7 +148,7 @@ void TreeCda::split_into_blocks() {
         places_.emplace_back();
     }
     for (std::size_t i = 0; i < blocks_.size(); ++i)
-        mark_known(i);
+        mark_listed(i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const HalfBox& box : boxes) {
             if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
@@ -186,10 +186,10 @@ std::optional<Box> TreeCda::wanted() const {
                                           0.5 * static_cast<double>(corner[2])}));
         }
     }
-    return place.is_empty() ? place : near(place);
+    return place.is_empty() ? place : query_box(place);
 }
 
-void TreeCda::mark_known(std::size_t number) const {
+void TreeCda::mark_listed(std::size_t number) const {
     const BlockTree& tree = *blocks_[number].tree;
     const HalfBox box = tree.box();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -203,15 +203,15 @@ void TreeCda::mark_known(std::size_t number) const {
 // tile's blocks, and the blocks' volumes per request; outlines block by block; edges at the walls.
 void TreeCda::write_tile(std::ostream& out) const {
     if (!parameters_.tile) throw CannotAnswer(name(), "a tile where there are none");
-    const Asked asked(*this);
-    settle_all();
+    const ReadLock asked(*this);
+    flush_all();
     for (const std::size_t n :
          {std::size_t{parameters_.tile->tile}, std::size_t{parameters_.tile->of}, blocks_.size(),
-          own_.size(), volumes_asked_.size()})
+          own_.size(), requested_volumes_.size()})
         put_u32(out, static_cast<std::uint32_t>(n));
     for (const std::uint32_t number : own_)
         put_u32(out, number);
-    for (const std::vector<double>& volumes : volumes_asked_) {
+    for (const std::vector<double>& volumes : requested_volumes_) {
         for (const double volume : volumes)
             put_double(out, volume);
     }
@@ -224,15 +224,15 @@ void TreeCda::write_tile(std::ostream& out) const {
                 std::make_shared<const Outlines>(evaluate(*block.tree, input).outlines);
         }
         put_outlines(out, *block.outlines);
-        stitcher.take(block.outlines->at(walls_));
+        stitcher.add_part(block.outlines->at(walls_));
         block.outlines.reset();
     }
     put_outlines(out, stitcher.finish_border(walls_));
 }
 
 TreeCounts TreeCda::counts() const {
-    const Asked asked(*this);
-    settle_all();
+    const ReadLock asked(*this);
+    flush_all();
     TreeCounts counts = counts_;
     counts.nodes = 0;
     counts.bytes = cells_->memory();

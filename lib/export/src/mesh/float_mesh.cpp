@@ -90,7 +90,7 @@ public:
     std::optional<std::vector<Vertex>> vertices_with_several_fans(std::size_t threads) {
         std::atomic<bool> is_closed = true;
         const auto vertices = static_cast<Vertex>(first_.size() - 1);
-        std::vector<Vertex> several = cda::those_that(threads, vertices, [&](Vertex v) {
+        std::vector<Vertex> several = cda::filter_indices(threads, vertices, [&](Vertex v) {
             int count = 0;
             if (!visit(v, [&](const auto&) { ++count; })) is_closed = false;
             return count > 1;
@@ -286,7 +286,7 @@ public:
                 is_used[v] = true;
         }
         std::vector<Vertex> suspects;
-        for (const std::uint32_t t : cda::those_that(
+        for (const std::uint32_t t : cda::filter_indices(
                  threads_, static_cast<std::uint32_t>(triangles_.size()), [&](std::uint32_t i) {
                      const auto& [a, b, c] = triangles_[i];
                      return steps_.are_collinear(points_[a], points_[b], points_[c]);

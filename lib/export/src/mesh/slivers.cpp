@@ -339,9 +339,9 @@ private:
 
 bool remove_slivers(cda::TriangleMesh& mesh, double least_mm, std::size_t threads) {
     if (!(least_mm > 0.0)) return false;
-    std::vector<std::uint32_t> low =
-        cda::those_that(threads, static_cast<std::uint32_t>(mesh.triangles.size()),
-                        [&](std::uint32_t t) { return is_low(mesh, mesh.triangles[t], least_mm); });
+    std::vector<std::uint32_t> low = cda::filter_indices(
+        threads, static_cast<std::uint32_t>(mesh.triangles.size()),
+        [&](std::uint32_t t) { return is_low(mesh, mesh.triangles[t], least_mm); });
     return !low.empty() && Slivers(mesh, least_mm, std::move(low)).run();
 }
 

@@ -143,11 +143,11 @@ void print(std::string& out, const Motion& motion) {
     out += std::to_string(motion.span.line);
     if (motion.file != 0) out.append("@").append(std::to_string(motion.file));
     out += ' ';
-    if (const auto* line = std::get_if<Linear>(&motion.what)) {
+    if (const auto* line = std::get_if<Linear>(&motion.action)) {
         out += name_of(motion.kind);
         print_position(out, line->to);
         print_manner(out, motion);
-    } else if (const auto* arc = std::get_if<Arc>(&motion.what)) {
+    } else if (const auto* arc = std::get_if<Arc>(&motion.action)) {
         out.append("arc ").append(name_of(arc->plane));
         print_position(out, arc->to);
         print_word(out, "centre ", picometres(arc->centre_1.mm()));
@@ -163,7 +163,7 @@ void print(std::string& out, const Motion& motion) {
             }
         }
         print_manner(out, motion);
-    } else if (const auto* spline = std::get_if<Spline>(&motion.what)) {
+    } else if (const auto* spline = std::get_if<Spline>(&motion.action)) {
         out += "spline";
         print_position(out, spline->to);
         print_word(out, "order ", spline->order);
@@ -175,10 +175,10 @@ void print(std::string& out, const Motion& motion) {
             out += ']';
         }
         print_manner(out, motion);
-    } else if (const auto* dwell = std::get_if<Dwell>(&motion.what)) {
+    } else if (const auto* dwell = std::get_if<Dwell>(&motion.action)) {
         out += "dwell ";
         print_number(out, dwell->seconds);
-    } else if (const auto* change = std::get_if<ToolChange>(&motion.what)) {
+    } else if (const auto* change = std::get_if<ToolChange>(&motion.action)) {
         out += "tool ";
         print_number(out, change->tool);
         out += " at";

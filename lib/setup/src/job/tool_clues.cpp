@@ -46,7 +46,7 @@ void ToolClues::take(const gcode::Motion& motion, const toolpath::Poses& poses) 
     tips_.add(b);
     if (aside > 0.0) tips_.add(a);
     length_mm_ += norm(way);
-    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
         if (arc->tilted) return;
         const bool is_flat = arc->plane == gcode::Plane::XY && way.z == 0.0;
         const double radius = trig::length_of(a.x - arc->centre_1.mm(), a.y - arc->centre_2.mm());

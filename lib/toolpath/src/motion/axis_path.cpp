@@ -97,7 +97,7 @@ SecondAxes second_axes(const machine::Chain& chain, const gcode::Motion& motion)
     const Position* from = gcode::start_of(motion);
     const Position* to = gcode::end_of(motion);
     if (!from || !to) return second;
-    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.action);
     const bool arc_position = arc && arc->plane >= gcode::Plane::UV;
     // Rotary axes between U, V and W may rotate them, so their directions are not perpendicular in
     // general.

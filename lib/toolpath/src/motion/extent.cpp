@@ -79,7 +79,7 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
     const Position* to = end_of(motion);
     if (!from || !to) return box;
     const Poses poses(&machine, motion);
-    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.action);
     const PolarArc p = arc ? polar(*arc) : PolarArc{};
     const auto degrees = [](gcode::Angle a, gcode::Angle b) { return std::abs((b - a).degrees()); };
     constexpr double kStep = 0.25;
@@ -110,13 +110,13 @@ cda::Box extent_of_axes(const gcode::Motion& motion) {
     const Position* to = end_of(motion);
     box.add(linear_axes(*from));
     box.add(linear_axes(*to));
-    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
         if (arc->tilted) {
             add_balls(box, *arc);
         } else {
             add_extremes(box, *arc, polar(*arc));
         }
-    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
+    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.action)) {
         for (const auto& point : spline->control_points) {
             Position p = *from;
             p.x = point.x, p.y = point.y;
@@ -130,12 +130,12 @@ cda::Box extent_of_axes(const gcode::Motion& motion) {
 gcode::Motion remove_second_axes(const gcode::Motion& motion) {
     gcode::Motion first = motion;
     const auto still = [](Position& p) { p.u = p.v = p.w = gcode::Length(); };
-    if (auto* linear = std::get_if<gcode::Linear>(&first.what)) {
+    if (auto* linear = std::get_if<gcode::Linear>(&first.action)) {
         still(linear->from), still(linear->to);
-    } else if (auto* arc = std::get_if<gcode::Arc>(&first.what)) {
+    } else if (auto* arc = std::get_if<gcode::Arc>(&first.action)) {
         still(arc->from), still(arc->to);
-        if (arc->plane >= gcode::Plane::UV) first.what = gcode::Linear{arc->from, arc->to};
-    } else if (auto* spline = std::get_if<gcode::Spline>(&first.what)) {
+        if (arc->plane >= gcode::Plane::UV) first.action = gcode::Linear{arc->from, arc->to};
+    } else if (auto* spline = std::get_if<gcode::Spline>(&first.action)) {
         still(spline->from), still(spline->to);
     }
     return first;
@@ -151,7 +151,7 @@ cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
         poses.has_tip_control() ? second_axes(*poses.chain(), motion).reach_mm : 0.0;
     if (reach == 0.0) return extent_of_axes(motion);
     const bool turns = from->a != to->a || from->b != to->b || from->c != to->c;
-    if (std::holds_alternative<gcode::Linear>(motion.what) && !turns) {
+    if (std::holds_alternative<gcode::Linear>(motion.action) && !turns) {
         cda::Box box;
         box.add(poses.place(*from));
         box.add(poses.place(*to));

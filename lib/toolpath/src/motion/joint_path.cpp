@@ -66,7 +66,7 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
     c.length_mm = motion.length.mm();
     c.from = *gcode::start_of(motion);
     c.to = *gcode::end_of(motion);
-    c.arc = std::get_if<gcode::Arc>(&motion.what);
+    c.arc = std::get_if<gcode::Arc>(&motion.action);
     if (c.arc) {
         c.polar = polar(*c.arc);
         const double sweep = trig::kRadiansPerDegree * std::abs(c.polar.sweep_degrees);
@@ -177,9 +177,9 @@ Legs legs_of(const gcode::Motion& motion, const RapidPath& rapid) {
     Legs legs;
     const auto add = [&](const auto& what) {
         legs.motions.push_back(motion);
-        legs.motions.back().what = what;
+        legs.motions.back().action = what;
     };
-    if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
+    if (const auto* linear = std::get_if<gcode::Linear>(&motion.action)) {
         const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
         if (motion.kind != gcode::MoveKind::Rapid || of_tip) {
             add(*linear);
@@ -187,9 +187,9 @@ Legs legs_of(const gcode::Motion& motion, const RapidPath& rapid) {
             for (const gcode::Linear& leg : legs_of(*linear, rapid))
                 add(leg);
         }
-    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
         add(*arc);
-    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
+    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.action)) {
         // Chords as in sample(): tested at sample points, not proved between them.
         constexpr double kChord = 0.005;
         const SplineCurve curve(*spline);

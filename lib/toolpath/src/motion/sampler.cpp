@@ -571,9 +571,9 @@ Samples sample_spline(const gcode::Motion& motion, const gcode::Spline& m, const
 std::optional<double> max_deviation_mm(const gcode::Motion& motion, const Poses& poses,
                                        double reach_mm) {
     Course c;
-    if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
+    if (const auto* linear = std::get_if<gcode::Linear>(&motion.action)) {
         c = course_of(motion, *linear, poses, {}, {});
-    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
         c = course_of(motion, *arc, polar(*arc), poses, {}, {});
     } else {
         return std::nullopt;
@@ -589,13 +589,13 @@ std::optional<double> max_deviation_mm(const gcode::Motion& motion, const Poses&
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
                const std::optional<cda::Box>& place, const Kinematics* specified) {
     const Poses poses(specified, motion);
-    if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
+    if (const auto* linear = std::get_if<gcode::Linear>(&motion.action)) {
         return sample_linear(motion, *linear, poses, tool, options, place);
     }
-    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
         return sample_arc(motion, *arc, poses, tool, options, place);
     }
-    if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
+    if (const auto* spline = std::get_if<gcode::Spline>(&motion.action)) {
         return sample_spline(motion, *spline, poses, tool, options, place);
     }
     return {};

@@ -102,7 +102,7 @@ bool is_parallel_to(const cda::Cell& hull, const cda::LatticePoint& way) {
 }  // namespace
 
 const Linear* straight_upright(const gcode::Motion& motion) {
-    const auto* linear = std::get_if<Linear>(&motion.what);
+    const auto* linear = std::get_if<Linear>(&motion.action);
     if (!linear || motion.coordinates == gcode::Coordinates::Tip) return nullptr;
     for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
         if ((linear->from.*axis).degrees() != 0.0 || (linear->to.*axis).degrees() != 0.0)
@@ -305,7 +305,7 @@ void Walk::end_line_run() {
 bool Walk::extend_arc_run(const Cutter& cutter, const gcode::Motion& motion) {
     // Centres that are programmed separately differ in their last digits.
     constexpr double kSame = 0.01;
-    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.action);
     const bool is_level = arc && arc->plane == gcode::Plane::XY && !arc->tilted;
     const PolarArc p = is_level ? polar(*arc) : PolarArc{};
     if (!merges_cells_ || !is_level || prefers_sweeps_ || p.start_radius >= cutter.radius_mm()) {
@@ -403,7 +403,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         }
     };
 
-    const auto* linear = std::get_if<Linear>(&motion.what);
+    const auto* linear = std::get_if<Linear>(&motion.action);
     const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
     if (!linear || motion.kind != gcode::MoveKind::Rapid || !rapid_.dog_leg || of_tip) {
         walk(motion);
@@ -411,7 +411,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     }
     for (const Linear& leg : legs_of(*linear, rapid_)) {
         gcode::Motion part = motion;
-        part.what = leg;
+        part.action = leg;
         walk(part);
     }
     return worst;

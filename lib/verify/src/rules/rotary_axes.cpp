@@ -58,7 +58,7 @@ std::optional<std::string> needs_path_deviation(const Setup& setup) {
 // 2.4 µm per metre of distance from the axis.
 void judge_path_deviation(const Setup& setup, const Move& move, FindingLog& log) {
     const gcode::Motion& motion = *move.motion;
-    const auto* line = std::get_if<gcode::Linear>(&motion.what);
+    const auto* line = std::get_if<gcode::Linear>(&motion.action);
     if (!line || !setup.kinematics || !setup.machine.path_deviation || !move.is_traced ||
         motion.kind != gcode::MoveKind::Feed || motion.coordinates != gcode::Coordinates::Axes) {
         return;

@@ -139,7 +139,7 @@ private:
     };
     Remainder& remainder_of(const FacetRef& facet);
     void add_remainder(const FacetRef& facet);
-    double settle_volume();
+    double compute_volume();
 
     Clock clock_ = nullptr;
     Lattice lattice_;
@@ -152,7 +152,7 @@ private:
     std::vector<std::vector<Remainder>> negative_remainders_;
     // Facets of each negative cell with their planes, sorted by plane.
     std::vector<std::vector<std::pair<Plane, std::uint32_t>>> planes_of_negative_;
-    std::vector<FacetRef> touched_;  // facets whose remainders changed since volume_ was computed
+    std::vector<FacetRef> changed_;  // facets whose remainders changed since volume_ was computed
     double volume_ = 0.0;            // cubic units
     std::vector<StepStatistics> steps_;
     StepStatistics totals_;

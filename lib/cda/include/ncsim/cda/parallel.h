@@ -102,8 +102,8 @@ void sort_in_parallel(std::size_t threads, std::vector<Item>& items, const Less&
 
 /// Returns the numbers i below `count` for which is_so(i), ascending. All threads call `is_so`.
 template <class Predicate>
-std::vector<std::uint32_t> those_that(std::size_t threads, std::uint32_t count,
-                                      const Predicate& is_so) {
+std::vector<std::uint32_t> filter_indices(std::size_t threads, std::uint32_t count,
+                                          const Predicate& is_so) {
     const Runs runs(count, std::size_t{1} << 14);
     std::vector<std::uint32_t> all;
     make_in_parallel(

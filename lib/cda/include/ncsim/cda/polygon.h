@@ -51,7 +51,7 @@ void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
               std::vector<ConvexPolygon>& rest);
 
 /// Returns the same polygon seen from the opposite side of the plane.
-ConvexPolygon turned_over(const ConvexPolygon& polygon);
+ConvexPolygon reversed(const ConvexPolygon& polygon);
 
 /// Returns the area in square lattice units.
 double area(const ConvexPolygon& polygon);

@@ -17,7 +17,7 @@
 namespace ncsim::cda {
 
 /// Distance of two convex bodies, in lattice units.
-struct Nearness {
+struct BodyDistance {
     /// Proven: a slab of the requested width lies between the bodies.
     bool is_apart = false;
     /// Upper bound of the distance: the distance of two points, one per body. Unless `is_apart`,
@@ -32,8 +32,8 @@ struct Nearness {
 /// Cost: a few passes over all points.
 /// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between
 /// complex objects in three-dimensional space", IEEE Journal of Robotics and Automation 4, 1988.
-Nearness nearness(std::span<const LatticePoint> a, std::span<const LatticePoint> b,
-                  std::int64_t width, Vec3 hint = {});
+BodyDistance body_distance(std::span<const LatticePoint> a, std::span<const LatticePoint> b,
+                           std::int64_t width, Vec3 hint = {});
 
 /// Returns a point (in units) that is exactly strictly inside both hulls and at least `margin`
 /// units inside of their facets; empty if no such point exists, or if the space for one is below

@@ -42,7 +42,7 @@ public:
     std::size_t size() const;
 
     /// Returns the part as a prototype. If the caller repeats the cuts, which cost no time, and
-    /// asks for volumes at the same places as the tiles did, the prototype returns the sums of the
+    /// requests volumes at the same places as the tiles did, the prototype returns the sums of the
     /// tiles' volumes. Points are computed again from planes. boundary() throws std::runtime_error
     /// if a point differs or the surface is not closed.
     static std::unique_ptr<WorkpieceModel> model(std::shared_ptr<const Tiles> tiles);
@@ -60,7 +60,7 @@ private:
     std::vector<Outlines> outlines_of(std::size_t tile) const;
 
     // Tile of a block, and the index among the tile's blocks.
-    struct OfTile {
+    struct TileIndex {
         std::size_t tile;
         std::uint32_t number;
     };
@@ -68,7 +68,7 @@ private:
     Read read_;
     std::size_t threads_;
     std::vector<Tile> tiles_;
-    std::vector<OfTile> blocks_;
+    std::vector<TileIndex> blocks_;
     std::size_t volumes_ = 0;  // number of volume requests
 };
 

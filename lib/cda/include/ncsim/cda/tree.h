@@ -25,7 +25,7 @@ class Background;
 struct Block;
 class NormalsPool;
 struct QueryPoint;
-struct WaitingCell;
+struct PendingCell;
 class CellTable;
 struct Evaluation;
 
@@ -41,7 +41,8 @@ struct TreeCounts {
     std::uint64_t facets_tested = 0;  ///< Facets in leaves.
     std::uint64_t facets_alive = 0;   ///< Facets with a visible remainder.
     std::uint64_t pieces = 0;         ///< Edge pieces of outlines handed to the stitching.
-    std::uint64_t forgotten = 0;  ///< Dropped cells that lie within a deeper cell on the same path.
+    std::uint64_t superseded =
+        0;  ///< Dropped cells that lie within a deeper cell on the same path.
 };
 
 /// Parameters of the tree; no parameter changes the part.
@@ -85,8 +86,8 @@ public:
     using WorkpieceModel::subtract_unmeasured;
     /// The same without the volume. Threads share the insertion of many cells.
     void subtract_unmeasured(std::span<const Cell> cells) override;
-    void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {},
-                       std::span<const Cell> before = {}) override;
+    void subtract_step(std::span<const Cell> cells, std::span<const Cell> merged_cells = {},
+                       std::span<const Cell> preceding_merged_cells = {}) override;
     std::optional<Box> wanted() const override;
     /// Inserts all waiting cells.
     void settle() const;
@@ -115,23 +116,25 @@ public:
 
 private:
     // Mutex held during a query; each part has a separate mutex.
-    struct Asking {
+    struct QueryMutex {
         std::mutex mutex;
 
-        Asking() = default;
-        Asking(const Asking&) noexcept {}
-        Asking& operator=(const Asking&) noexcept { return *this; }
+        QueryMutex() = default;
+        QueryMutex(const QueryMutex&) noexcept {}
+        QueryMutex& operator=(const QueryMutex&) noexcept { return *this; }
     };
     // Lock of a query: waits for concurrent queries and for running insertions.
-    class Asked {
+    class ReadLock {
     public:
-        explicit Asked(const TreeCda& part) : lock_(part.asking_.mutex) { part.finish_settling(); }
+        explicit ReadLock(const TreeCda& part) : lock_(part.query_mutex_.mutex) {
+            part.finish_flush();
+        }
 
     private:
         std::lock_guard<std::mutex> lock_;
     };
 
-    TreeCda(const TreeCda& other, const Asked&);
+    TreeCda(const TreeCda& other, const ReadLock&);
 
     // Box in which a block may have material, half units; readable without access to the block's
     // tree.
@@ -139,34 +142,34 @@ private:
         std::array<double, 3> min, max;
     };
     // A cell's row in the table of cells, before the row is added.
-    struct Listed {
+    struct CellRow {
         Origin origin;
         std::int32_t rank;
         std::shared_ptr<const FacetNormals> normals;
     };
     void split_into_blocks();
-    bool take_in(const Cell& cell, bool covers = false);
-    void forget_within(Block& block, const Cell& covering) const;
-    void drop_forgotten();
-    void forget_same_way(const std::shared_ptr<const WaitingCell>& deeper);
-    void settle_some();
-    void begin_settling(const std::function<bool(const Block&)>& goes) const;
-    void finish_settling() const;
-    void settle_all() const;
-    void mark_known(std::size_t number) const;
-    Box near(const Box& bounds) const;
-    void settle_near(const Box& bounds) const;
-    void close_books() const;
-    bool is_waited_for_near(Vec3 point) const;
-    bool takes_all_of(const Cell& cell) const;
-    std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
+    bool enqueue(const Cell& cell, bool covers = false);
+    void drop_pending_within(Block& block, const Cell& covering) const;
+    void erase_superseded();
+    void drop_superseded(const std::shared_ptr<const PendingCell>& deeper);
+    void flush_idle_blocks();
+    void begin_flush(const std::function<bool(const Block&)>& goes) const;
+    void finish_flush() const;
+    void flush_all() const;
+    void mark_listed(std::size_t number) const;
+    Box query_box(const Box& bounds) const;
+    void flush_near(const Box& bounds) const;
+    void merge_removed_volumes() const;
+    bool has_pending_cell_near(Vec3 point) const;
+    bool covers_stock_part_of(const Cell& cell) const;
+    std::optional<Vec3> contact_without_pending(const Cell& cell) const;
     std::optional<Vec3> in_block_within(const Cell& cell) const;
-    bool contains_as_it_is(const QueryPoint& query) const;
+    bool contains_without_pending(const QueryPoint& query) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
 
     // Blocks insert waiting cells in the background while more cells arrive. First member,
     // so that a move assignment ends this work before the data is replaced.
-    mutable std::unique_ptr<Background> settling_;
+    mutable std::unique_ptr<Background> flush_tasks_;
     TreeParameters parameters_;
     Lattice lattice_;
     Cell stock_;
@@ -180,24 +183,24 @@ private:
     // coordinates of planes between blocks, half units, by axis
     std::array<std::vector<std::int64_t>, 3> walls_;
     // State that queries change.
-    mutable Asking asking_;
-    mutable std::vector<Block*> changing_;  // blocks in work by settling_
-    mutable std::vector<Listed> listed_;    // cells that arrived meanwhile
+    mutable QueryMutex query_mutex_;
+    mutable std::vector<Block*> flushing_blocks_;  // blocks in work by flush_tasks_
+    mutable std::vector<CellRow> unlisted_cells_;  // cells that arrived meanwhile
     mutable std::vector<Block> blocks_;
     // places of blocks_, as of the last time when no block was changing
     mutable std::vector<Place> places_;
-    mutable std::size_t waiting_ = 0;  // cells or steps since no cell waited
+    mutable std::size_t pending_ = 0;  // cells or steps since no cell waited
     std::uint64_t steps_ = 0;          // all steps (or cells) so far
-    // The last cell for each path of a body, seen from above, by a hash of both. recent_ways_ holds
-    // at least the last kWhile steps, older_ways_ the kWhile steps before.
-    using CellsByWay = std::unordered_map<std::uint64_t, std::weak_ptr<const WaitingCell>>;
-    CellsByWay recent_ways_, older_ways_;
-    std::vector<bool> forgotten_;        // by cell number: true if the cell need not be inserted
-    std::size_t forgotten_waiting_ = 0;  // upper bound of the forgotten cells that wait
+    // The last cell for each path of a body, seen from above, by a hash of both. recent_paths_
+    // holds at least the last kWhile steps, older_paths_ the kWhile steps before.
+    using CellsByPath = std::unordered_map<std::uint64_t, std::weak_ptr<const PendingCell>>;
+    CellsByPath recent_paths_, older_paths_;
+    std::vector<bool> superseded_;        // by cell number: true if the cell need not be inserted
+    std::size_t superseded_pending_ = 0;  // upper bound of the superseded cells in the queue
     mutable std::optional<RemovalByMotion> account_;  // cubic units; empty if no account is kept
     mutable TreeCounts counts_;
     mutable std::vector<std::vector<double>>
-        volumes_asked_;  // by request and own block, cubic units; only for a tile
+        requested_volumes_;  // by request and own block, cubic units; only for a tile
 };
 
 }  // namespace ncsim::cda

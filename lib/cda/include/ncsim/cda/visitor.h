@@ -24,7 +24,7 @@ public:
     virtual void visit_facet(const CdaCell& cell, const FacetRef& facet) = 0;
     virtual void visit_contact(const Contact& contact, std::uint32_t index) = 0;
     /// Called last.
-    virtual void leave_cda(const FlatCda& cda) = 0;
+    virtual void end_cda(const FlatCda& cda) = 0;
 };
 
 }  // namespace ncsim::cda

@@ -62,7 +62,7 @@ struct ThinPlaces {
 /// Thin places of a model with limited resolution.
 struct Aliasing {
     ThinPlaces material, gaps;
-    bool is_seen_along_z_alone = false;  ///< True if walls and slots are not checked.
+    bool checks_only_along_z = false;  ///< True if walls and slots are not checked.
 };
 
 /// Thrown if a model does not support a query; models.h lists the abilities of each model.
@@ -104,7 +104,7 @@ public:
     void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
     /// True if the model subtracts round tools directly. Callers then pass sweeps for upright tools
     /// on straight motions, and cells otherwise.
-    virtual bool takes_sweeps() const { return false; }
+    virtual bool supports_sweeps() const { return false; }
     virtual void subtract_sweep(const RoundSweep&) {
         throw CannotAnswer(name(), "what a round tool takes away");
     }
@@ -146,14 +146,15 @@ public:
 
     /// Removes the cells of one step of a tool near the stock: all cells near wanted(), and perhaps
     /// more. Waiting cells are inserted after a fixed number of steps, not cells, so that a tile
-    /// that receives fewer cells produces bit-identical results. `covering`: cells within the space
-    /// removed by `cells`. If the model inserts `covering`, the model may drop cells that
-    /// `covering` contains. `before`: the same, within the space removed by previous steps.
-    virtual void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {},
-                               std::span<const Cell> before = {}) {
-        subtract_unmeasured(before);
+    /// that receives fewer cells produces bit-identical results. `merged_cells`: cells within the
+    /// space removed by `cells`. If the model inserts `merged_cells`, the model may drop cells that
+    /// `merged_cells` contains. `preceding_merged_cells`: the same, within the space removed by
+    /// previous steps.
+    virtual void subtract_step(std::span<const Cell> cells, std::span<const Cell> merged_cells = {},
+                               std::span<const Cell> preceding_merged_cells = {}) {
+        subtract_unmeasured(preceding_merged_cells);
         subtract_unmeasured(cells);
-        subtract_unmeasured(covering);
+        subtract_unmeasured(merged_cells);
     }
     /// Returns the box (mm) near which cells are needed; empty: near the whole part.
     virtual std::optional<Box> wanted() const { return std::nullopt; }

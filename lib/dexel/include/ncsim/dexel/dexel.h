@@ -67,7 +67,7 @@ public:
     double subtract(const cda::Cell& cell) override;
     void subtract_unmeasured(std::span<const cda::Cell> cells) override;
     using cda::WorkpieceModel::subtract_unmeasured;
-    bool takes_sweeps() const override { return true; }
+    bool supports_sweeps() const override { return true; }
     void subtract_sweep(const cda::RoundSweep& sweep) override;
     /// Throws: cda::CannotAnswer.
     cda::RemovalByMotion account() const override;

@@ -125,7 +125,7 @@ struct KnownAxes {
 
 /// One action of the machine with the state that later stages need.
 struct Motion {
-    std::variant<Linear, Arc, Spline, Dwell, ToolChange> what;
+    std::variant<Linear, Arc, Spline, Dwell, ToolChange> action;
     SourceSpan span;         ///< The block that made the motion (main word).
     std::uint32_t file = 0;  ///< Index into Interpretation::files; 0 is the main program.
     MoveKind kind = MoveKind::Feed;

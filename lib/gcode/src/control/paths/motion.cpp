@@ -9,10 +9,10 @@ namespace {
 
 // Returns the start or end of a move; nullptr if `motion` does not move.
 const Position* place(const Motion& motion, bool start) {
-    if (const auto* linear = std::get_if<Linear>(&motion.what))
+    if (const auto* linear = std::get_if<Linear>(&motion.action))
         return start ? &linear->from : &linear->to;
-    if (const auto* arc = std::get_if<Arc>(&motion.what)) return start ? &arc->from : &arc->to;
-    if (const auto* spline = std::get_if<Spline>(&motion.what))
+    if (const auto* arc = std::get_if<Arc>(&motion.action)) return start ? &arc->from : &arc->to;
+    if (const auto* spline = std::get_if<Spline>(&motion.action))
         return start ? &spline->from : &spline->to;
     return nullptr;
 }

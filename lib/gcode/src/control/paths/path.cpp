@@ -348,16 +348,16 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
             is_known(motion.known_start, i) && !is_related(from, i) && !is_at_height;
     }
     motion.offset_unknown = ends_elsewhere || starts_elsewhere;
-    if (auto* line = std::get_if<Linear>(&motion.what)) {
+    if (auto* line = std::get_if<Linear>(&motion.action)) {
         *line = {from_W, to_W};
-    } else if (auto* tilted = std::get_if<Arc>(&motion.what); tilted && plane_origin) {
+    } else if (auto* tilted = std::get_if<Arc>(&motion.action); tilted && plane_origin) {
         // The centre is in plane coordinates already; the directions are in machine coordinates.
         tilted->from = from_W;
         tilted->to = to_W;
         const Position origin_W = in_workpiece(*plane_origin);
         tilted->tilted = turn_about(2, -result_.workpiece.rotation) * *tilted->tilted;
         tilted->tilted->origin = {origin_W.x.mm(), origin_W.y.mm(), origin_W.z.mm()};
-    } else if (auto* arc = std::get_if<Arc>(&motion.what)) {
+    } else if (auto* arc = std::get_if<Arc>(&motion.action)) {
         Place at = to;
         at.machine = centre;
         const Position centre_W = in_workpiece(at);
@@ -374,7 +374,7 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
             arc->to.y = from_W.y;
         }
         if (to.machine.z == from.machine.z) arc->to.z = from_W.z;
-    } else if (auto* spline = std::get_if<Spline>(&motion.what)) {
+    } else if (auto* spline = std::get_if<Spline>(&motion.action)) {
         spline->from = from_W;
         spline->to = to_W;
         for (Spline::ControlPoint& point : spline->control_points) {
@@ -385,7 +385,7 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
             point.x = point_W.x;
             point.y = point_W.y;
         }
-    } else if (auto* change = std::get_if<ToolChange>(&motion.what)) {
+    } else if (auto* change = std::get_if<ToolChange>(&motion.action)) {
         change->at = to_W;
     }
     last_end_machine_ = to.machine;
@@ -433,7 +433,7 @@ void Path::linear_move(MachineState& state, const Axes& end, MoveKind kind, Axis
     if (state.feed_mode != FeedMode::InverseTime && (lengths || !turns)) {
         motion_.feed *= state.unit_mm();
     }
-    if (!std::holds_alternative<Linear>(motion_.what)) motion_.what = Linear{};
+    if (!std::holds_alternative<Linear>(motion_.action)) motion_.action = Linear{};
     // A target in machine coordinates under tip control: with turned rotary axes the position of
     // the tip depends on the kinematics, so the position is unknown.
     const auto is_turned = [](const Position& p) {
@@ -491,7 +491,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
         out.tilted = turn_about(2, state.rotation) * *state.plane_frame;
         plane_origin = place(state, {});
     }
-    motion_.what = out;
+    motion_.action = out;
     emit(state, from, to, arc_centre.machine, plane_origin);
     set_end(state, end, to, mask);
 }
@@ -510,7 +510,7 @@ void Path::spline(MachineState& state, const Spline& spline, const Axes& end, Ax
     }
     fill(state, MoveKind::Feed, mask);
     if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
-    motion_.what = std::move(out);
+    motion_.action = std::move(out);
     emit(state, from, to);
     set_end(state, end, to, mask);
 }
@@ -519,7 +519,7 @@ void Path::dwell(const MachineState& state, double seconds) {
     const Place at = start(state);
     fill(state, MoveKind::Feed);
     motion_.feed *= state.unit_mm();
-    motion_.what = Dwell{seconds};
+    motion_.action = Dwell{seconds};
     emit(state, at, at);
 }
 
@@ -527,7 +527,7 @@ void Path::tool_change(const MachineState& state) {
     const Place at = start(state);
     fill(state, MoveKind::Rapid);
     motion_.feed *= state.unit_mm();
-    motion_.what = ToolChange{state.tool, {}};
+    motion_.action = ToolChange{state.tool, {}};
     emit(state, at, at);
 }
 

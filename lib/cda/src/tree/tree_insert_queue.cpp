@@ -32,7 +32,7 @@ constexpr std::uint64_t kWhile = 4096;
 constexpr double kAccountRounding = 1e-15;
 
 #ifndef NDEBUG
-bool stands_once(std::vector<Plane> planes) {
+bool is_unique(std::vector<Plane> planes) {
     std::sort(planes.begin(), planes.end());
     return std::adjacent_find(planes.begin(), planes.end()) == planes.end();
 }
@@ -54,7 +54,7 @@ bool has_its_normals(const Cell& cell) {
 // seen from above. The hash is equal for a body on the same path at another height, in either
 // direction. Two sides along the motion represent the direction; collisions are harmless, because
 // callers check lies_within().
-std::uint64_t hash_of_way(const Cell& cell, std::size_t facets) {
+std::uint64_t path_hash(const Cell& cell, std::size_t facets) {
     std::uint64_t hash =
         mix(reinterpret_cast<std::uintptr_t>(cell.normals.get()), cell.planes.size());
     for (const double x :
@@ -69,7 +69,7 @@ std::uint64_t hash_of_way(const Cell& cell, std::size_t facets) {
     return hash;
 }
 
-bool tells_share_of(const Cell& cell, Origin origin) {
+bool represents(const Cell& cell, Origin origin) {
     if (!cell.steps) return origin == cell.origin;
     const auto& steps = cell.steps->steps;
     return steps.front().origin <= origin && origin <= steps.back().origin;
@@ -79,30 +79,30 @@ bool tells_share_of(const Cell& cell, Origin origin) {
 
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     for (const Cell& cell : cells) {
-        if (take_in(cell)) settle_some();
+        if (enqueue(cell)) flush_idle_blocks();
     }
 }
 
-void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> covering,
-                            std::span<const Cell> before) {
-    for (const Cell& cell : before)
-        take_in(cell, true);
+void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> merged_cells,
+                            std::span<const Cell> preceding_merged_cells) {
+    for (const Cell& cell : preceding_merged_cells)
+        enqueue(cell, true);
     for (const Cell& cell : cells)
-        take_in(cell);
-    for (const Cell& cell : covering)
-        take_in(cell, true);
-    settle_some();
+        enqueue(cell);
+    for (const Cell& cell : merged_cells)
+        enqueue(cell, true);
+    flush_idle_blocks();
 }
 
 // Passes a cell to the blocks whose boxes the cell may meet. False if the cell does not meet the
 // stock.
-bool TreeCda::take_in(const Cell& cell, bool covers) {
-    assert(stands_once(cell.planes));
+bool TreeCda::enqueue(const Cell& cell, bool covers) {
+    assert(is_unique(cell.planes));
     // Distance of planes that do not cut the stock.
     constexpr double kBeyond = std::numeric_limits<double>::infinity();
     const std::size_t facets = has_its_normals(cell) ? cell.normals->size() : 0;
-    auto taken = std::make_shared<WaitingCell>();
-    IncomingCell& here = taken->incoming;
+    auto pending = std::make_shared<PendingCell>();
+    IncomingCell& here = pending->incoming;
     here.facets.reserve(facets);
     for (std::size_t i = 0; i < cell.planes.size(); ++i) {
         const Side side = classify_box(stock_box_, cell.planes[i]);
@@ -115,16 +115,17 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
         }
     }
     here.enclose(cell.bounds, lattice_.unit_mm);
-    here.number = cells_->size() + static_cast<std::uint32_t>(listed_.size());
-    taken->cell = cell;
-    if (facets > 0) taken->cell.normals = normals_->first_of(cell.normals);
-    listed_.push_back({cell.origin, cell.rank, facets > 0 ? taken->cell.normals : nullptr});
+    here.number = cells_->size() + static_cast<std::uint32_t>(unlisted_cells_.size());
+    pending->cell = cell;
+    if (facets > 0) pending->cell.normals = normals_->intern(cell.normals);
+    unlisted_cells_.push_back(
+        {cell.origin, cell.rank, facets > 0 ? pending->cell.normals : nullptr});
     ++counts_.cells;
     counts_.planes += here.loose.size();
     for (const double d : here.facets)
         counts_.planes += d < kBeyond ? 1 : 0;
-    here.planes = taken->cell.planes;
-    here.steps = taken->cell.steps.get();
+    here.planes = pending->cell.planes;
+    here.steps = pending->cell.steps.get();
     const auto is_there = [](const Place& place, const IncomingCell& c) {
         bool is_so = true;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -136,160 +137,158 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
     for (const std::uint32_t number : own_) {
         if (!is_there(places_[number], here)) continue;
         Block& block = blocks_[number];
-        if (covers) forget_within(block, taken->cell);
-        block.waiting.push_back(taken);
+        if (covers) drop_pending_within(block, pending->cell);
+        block.pending.push_back(pending);
         block.last_step = steps_;
     }
-    if (facets > 0 && !account_) forget_same_way(taken);
+    if (facets > 0 && !account_) drop_superseded(pending);
     return true;
 }
 
 // Drops the previous cell on the same path if the cell still waits and lies within `deeper`. A
 // contour in many depths makes the same hulls at each depth, only deeper.
-void TreeCda::forget_same_way(const std::shared_ptr<const WaitingCell>& deeper) {
+void TreeCda::drop_superseded(const std::shared_ptr<const PendingCell>& deeper) {
     const Cell& cell = deeper->cell;
-    const std::uint64_t way = hash_of_way(cell, deeper->incoming.facets.size());
-    auto& latest = recent_ways_[way];
+    const std::uint64_t way = path_hash(cell, deeper->incoming.facets.size());
+    auto& latest = recent_paths_[way];
     auto before = latest.lock();
     latest = deeper;
     if (!before) {
-        const auto found = older_ways_.find(way);
-        if (found != older_ways_.end()) before = found->second.lock();
+        const auto found = older_paths_.find(way);
+        if (found != older_paths_.end()) before = found->second.lock();
     }
     if (!before || cell.rank >= before->cell.rank || cell.normals != before->cell.normals ||
         !lies_within(before->cell, cell, stock_box_)) {
         return;
     }
     const std::uint32_t number = before->incoming.number;
-    if (forgotten_.size() <= number) forgotten_.resize(number + std::size_t{1});
-    forgotten_[number] = true;
-    ++counts_.forgotten;
+    if (superseded_.size() <= number) superseded_.resize(number + std::size_t{1});
+    superseded_[number] = true;
+    ++counts_.superseded;
     constexpr std::size_t kMany = 1024;
-    if (++forgotten_waiting_ >= kMany) drop_forgotten();
+    if (++superseded_pending_ >= kMany) erase_superseded();
 }
 
-// Frees the memory of forgotten cells that wait.
-void TreeCda::drop_forgotten() {
+// Frees the memory of superseded cells in the queue.
+void TreeCda::erase_superseded() {
     for (Block& block : blocks_) {
-        std::erase_if(block.waiting, [&](const auto& cell) {
+        std::erase_if(block.pending, [&](const auto& cell) {
             const std::uint32_t number = cell->incoming.number;
-            return number < forgotten_.size() && forgotten_[number];
+            return number < superseded_.size() && superseded_[number];
         });
     }
-    forgotten_waiting_ = 0;
+    superseded_pending_ = 0;
 }
 
 // Drops those of the latest waiting cells of a block that lie within `covering` and are after it in
 // rank. With an account, only cells whose origin `covering` represents.
-void TreeCda::forget_within(Block& block, const Cell& covering) const {
+void TreeCda::drop_pending_within(Block& block, const Cell& covering) const {
     constexpr std::size_t kLatest = 256;
-    auto& waiting = block.waiting;
-    const std::size_t first = waiting.size() - std::min(waiting.size(), kLatest);
+    auto& pending = block.pending;
+    const std::size_t first = pending.size() - std::min(pending.size(), kLatest);
     const auto is_within = [&](const auto& w) {
-        if (account_ && !tells_share_of(covering, w->cell.origin)) return false;
+        if (account_ && !represents(covering, w->cell.origin)) return false;
         return covering.rank < w->cell.rank && lies_within(w->cell, covering, stock_box_);
     };
-    waiting.erase(std::remove_if(waiting.begin() + static_cast<std::ptrdiff_t>(first),
-                                 waiting.end(), is_within),
-                  waiting.end());
+    pending.erase(std::remove_if(pending.begin() + static_cast<std::ptrdiff_t>(first),
+                                 pending.end(), is_within),
+                  pending.end());
 }
 
 // At intervals, inserts the waiting cells of blocks in which no cell arrived for a while: a block
 // that the tool has left gets all cells at once, in background threads. If too many cells wait, all
 // blocks insert.
-void TreeCda::settle_some() {
+void TreeCda::flush_idle_blocks() {
     constexpr std::uint64_t kTurn = 512;
-    const bool are_many = ++waiting_ >= parameters_.batch;
-    if (++steps_ % kWhile == 0) older_ways_ = std::exchange(recent_ways_, {});
+    const bool are_many = ++pending_ >= parameters_.batch;
+    if (++steps_ % kWhile == 0) older_paths_ = std::exchange(recent_paths_, {});
     if (steps_ % kTurn != 0 && !are_many) return;
-    begin_settling(
-        [&](const Block& block) { return are_many || steps_ - block.last_step >= kWhile; });
-    if (are_many) waiting_ = 0;
+    begin_flush([&](const Block& block) { return are_many || steps_ - block.last_step >= kWhile; });
+    if (are_many) pending_ = 0;
 }
 
 // Starts the insertion of waiting cells into blocks for which `goes` is true, in background threads
 // if there are any.
-void TreeCda::begin_settling(const std::function<bool(const Block&)>& goes) const {
+void TreeCda::begin_flush(const std::function<bool(const Block&)>& goes) const {
     std::vector<Block*> changing;
     std::size_t cells = 0;
     for (Block& block : blocks_) {
-        if (block.waiting.empty() || !goes(block)) continue;
-        cells += block.waiting.size();
+        if (block.pending.empty() || !goes(block)) continue;
+        cells += block.pending.size();
         changing.push_back(&block);
     }
     if (changing.empty()) return;
-    finish_settling();
+    finish_flush();
     for (Block* block : changing)
-        block->send_down(forgotten_);
-    changing_ = std::move(changing);
+        block->start_insertion(superseded_);
+    flushing_blocks_ = std::move(changing);
     // Starts with the block that has most cells, which balances the load at the end.
-    std::ranges::stable_sort(changing_, std::ranges::greater{},
-                             [](const Block* block) { return block->going_down.size(); });
+    std::ranges::stable_sort(flushing_blocks_, std::ranges::greater{},
+                             [](const Block* block) { return block->inserting.size(); });
     const std::size_t threads = cells < kCellsWorthThreads ? 1 : thread_count(parameters_.threads);
     // Captured by value, because the part may be moved meanwhile; the referenced data stays.
     const AccountInput input{stock_planes_, *cells_, centre_, parameters_.leaf};
-    settling_ = std::make_unique<Background>(
-        threads - 1, changing_.size(),
-        [input, changing = changing_.data(), keeps_account = account_.has_value()](std::size_t i) {
-            changing[i]->settle(input, keeps_account);
-        });
+    flush_tasks_ = std::make_unique<Background>(
+        threads - 1, flushing_blocks_.size(),
+        [input, changing = flushing_blocks_.data(), keeps_account = account_.has_value()](
+            std::size_t i) { changing[i]->settle(input, keeps_account); });
 }
 
 // Ends the insertion. After that, no other thread reads the blocks and the table of cells.
-void TreeCda::finish_settling() const {
-    if (const auto settling = std::move(settling_)) {
-        const auto changed = std::exchange(changing_, {});
+void TreeCda::finish_flush() const {
+    if (const auto settling = std::move(flush_tasks_)) {
+        const auto changed = std::exchange(flushing_blocks_, {});
         settling->finish();
         for (const Block* block : changed)
-            mark_known(static_cast<std::size_t>(block - blocks_.data()));
-        close_books();
+            mark_listed(static_cast<std::size_t>(block - blocks_.data()));
+        merge_removed_volumes();
     }
-    for (const Listed& cell : listed_)
+    for (const CellRow& cell : unlisted_cells_)
         cells_->add(cell.origin, cell.rank, cell.normals);
-    listed_.clear();
+    unlisted_cells_.clear();
 }
 
-void TreeCda::settle_all() const {
-    begin_settling([](const Block&) { return true; });
-    finish_settling();
-    waiting_ = 0;
+void TreeCda::flush_all() const {
+    begin_flush([](const Block&) { return true; });
+    finish_flush();
+    pending_ = 0;
 }
 
 void TreeCda::settle() const {
-    const Asked asked(*this);
-    settle_all();
+    const ReadLock asked(*this);
+    flush_all();
 }
 
 // Inserts the waiting cells that might change the answer of a query within `bounds`.
-void TreeCda::settle_near(const Box& bounds) const {
-    finish_settling();
-    const Box near = this->near(bounds);
+void TreeCda::flush_near(const Box& bounds) const {
+    finish_flush();
+    const Box near = this->query_box(bounds);
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         Block& block = blocks_[i];
-        if (std::ranges::none_of(block.waiting,
+        if (std::ranges::none_of(block.pending,
                                  [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
             continue;
-        block.send_down(forgotten_);
+        block.start_insertion(superseded_);
         block.settle({stock_planes_, *cells_, centre_, parameters_.leaf}, account_.has_value());
-        mark_known(i);
+        mark_listed(i);
     }
-    close_books();
+    merge_removed_volumes();
 }
 
 // Adds the amounts in the order of the blocks, independent of the order of threads.
-void TreeCda::close_books() const {
+void TreeCda::merge_removed_volumes() const {
     for (Block& block : blocks_) {
-        for (const auto& [origin, taken] : block.taken) {
+        for (const auto& [origin, removed] : block.removed_volumes) {
             RemovedVolume& sum = (*account_)[origin];
-            sum.volume += taken.volume;
-            sum.bounds.add(taken.bounds);
+            sum.volume += removed.volume;
+            sum.bounds.add(removed.bounds);
         }
-        block.taken.clear();
+        block.removed_volumes.clear();
     }
 }
 
 double TreeCda::subtract(const Cell& cell) {
-    settle_near(cell.bounds);
+    flush_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
     if (parameters_.tile) {
         WorkpieceModel::subtract_unmeasured(cell);
@@ -308,16 +307,16 @@ void TreeCda::track_removal() {
 }
 
 RemovalByMotion TreeCda::account() const {
-    const Asked asked(*this);
-    settle_all();
+    const ReadLock asked(*this);
+    flush_all();
     RemovalByMotion result;
     if (!account_) return result;
     const double unit = lattice_.cubic_unit_mm3();
     const double rounding = kAccountRounding * stock_volume_;
-    for (const auto& [origin, taken] : *account_) {
-        const bool is_nothing = std::abs(taken.volume) < rounding;
+    for (const auto& [origin, removed] : *account_) {
+        const bool is_nothing = std::abs(removed.volume) < rounding;
         result[origin] =
-            is_nothing ? RemovedVolume{} : RemovedVolume{taken.volume * unit, taken.bounds};
+            is_nothing ? RemovedVolume{} : RemovedVolume{removed.volume * unit, removed.bounds};
     }
     return result;
 }

@@ -28,18 +28,18 @@ constexpr std::size_t kMostLooks = 100000;
 
 // Returns a box such that any cell with a point in common with a body of the given bounds overlaps
 // the box. The bounds are rounded to millimetres.
-Box TreeCda::near(const Box& bounds) const {
+Box TreeCda::query_box(const Box& bounds) const {
     const double margin = 2.0 * lattice_.unit_mm;
     const Vec3 more{margin, margin, margin};
     return {bounds.min - more, bounds.max + more};
 }
 
 // True if a waiting cell might remove the neighbourhood of a rounded point (mm).
-bool TreeCda::is_waited_for_near(Vec3 point) const {
+bool TreeCda::has_pending_cell_near(Vec3 point) const {
     constexpr double kNear = 4.0;  // units
     const Vec3 at = (1.0 / lattice_.unit_mm) * point;
-    const auto is_near = [&](const auto& waiting) {
-        return std::ranges::all_of(waiting->cell.planes, [&](const Plane& p) {
+    const auto is_near = [&](const auto& pending) {
+        return std::ranges::all_of(pending->cell.planes, [&](const Plane& p) {
             const Vec3 normal{static_cast<double>(p.nx), static_cast<double>(p.ny),
                               static_cast<double>(p.nz)};
             return dot(normal, at) - static_cast<double>(p.d) <= kNear * norm(normal);
@@ -54,7 +54,7 @@ bool TreeCda::is_waited_for_near(Vec3 point) const {
                 return false;
             }
         }
-        return std::ranges::any_of(block.waiting, is_near);
+        return std::ranges::any_of(block.pending, is_near);
     });
 }
 
@@ -83,8 +83,8 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
 }
 
 double TreeCda::common_volume(const Cell& cell) const {
-    const Asked asked(*this);
-    settle_near(cell.bounds);
+    const ReadLock asked(*this);
+    flush_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
     if (parameters_.tile) return result.volume * lattice_.cubic_unit_mm3();
     return result.outlines.pieces().empty()
@@ -93,21 +93,21 @@ double TreeCda::common_volume(const Cell& cell) const {
 }
 
 std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
-    const Asked asked(*this);
+    const ReadLock asked(*this);
     // Pending cells can only remove material, so "no contact" without them is final.
-    const std::optional<Vec3> found = contact_as_it_is(cell);
-    if (!found || !is_waited_for_near(*found)) return found;
-    if (takes_all_of(cell)) {
+    const std::optional<Vec3> found = contact_without_pending(cell);
+    if (!found || !has_pending_cell_near(*found)) return found;
+    if (covers_stock_part_of(cell)) {
         ++counts_.spared;
         return std::nullopt;
     }
-    settle_near(cell.bounds);
-    return contact_as_it_is(cell);
+    flush_near(cell.bounds);
+    return contact_without_pending(cell);
 }
 
 // True if the cells, including waiting cells, cover the stock's part of this cell. A negative
 // answer may be wrong.
-bool TreeCda::takes_all_of(const Cell& cell) const {
+bool TreeCda::covers_stock_part_of(const Cell& cell) const {
     IncomingCell asked;
     asked.enclose(cell.bounds, lattice_.unit_mm);
     HalfBox bounds;
@@ -115,22 +115,23 @@ bool TreeCda::takes_all_of(const Cell& cell) const {
         bounds.min[i] = 2 * static_cast<std::int64_t>(std::floor(asked.min[i] / 2)) - 1;
         bounds.max[i] = 2 * static_cast<std::int64_t>(std::ceil(asked.max[i] / 2)) + 1;
     }
-    const Box near = this->near(cell.bounds);
-    std::vector<const IncomingCell*> waiting;
+    const Box near = this->query_box(cell.bounds);
+    std::vector<const IncomingCell*> pending;
     for (const std::uint32_t number : own_) {
         const Block& block = blocks_[number];
         if (!block.tree->meets(asked)) continue;
-        waiting.clear();
-        for (const auto& taken : block.waiting) {
-            if (taken->cell.bounds.overlaps(near)) waiting.push_back(&taken->incoming);
+        pending.clear();
+        for (const auto& cell_in_queue : block.pending) {
+            if (cell_in_queue->cell.bounds.overlaps(near))
+                pending.push_back(&cell_in_queue->incoming);
         }
-        if (!is_covered(*block.tree, {cell.planes, bounds, waiting, *cells_, kMostLooks}))
+        if (!is_covered(*block.tree, {cell.planes, bounds, pending, *cells_, kMostLooks}))
             return false;
     }
     return true;
 }
 
-std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {
+std::optional<Vec3> TreeCda::contact_without_pending(const Cell& cell) const {
     const Evaluation result = evaluate_window(cell, true);
     if (result.outlines.pieces().empty())
         return parameters_.tile ? in_block_within(cell) : std::nullopt;
@@ -164,7 +165,7 @@ std::optional<Vec3> TreeCda::in_block_within(const Cell& cell) const {
             return std::ranges::all_of(
                        cell.planes,
                        [&](const Plane& h) { return query.side_of(h) != Side::Above; }) &&
-                   contains_as_it_is(query);
+                   contains_without_pending(query);
         };
         if (std::ranges::all_of(kCorners, is_in_both)) return corner(kCorners[0]);
     }
@@ -172,8 +173,8 @@ std::optional<Vec3> TreeCda::in_block_within(const Cell& cell) const {
 }
 
 double TreeCda::volume() const {
-    const Asked asked(*this);
-    settle_all();
+    const ReadLock asked(*this);
+    flush_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     in_parallel(parameters_.threads, own_.size(), [&](std::size_t i) {
         const Block& block = blocks_[own_[i]];
@@ -187,7 +188,7 @@ double TreeCda::volume() const {
     for (const std::uint32_t number : own_)
         sum += *blocks_[number].volume;
     if (parameters_.tile) {
-        std::vector<double>& volumes = volumes_asked_.emplace_back();
+        std::vector<double>& volumes = requested_volumes_.emplace_back();
         for (const std::uint32_t number : own_)
             volumes.push_back(*blocks_[number].volume);
     }
@@ -196,8 +197,8 @@ double TreeCda::volume() const {
 
 Boundary TreeCda::boundary() const {
     if (parameters_.tile) throw CannotAnswer(name(), "the surface of a tile");
-    const Asked asked(*this);
-    settle_all();
+    const ReadLock asked(*this);
+    flush_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     counts_.leaves = counts_.facets_tested = counts_.facets_alive = counts_.pieces = 0;
     Stitcher stitcher(lattice_, parameters_.threads);
@@ -210,18 +211,18 @@ Boundary TreeCda::boundary() const {
             counts_.facets_tested += result.facets_tested;
             counts_.facets_alive += result.facets_alive;
             counts_.pieces += result.outlines.pieces().size();
-            stitcher.take(result.outlines);
+            stitcher.add_part(result.outlines);
         });
     return stitcher.finish();
 }
 
 bool TreeCda::contains(Vec3 point) const {
-    const Asked asked(*this);
-    settle_all();
-    return contains_as_it_is(QueryPoint(point, lattice_));
+    const ReadLock asked(*this);
+    flush_all();
+    return contains_without_pending(QueryPoint(point, lattice_));
 }
 
-bool TreeCda::contains_as_it_is(const QueryPoint& query) const {
+bool TreeCda::contains_without_pending(const QueryPoint& query) const {
     if (std::any_of(stock_planes_.begin(), stock_planes_.end(),
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {
         return false;
