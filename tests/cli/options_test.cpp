@@ -91,6 +91,14 @@ TEST(Options, TakeEverythingThatCanBeAskedFor) {
     EXPECT_TRUE(o.quiet);
 }
 
+TEST(Options, MarksAreOnUnlessSomeAreNamed) {
+    EXPECT_TRUE(options({"run", "part.nc", "--png", "a.png"}).marks.legend);
+    const Options some = options({"run", "part.nc", "--png", "a.png", "--marks", "axes,scale"});
+    EXPECT_TRUE(some.marks.axes && some.marks.scale);
+    EXPECT_FALSE(some.marks.zero || some.marks.legend);
+    EXPECT_FALSE(options({"run", "part.nc", "--png", "a.png", "--marks", "none"}).marks.any());
+}
+
 TEST(Options, NameViewsInTheOrderOfTheSheet) {
     const Options o = options({"run", "part.nc", "--png", "a.png", "--ply", "a.ply", "--3mf",
                                "a.3mf", "--views", "front,iso", "--background", "dark"});

@@ -119,6 +119,32 @@ TEST(Samples, TwoSidesIsCleanInOneCommand) {
     EXPECT_TRUE(contains(back.out, "the part of set-up 1, top")) << back.out;
 }
 
+TEST(Samples, PicturesShowTheViseAndTheClamps) {
+    Folder folder;
+    const std::string job = sample("two-sides/job.toml");
+    const auto draw = [&](const char* set_up, const char* file, std::vector<std::string> more) {
+        std::vector<std::string> words{"run", job,      "--setup", set_up, "--png",
+                                       file,  "--size", "320x240", "-q"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Ran ran = folder.run(words);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read(file);
+    };
+    for (const char* set_up : {"1", "2"}) {
+        const std::string bare = draw(set_up, "bare.png", {});
+        const std::string held = draw(set_up, "held.png", {"--show-fixtures"});
+        EXPECT_FALSE(bare == held) << set_up;
+    }
+    folder.write("slot.nc", "G21 G90\n(T1 D=6. - flat end mill)\nT1 M6\nG0 X0 Y0 Z5\nM30\n");
+    const Ran none = folder.run(
+        {"run", "slot.nc", "--stock", "20x20x5", "--png", "none.png", "--show-fixtures"});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_TRUE(
+        contains(none.err, "--show-fixtures: neither the job nor the machine has a fixture"))
+        << none.err;
+    EXPECT_FALSE(folder.has("none.png"));
+}
+
 TEST(Samples, TwoSidesWithAShiftedZeroHitsAClamp) {
     Folder folder;
     copy_two_sides(folder, "zero = [0, 0, 0]", "zero = [2, 0, 0]");

@@ -9,6 +9,7 @@ ncsim_add_test(export
     gif_test.cpp
     gltf_test.cpp
     golden_test.cpp
+    marks_test.cpp
     merge_faces_test.cpp
     palette_test.cpp
     ply_test.cpp

@@ -80,6 +80,31 @@ exporter::Colouring read_colouring(const std::string& name) {
     throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
 }
 
+MarkOptions read_marks(const std::string& list) {
+    MarkOptions marks;
+    if (list == "all") return marks;
+    marks = {false, false, false, false};
+    if (list == "none") return marks;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        const std::string name = list.substr(begin, end - begin);
+        if (name == "axes") {
+            marks.axes = true;
+        } else if (name == "zero") {
+            marks.zero = true;
+        } else if (name == "scale") {
+            marks.scale = true;
+        } else if (name == "legend") {
+            marks.legend = true;
+        } else {
+            throw Refusal{fmt::format(
+                "--marks '{}': expected all, none, or a list of axes, zero, scale, legend", name)};
+        }
+        begin = end + 1;
+    }
+    return marks;
+}
+
 FixedBody read_frame(const std::string& name) {
     if (name == "machine") return FixedBody::Machine;
     if (name == "part") return FixedBody::Part;
@@ -256,8 +281,13 @@ void add_picture_options(cli::App& run, Options& o) {
            "--background", [&o](Text name) { o.background = read_background(name); },
            "white or dark [white]")
         ->type_name("WHAT");
+    run.add_option_function<std::string>(
+           "--marks", [&o](Text list) { o.marks = read_marks(list); },
+           "axes, zero, scale, legend; all or none [all]")
+        ->type_name("LIST");
     run.add_flag("--show-path", o.shows_path, "Draw the tool path, rapid moves dashed");
     run.add_flag("--show-tool", o.shows_tool, "Draw the tool");
+    run.add_flag("--show-fixtures", o.shows_fixtures, "Draw vises, clamps and other fixtures");
     run.add_flag("--caption", o.has_caption, "Print size, removed volume and time");
     run.add_flag("--show-machine", o.shows_machine,
                  "Draw the machine; in --gltf and --vrml it moves");

@@ -28,6 +28,13 @@ enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
 /// Fixed body in pictures of a machine: the bed of the machine, or the part.
 enum class FixedBody : std::uint8_t { Machine, Part };
 
+/// Marks of pictures, see exporter::Marks.
+struct MarkOptions {
+    bool axes = true, zero = true, scale = true, legend = true;
+
+    bool any() const { return axes || zero || scale || legend; }
+};
+
 /// Options of `ncsim run`. Empty paths: no output.
 struct Options : ProgramOptions, SimulationOptions {
     bool shows_machine = false;  ///< Show links of the machine in pictures and animated files.
@@ -43,6 +50,8 @@ struct Options : ProgramOptions, SimulationOptions {
     exporter::Renderer renderer = exporter::Renderer::Own;
     exporter::Colouring colouring = exporter::Colouring::Tool;
     bool shows_path = false, shows_tool = false, has_caption = false;
+    MarkOptions marks;
+    bool shows_fixtures = false;  ///< Draw the fixtures of the job and the machine.
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
     std::string frames;  ///< Folder for pictures of intermediate states.

@@ -47,6 +47,8 @@ struct Outcome {
     std::vector<simulation::SectionView> sections{};
     /// Machine file of --machine; null: none.
     const setup::MachineFile* machine = nullptr;
+    /// Fixtures to be drawn, in W.
+    std::vector<verify::Fixture> fixtures{};
     /// Times of the whole program on the machine.
     std::optional<verify::Ledger> on_machine{};
     /// Assumptions of the run, for files that ncsim reads again; one text each.

@@ -5,11 +5,13 @@
 
 #include "ncsim/export/camera.h"
 #include "ncsim/export/contact_sheet.h"
+#include "ncsim/export/marks.h"
 #include "ncsim/export/render.h"
 #include "ncsim/machine/relative.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
+#include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/joint_path.h"
 
@@ -93,6 +95,7 @@ cda::Box visible_box(const Outcome& outcome) {
         seen.add(machine.min - outcome.plan.placed->zero);
         seen.add(machine.max - outcome.plan.placed->zero);
     }
+    if (!outcome.fixtures.empty()) seen = simulation::box_with_fixtures(seen, outcome.fixtures);
     if (!o.shows_path && !o.shows_tool) return seen;
     const double reach = kBlockMargin * norm(seen.size());
     const cda::Vec3 margin{reach, reach, reach};
@@ -111,6 +114,11 @@ cda::Box visible_box(const Outcome& outcome) {
     return seen;
 }
 
+// True if marks are requested and the picture has enough pixels for marks.
+bool has_marks(const Options& o) {
+    return o.marks.any() && std::min(o.width, o.height) >= exporter::kLeastMarkedSide;
+}
+
 exporter::RenderOptions render_options(const Outcome& outcome, exporter::View view) {
     const Options& o = outcome.options;
     const cda::Box& stock = outcome.survey.stock->box;
@@ -124,8 +132,11 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.ghost_stock = outcome.survey.stock->specified_by == toolpath::ValueSource::Assumption;
     options.depth_top = stock.max.z;
     options.depth_bottom = std::max(stock.min.z, tips.min.z);
-    options.camera =
-        exporter::fit_camera(visible_box(outcome), view, static_cast<double>(o.width) / o.height);
+    const bool has_strip = has_marks(o);
+    const double rows = (has_strip ? 1.0 - exporter::kMarkStrip : 1.0) * o.height;
+    options.camera = exporter::fit_camera(visible_box(outcome), view, o.width / rows);
+    if (has_strip) options.camera = exporter::with_mark_strip(options.camera);
+    options.camera.depth += simulation::reach_of(outcome.fixtures);
     if (o.shows_machine) options.camera.depth += norm(machine_box(outcome).size());
     // Paths and tools beyond the picture may also be far in front of it.
     if (o.shows_path || o.shows_tool) {
@@ -150,6 +161,8 @@ exporter::Overlay overlay(const Outcome& outcome) {
     if (stock.specified_by == toolpath::ValueSource::Assumption && !stock.shape && !stock.is_round)
         result.ghosts.push_back({stock.box});
     if (outcome.options.shows_machine) add_machine(outcome, result);
+    for (const verify::Fixture& fixture : outcome.fixtures)
+        result.bodies.push_back(simulation::body_of(fixture));
     if (!outcome.options.shows_tool || !s.tool_position) return result;
     const auto used = outcome.survey.tools.find(s.tool_position->tool);
     if (used != outcome.survey.tools.end())
@@ -158,14 +171,57 @@ exporter::Overlay overlay(const Outcome& outcome) {
     return result;
 }
 
+// Returns the meaning of the colours: the tools that cut, or the ends of the scale.
+void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
+                exporter::Marks& marks) {
+    const exporter::Provenance& provenance = outcome.simulation->provenance;
+    switch (options.colouring) {
+        case exporter::Colouring::Tool:
+            for (const auto& [number, colour] : exporter::tool_colours(provenance)) {
+                const auto used = outcome.survey.tools.find(static_cast<int>(number));
+                marks.legend.emplace_back(
+                    colour,
+                    used == outcome.survey.tools.end()
+                        ? fmt::format("T{}", number)
+                        : fmt::format("T{} {}", number, toolpath::describe(used->second.tool)));
+            }
+            break;
+        case exporter::Colouring::Line:
+            if (provenance.entries.size() < 2) break;
+            marks.scale_begin = fmt::format("line {}", provenance.entries[1].nc_line);
+            marks.scale_end = fmt::format("line {}", provenance.entries.back().nc_line);
+            break;
+        case exporter::Colouring::Depth:
+            marks.scale_begin = fmt::format("Z {:.4g} mm", options.depth_top);
+            marks.scale_end = fmt::format("Z {:.4g} mm", options.depth_bottom);
+            break;
+    }
+}
+
+exporter::Marks marks_of(const Outcome& outcome, const exporter::RenderOptions& options) {
+    const MarkOptions& shown = outcome.options.marks;
+    exporter::Marks marks;
+    marks.axes = shown.axes;
+    marks.zero = shown.zero;
+    marks.scale = shown.scale;
+    marks.size_mm = outcome.survey.stock->box.size();
+    if (shown.legend) add_legend(outcome, options, marks);
+    return marks;
+}
+
 exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     const simulation::Simulation& s = *outcome.simulation;
     const exporter::RenderOptions options = render_options(outcome, view);
     // The thesis' method: rendering with masks.
-    if (simulation::find_model(outcome.plan.model)->shows_cells)
-        return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
-    return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome),
-                                     outcome.shading ? *outcome.shading : brep::Shading());
+    exporter::Image image =
+        simulation::find_model(outcome.plan.model)->shows_cells
+            ? exporter::render_model(*s.part, s.provenance, options, overlay(outcome))
+            : exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome),
+                                        outcome.shading ? *outcome.shading : brep::Shading());
+    if (has_marks(outcome.options)) {
+        exporter::draw_marks(image, options.camera, options.background, marks_of(outcome, options));
+    }
+    return image;
 }
 
 // Returns the text of the line; empty if the program has several files.

@@ -23,6 +23,7 @@
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/machine_time.h"
 #include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/shading.h"
@@ -62,6 +63,26 @@
 namespace ncsim::app {
 
 namespace {
+
+// Returns the fixtures of the job and the machine, in W.
+// Throws: std::runtime_error if there is none.
+std::vector<verify::Fixture> fixtures_of(const simulation::Plan& plan,
+                                         const simulation::Survey& survey,
+                                         const std::optional<setup::MachineFile>& machine) {
+    setup::MachineFile specified;
+    if (machine) {
+        specified.machine = machine->machine;
+    } else {
+        add_fixtures(specified, plan.job);
+    }
+    if (specified.machine.fixtures.empty()) {
+        throw std::runtime_error(
+            "--show-fixtures: neither the job nor the machine has a fixture ([[fixture]])");
+    }
+    for (const std::string& lost : simulation::place_fixtures(specified.machine, plan, survey))
+        print_error("not shown: " + lost + "\n");
+    return std::move(specified.machine.fixtures);
+}
 
 // Returns the text of the lines that left a face, because a program may have ten million lines.
 // With called files, line numbers are ambiguous, so there is no text.
@@ -262,6 +283,7 @@ int run(Options options) {
 
     Outcome outcome{options, plan, survey};
     outcome.machine = machine ? &*machine : nullptr;
+    if (o.shows_fixtures) outcome.fixtures = fixtures_of(plan, survey, machine);
     if (machine && !o.at_line && survey.is_ready())
         outcome.on_machine = simulation::machining_times(plan, survey, machine->machine);
     std::optional<simulation::Simulation> simulation;
@@ -274,6 +296,7 @@ int run(Options options) {
         const auto take_frame = [&](const simulation::Simulation& so_far) {
             Outcome now{options, plan, survey, &so_far};
             now.machine = outcome.machine;
+            now.fixtures = outcome.fixtures;
             brep::Shading shading_now;
             if (so_far.boundary) {
                 now.boundary = &*so_far.boundary;

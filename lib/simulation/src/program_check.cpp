@@ -11,6 +11,7 @@
 #include "ncsim/report/machining_time.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/simulation/apply_machine.h"
+#include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
@@ -100,32 +101,6 @@ verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts
         used.spec.tip_diameter.value_or(0.0) > kEngraves)
         facts.flat_tip = used.spec.tip_diameter;
     return facts;
-}
-
-// Moves fixtures of further coordinate systems to W. Returns, in words, the fixtures that are left
-// out because the distance of their system is unknown.
-std::vector<std::string> place_fixtures(verify::MachineDescription& machine, const Plan& plan,
-                                        const Survey& survey) {
-    std::vector<std::string> lost;
-    std::erase_if(machine.fixtures, [&](verify::Fixture& fixture) {
-        const int here = survey.interpretation.workpiece_system;
-        if (fixture.system == 0 || fixture.system == here) return false;
-        const auto origin = setup::origin_of(plan.job.interpreter, fixture.system);
-        if (!origin || !machine.work_zero) {
-            lost.push_back(fmt::format(
-                "position of the fixture '{}': it is specified in {}, and the distance "
-                "from there to {} is not",
-                fixture.name, setup::name_of_system(fixture.system), setup::name_of_system(here)));
-            return true;
-        }
-        const cda::Vec3 shift = *origin - *machine.work_zero;
-        fixture.box.min = fixture.box.min + shift;
-        fixture.box.max = fixture.box.max + shift;
-        for (cda::Vec3& p : fixture.mesh.vertices)
-            p = p + shift;
-        return false;
-    });
-    return lost;
 }
 
 std::set<std::string, std::less<>> accepted_reasons(const std::vector<std::string>& names) {
@@ -222,7 +197,8 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey,
 }
 
 report::PageData make_page_data(const Plan& plan, const Survey& survey,
-                                const Simulation& simulation) {
+                                const Simulation& simulation,
+                                const std::vector<verify::Fixture>& fixtures) {
     report::PageData data;
     const cda::Boundary boundary = simulation.part->boundary();
     const brep::Shading shading = shading_of(plan, survey, simulation, boundary);
@@ -238,13 +214,18 @@ report::PageData make_page_data(const Plan& plan, const Survey& survey,
     render.width = 800;
     render.height = 600;
     render.colouring = exporter::Colouring::Tool;
+    exporter::Overlay overlay;
+    for (const verify::Fixture& fixture : fixtures)
+        overlay.bodies.push_back(body_of(fixture));
+    const cda::Box box = box_with_fixtures(survey.stock->box, fixtures);
     using exporter::View;
     for (const auto& [name, view] :
          {std::pair{"from above", View::Top}, std::pair{"isometric", View::Iso}}) {
-        render.camera = exporter::fit_camera(survey.stock->box, view, 4 / 3.0);
+        render.camera = exporter::fit_camera(box, view, 4 / 3.0);
+        render.camera.depth += reach_of(fixtures);
         std::ostringstream png;
-        exporter::write_png(
-            png, exporter::render_boundary(boundary, simulation.provenance, render, {}, shading));
+        exporter::write_png(png, exporter::render_boundary(boundary, simulation.provenance, render,
+                                                           overlay, shading));
         data.pictures.emplace_back(name, png.str());
     }
     return data;
@@ -399,42 +380,6 @@ void observe_frames(Plan& plan, verify::Verifier& verifier) {
 
 namespace {
 
-// Returns, in words, the fixtures that overlap the stock when the program starts: the position of
-// the fixture or of the stock is wrong.
-std::vector<std::string> fixtures_in_stock(const Plan&, const Survey& survey,
-                                           const VerificationOptions& verification_options) {
-    constexpr double kDeep = 0.01;  // mm
-    std::vector<std::string> found;
-    const bool is_block = survey.stock && !survey.stock->shape && !survey.stock->is_round &&
-                          survey.stock->specified_by != toolpath::ValueSource::Assumption &&
-                          !survey.stock->place_assumed;
-    if (!is_block) return found;
-    const cda::Box& block = survey.stock->box;
-    const auto is_inside = [&](const cda::Vec3& p) {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (p[axis] < block.min[axis] + kDeep || p[axis] > block.max[axis] - kDeep)
-                return false;
-        }
-        return true;
-    };
-    for (const verify::Fixture& fixture : verification_options.machine.machine.fixtures) {
-        if (fixture.system != 0 && fixture.system != survey.interpretation.workpiece_system)
-            continue;
-        bool overlaps = std::ranges::any_of(fixture.mesh.vertices, is_inside);
-        if (fixture.mesh.triangles.empty()) {
-            overlaps = true;
-            for (int axis = 0; axis < 3; ++axis) {
-                overlaps &= std::min(block.max[axis], fixture.box.max[axis]) -
-                                std::max(block.min[axis], fixture.box.min[axis]) >
-                            kDeep;
-            }
-        }
-        if (overlaps)
-            found.push_back(fmt::format("the fixture '{}' is inside the stock", fixture.name));
-    }
-    return found;
-}
-
 std::string text_of(const gcode::OffsetConflict& conflict, bool is_written) {
     std::string text;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -469,7 +414,7 @@ void add_doubts_of_inputs(const Plan& plan, const Survey& survey,
     for (const setup::JobDoubt& doubt : plan.job.doubts)
         verifier.add_doubt(doubt.reason, doubt.message, {0, doubt.span});
     add_doubts_of_offsets(survey, verifier);
-    for (const std::string& what : fixtures_in_stock(plan, survey, verification_options))
+    for (const std::string& what : fixtures_in_stock(survey, verification_options.machine.machine))
         verifier.add_doubt("contradiction", what);
     for (const verify::Fixture& fixture : verification_options.machine.machine.fixtures) {
         if (!fixture.assumed.empty())
@@ -620,7 +565,8 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         checked.verdict =
             verifier.finish(survey.interpretation, simulation.part.get(), simulation.stock_volume);
         if (verification_options.wants_page) {
-            checked.page_data = make_page_data(plan, survey, simulation);
+            checked.page_data =
+                make_page_data(plan, survey, simulation, all.setup.machine.fixtures);
             checked.page_data->machine =
                 machine_page_data(plan, survey, verification_options.machine);
         }

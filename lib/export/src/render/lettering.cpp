@@ -122,11 +122,7 @@ constexpr double kAdvance = 10.5;
 constexpr double kXScale = 0.64;  // letters are slimmer than their grid
 constexpr double kStroke = 0.85;  // width of a stroke, in units of the grid
 
-struct Point {
-    double x = 0.0, y = 0.0;
-};
-
-double distance(Point p, Point a, Point b) {
+double distance(PixelPoint p, PixelPoint a, PixelPoint b) {
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
     const double length2 = dx * dx + dy * dy;
@@ -141,8 +137,19 @@ std::uint8_t mix(std::uint8_t under, std::uint8_t over, double share) {
     return static_cast<std::uint8_t>(under + share * (over - under) + 0.5);
 }
 
-// Draws a stroke of `width` pixels with a smooth edge of one pixel.
-void draw_stroke(Image& image, Point a, Point b, double width, Rgba8 colour) {
+bool is_continuation_byte(char c) {
+    return (static_cast<std::uint8_t>(c) & 0xC0) == 0x80;
+}
+
+std::string_view glyph(char c) {
+    const int index = static_cast<std::uint8_t>(c) - ' ';
+    const bool is_known = index >= 0 && index < static_cast<int>(kGlyphs.size());
+    return is_known ? kGlyphs[static_cast<std::size_t>(index)] : kUnknown;
+}
+
+}  // namespace
+
+void draw_stroke(Image& image, PixelPoint a, PixelPoint b, double width, Rgba8 colour) {
     const double reach = width / 2.0 + 1.0;
     const auto bound = [](double value, std::uint32_t size) {
         return static_cast<std::uint32_t>(std::clamp(value, 0.0, static_cast<double>(size)));
@@ -163,18 +170,6 @@ void draw_stroke(Image& image, Point a, Point b, double width, Rgba8 colour) {
     }
 }
 
-bool is_continuation_byte(char c) {
-    return (static_cast<std::uint8_t>(c) & 0xC0) == 0x80;
-}
-
-std::string_view glyph(char c) {
-    const int index = static_cast<std::uint8_t>(c) - ' ';
-    const bool is_known = index >= 0 && index < static_cast<int>(kGlyphs.size());
-    return is_known ? kGlyphs[static_cast<std::size_t>(index)] : kUnknown;
-}
-
-}  // namespace
-
 void draw_text(Image& image, double x, double y, double height, Rgba8 colour,
                std::string_view text) {
     const double unit = height / kCapHeight;
@@ -182,10 +177,10 @@ void draw_text(Image& image, double x, double y, double height, Rgba8 colour,
         if (is_continuation_byte(c)) continue;
         const std::string_view strokes = glyph(c);
         bool starts = true;
-        Point last;
+        PixelPoint last;
         for (std::size_t i = 0; i + 1 < strokes.size(); i += 3) {
-            const Point next{x + kXScale * unit * (strokes[i] - '0'),
-                             y - unit * (strokes[i + 1] - '0' - kBaseLine)};
+            const PixelPoint next{x + kXScale * unit * (strokes[i] - '0'),
+                                  y - unit * (strokes[i + 1] - '0' - kBaseLine)};
             if (!starts) draw_stroke(image, last, next, kStroke * unit, colour);
             last = next;
             starts = i + 2 < strokes.size() && strokes[i + 2] == ',';

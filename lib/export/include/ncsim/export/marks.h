@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Marks that explain a picture: axes, program zero, scale and legend of colours.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+#include "ncsim/export/camera.h"
+#include "ncsim/export/image.h"
+#include "ncsim/export/provenance.h"
+#include "ncsim/export/render_options.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::exporter {
+
+/// Height of the strip for marks below the part, as a share of the height of the picture.
+inline constexpr double kMarkStrip = 0.12;
+
+/// Smallest width and height of a picture with marks, in pixels.
+inline constexpr std::uint32_t kLeastMarkedSide = 240;
+
+/// Marks of a picture.
+struct Marks {
+    bool axes = false;  ///< Directions of x, y and z of W, in the lower left corner.
+    bool zero = false;  ///< Program zero: a circle with two filled quarters, also behind the part.
+    /// Scale: a bar, if an axis of W is parallel to the picture; otherwise `size_mm` as text, lower
+    /// right.
+    bool scale = false;
+    cda::Vec3 size_mm;  ///< Size of the stock in mm, in W.
+    /// Colours with their meanings, in the order of the list; empty: none.
+    std::vector<std::pair<Rgba8, std::string>> legend;
+    /// Meanings of the ends of the colour scale; both empty: none.
+    std::string scale_begin, scale_end;
+};
+
+/// Returns `camera` with a strip of kMarkStrip below the part. `camera` must have been fitted to a
+/// picture of `aspect / (1 - kMarkStrip)`.
+Camera with_mark_strip(Camera camera);
+
+/// Returns the number and the colour of each tool that cut, in the order of the numbers.
+std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const Provenance& provenance);
+
+/// Draws `marks` into the strip below the part, and the program zero on top of the part.
+/// Guarantees: the same bytes on every machine.
+/// Requires: `image` was drawn with `camera`, orthographic, and is at least kLeastMarkedSide wide
+///     and high; otherwise nothing is drawn.
+void draw_marks(Image& image, const Camera& camera, Background background, const Marks& marks);
+
+}  // namespace ncsim::exporter
