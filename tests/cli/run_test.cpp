@@ -437,6 +437,22 @@ TEST(Run, WritesTheSameBytesWithBothModelsWhenToolsTurn) {
     }
 }
 
+TEST(Run, ReportsVolumePathAndTimeOfEachTool) {
+    Folder folder;
+    // T1 feeds 60 mm at 600 mm/min and T2 feeds 30 mm at 100 mm/min, without rapids and dwells.
+    folder.write("two.nc",
+                 "G21 G90 G17 G94\n(T1 D=6. - flat end mill)\n(T2 D=4. - flat end mill)\n"
+                 "T1 M6\nS5000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F600\nG1 X54\n"
+                 "T2 M6\nG1 Y26 F100\nG1 Y22\nM30\n");
+    const Ran ran = folder.run({"run", "two.nc", "--stock", "80x40x10"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, " removed, 60.0 mm at feed, 0:")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, " removed, 30.0 mm at feed, 0:26 min\n")) << ran.out;
+    // The path is that of the whole program.
+    const Ran part = folder.run({"run", "two.nc", "--stock", "80x40x10", "--at-line", "8"});
+    EXPECT_FALSE(contains(part.out, " removed, ")) << part.out;
+}
+
 TEST(Run, TakesToolsAndStockFromTheCommandLineFirst) {
     Folder folder;
     folder.write("slot.nc", kSlot);

@@ -17,7 +17,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <ostream>
+#include <string>
 
 namespace ncsim::report {
 
@@ -174,7 +176,7 @@ std::string aliasing_text(const AliasingFacts& aliasing, double resolution) {
     std::string text =
         thin_text(aliasing.material, aliasing.material_line, "material", resolution) +
         thin_text(aliasing.gaps, aliasing.gap_line, "gaps", resolution);
-    if (aliasing.is_seen_along_z_alone)
+    if (aliasing.checks_only_along_z)
         text += "          walls and slots are not looked for along Z alone (--rays xyz)\n";
     return text;
 }
@@ -204,6 +206,23 @@ Json section_json(const SectionFacts& section) {
             {"drawn_to_the_right_mm", section.moved_mm}};
 }
 
+// Returns "  T1       48.088 cm3 removed, 1450.2 mm at feed, 1:52 min". The time is omitted if a
+// feed or, on a specified machine, a rate of the axes would decide.
+std::string tool_line(const RunFacts& run, int number) {
+    const auto& volumes = run.part->removed_by_tool;
+    const auto removed = volumes.find(number);
+    std::string text = fmt::format("  T{:<7} {} removed", number,
+                                   volume_text(removed == volumes.end() ? 0.0 : removed->second));
+    const auto& by_tool = run.program->distances;
+    const auto used = by_tool.find(number);
+    // Distances are those of the whole program.
+    if (used == by_tool.end() || run.cutting.at_line) return text + "\n";
+    append(text, ", {:.1f} mm at feed", used->second.feed_mm);
+    const std::optional<double> seconds = time_of(used->second).total();
+    if (seconds && !run.on_machine) append(text, ", {}", time_text(*seconds));
+    return text + "\n";
+}
+
 }  // namespace
 
 std::string summary(const RunFacts& run) {
@@ -217,11 +236,8 @@ std::string summary(const RunFacts& run) {
                    volume_text(s.part_volume_error));
         }
         if (s.aliasing) text += aliasing_text(*s.aliasing, run.cutting.resolution);
-        for (const auto& [number, used] : run.program->tools) {
-            const auto removed = s.removed_by_tool.find(number);
-            append(text, "  T{:<7} {} removed\n", number,
-                   volume_text(removed == s.removed_by_tool.end() ? 0.0 : removed->second));
-        }
+        for (const auto& [number, used] : run.program->tools)
+            text += tool_line(run, number);
         if (run.boundary) {
             const cda::Box box = cda::bounds(*run.boundary);
             append(text, "extents   {}\n", box.is_empty() ? "nothing is left" : describe(box));
@@ -298,7 +314,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
             json["thinner_than_resolution"] = {
                 {"material", thin_json(s.aliasing->material, s.aliasing->material_line)},
                 {"gaps", thin_json(s.aliasing->gaps, s.aliasing->gap_line)},
-                {"seen_along_z_alone", s.aliasing->is_seen_along_z_alone}};
+                {"seen_along_z_alone", s.aliasing->checks_only_along_z}};
         }
     }
     if (run.boundary) {
