@@ -452,6 +452,8 @@ TEST(Traps, AreNotSteppedInto) {
         {"G10 R under G92 turns the position of LinuxCNC", By::Default,
          "G92 X5~G10 L2 P1 R90~G0 X1 Y1", "rapid X-1 Y-4 Z0 ! rotation-under-g92"},
         {"G10 R without G92", By::Default, "G10 L2 P1 R90~G0 X1 Y2", "rapid X-2 Y1 Z0"},
+        {"M73 restores no F after G93, which keeps it", By::Strict,
+         "F90~o100 sub~M73~G93~o100 endsub~o100 call~G1 X4", " ! error feed-missing"},
         {"M73 restores the number of F", By::Default,
          "o100 sub~M73~F80~o100 endsub~F250~G20~o100 call~G1 X1", "feed X25.4 Y0 Z0 F6350"},
         {"15 G92 stays with G55", By::Default, "G92 X10~G55~G0 X0", "rapid X-10 Y0 Z0"},

@@ -382,7 +382,11 @@ bool Machine::set_feed(const Command& command) {
                            : mode == Code::G94 ? FeedMode::PerMinute
                                                : FeedMode::PerRevolution;
         // A feed in the unit of a different mode is not a valid feed.
-        if (before != state_.feed_mode || rules_.strict) state_.feed = control_.feed_word = 0.0;
+        if (before != state_.feed_mode || rules_.strict) {
+            state_.feed = 0.0;
+            // G93 of LinuxCNC keeps the number of the last F.
+            if (mode != Code::G93) control_.feed_word = 0.0;
+        }
     }
     if (command.has('F') && letter_of_dwell(command) != 'F') {
         if (command['F'] < 0.0) return fail(Message::NegativeValue, span_of(command, 'F'), {"F"});
