@@ -347,6 +347,51 @@ class Files(unittest.TestCase):
         self.assertGreater(found, 8)
 
 
+class Documentation(unittest.TestCase):
+    """Compares the tables of docs/jobs.md with the schema of job files."""
+
+    @classmethod
+    def setUpClass(cls):
+        with open(os.path.join(SOURCE, "docs", "jobs.md"), encoding="utf-8") as file:
+            cls.page = file.read()
+        cls.job = SCHEMAS["job"]
+
+    def rows(self, heading):
+        """Lists (keys, text of the value) of the table below a heading."""
+        section = re.search(rf"(?ms)^## {heading}$(.*?)(?=^## |\Z)", self.page)[1]
+        rows = re.findall(r"(?m)^\| (`.*?) \| (.*) \|$", section)
+        return [(re.findall(r"`\[*(?:\w+\.)?(\w+)\]*`", keys), value) for keys, value in rows]
+
+    def expect_each_key_once(self, heading, node, others=()):
+        listed = [key for keys, _ in self.rows(heading) for key in keys]
+        self.assertEqual(sorted(listed), sorted(set(node["properties"]) - set(others)), heading)
+
+    def expect_words(self, heading, key, words):
+        value = next(value for keys, value in self.rows(heading) if keys == [key])
+        self.assertEqual(sorted(re.findall(r"`(\w+)", value)), sorted(words), f"{heading}: {key}")
+
+    def test_each_key_of_a_job_is_in_a_table_once(self):
+        definitions = self.job["definitions"]
+        self.expect_each_key_once("Set-ups", definitions["setup"])
+        self.expect_each_key_once("Values for all set-ups", self.job)
+        self.expect_each_key_once("Tools", definitions["tool"])
+        self.expect_each_key_once("Fixtures", definitions["fixture"], others=["stl"])  # an older name
+
+    def test_names_in_the_tables_are_those_of_the_schema(self):
+        definitions, root = self.job["definitions"], self.job["properties"]
+        self.expect_words("Set-ups", "assumed", definitions["setup"]["properties"]["assumed"]["items"]["enum"])
+        self.expect_words("Values for all set-ups", "assumed", root["assumed"]["items"]["enum"])
+        self.expect_words("Tools", "assumed", definitions["tool"]["properties"]["assumed"]["items"]["enum"])
+        self.expect_words("Tools", "piece", definitions["tool"]["properties"]["piece"]["items"]["properties"])
+        for shape in ("vise", "clamp"):
+            self.expect_words("Fixtures", shape, definitions["fixture"]["properties"][shape]["properties"])
+        outputs = next(value for keys, value in self.rows("Values for all set-ups") if keys == ["outputs"])
+        self.assertEqual(sorted(re.findall(r"`(\w+)`", outputs)), sorted([*definitions["outputs"]["properties"], "run"]))
+        stock = next(value for keys, value in self.rows("Values for all set-ups") if keys == ["stock"])
+        keys = [key for choice in root["stock"]["anyOf"] for key in choice.get("properties", ())]
+        self.assertEqual(sorted(re.findall(r"`(\w+)`", stock)), sorted(keys))
+
+
 class Keys(unittest.TestCase):
     def test_ncsim_reads_an_example_of_each_key(self):
         tasks = list(files_of_keys())
