@@ -15,7 +15,7 @@ const require = createRequire(import.meta.url);
 const sarifSchema = JSON.parse(readFileSync(join(
   dirname(require.resolve("@microsoft/jest-sarif/package.json")),
   "lib/schemas/sarif-2.1.0-rtm.5.json")));
-const ownSchema = JSON.parse(readFileSync(join(source, "docs/check.schema.json")));
+const ownSchema = JSON.parse(readFileSync(join(source, "docs/schemas/check.schema.json")));
 
 const folder = mkdtempSync(join(tmpdir(), "ncsim-schema-"));
 process.on("exit", () => rmSync(folder, { recursive: true }));

@@ -11,7 +11,7 @@
 
 namespace ncsim::report {
 
-/// Writes all results (docs/check.schema.json). Lengths are in mm, volumes in mm³. Within a
+/// Writes all results (docs/schemas/check.schema.json). Lengths are in mm, volumes in mm³. Within a
 /// version, keys are only added.
 void write_check_json(std::ostream& out, const Entries& all, const Scope& scope);
 
