@@ -384,19 +384,11 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
         if (is_of_machine) put(command, Code::G53);
         // Increments are known even if the position before the move is unknown.
         MachineState& state = machine_.state();
-        bool is_unknown = false;
         bool all_incremental = !is_of_machine;
         for (std::size_t i = 0; i < end.size(); ++i) {
-            if ((mask >> i & 1U) == 0) continue;
-            const bool known = i == kX   ? state.known.x
-                               : i == kY ? state.known.y
-                               : i == kZ ? state.known.z
-                                         : true;
-            is_unknown |= !known || (i == kX && state.relative.x) ||
-                          (i == kY && state.relative.y) || (i == kZ && state.relative.z);
-            all_incremental &= words.is_incremental[i];
+            if ((mask >> i & 1U) != 0) all_incremental &= words.is_incremental[i];
         }
-        const bool by_increments = is_unknown && all_incremental && !corner &&
+        const bool by_increments = is_unknown(mask) && all_incremental && !corner &&
                                    block.verb == Verb::Straight && side_ == CutterSide::Off;
         for (std::size_t i = 0; i < end.size(); ++i) {
             if ((mask >> i & 1U) == 0) continue;
@@ -438,7 +430,7 @@ bool Control::retract(const Block& block, const Words& words, Command command) {
         return fail(Message::KlartextVerb, span, {"M140 under cutter compensation"});
     if (words.has_axes()) return fail(Message::KlartextVerb, span, {"M140 with axes"});
     if (!words.mb && !words.is_retracted_fully)
-        return fail(Message::KlartextWordMissing, span, {"M140", "MB"});
+        return fail(Message::BlockNeeds, span, {"M140", "MB"});
     const std::size_t axis = axes_of(plane_).third;
     const bool feeds = words.feed && !words.is_rapid;
     const double before = machine_.state().feed;
@@ -492,7 +484,7 @@ bool Control::arc(const Block& block, const Words& words_of_block) {
     last_direction_ = direction;
     arc.turns = direction;
     if (block.verb == Verb::ArcByRadius) {
-        if (!words.radius) return fail(Message::KlartextWordMissing, span, {"CR", "a radius (R)"});
+        if (!words.radius) return fail(Message::BlockNeeds, span, {"CR", "a radius (R)"});
         return make_arc(words, arc, *words.radius, command);
     }
     if (!centre_) return skip(Message::KlartextCentreMissing);

@@ -224,7 +224,7 @@ bool KlartextNotes::next(Block& block) {
     return true;
 }
 
-std::optional<KlartextCylinder> klartext_cylinder(const SourceFile& program) {
+std::optional<RoundBlank> klartext_cylinder(const SourceFile& program) {
     klartext::Reader reader(program);
     klartext::Block block;
     double unit = 1.0;
@@ -239,7 +239,7 @@ std::optional<KlartextCylinder> klartext_cylinder(const SourceFile& program) {
         scan.skip_blanks();
         const std::string axis = upper_of(scan.letters());
         if (axis.size() != 1 || axis[0] < 'X' || axis[0] > 'Z') continue;
-        KlartextCylinder found;
+        RoundBlank found;
         found.axis = axis[0] - 'X';
         found.span = block.whole();
         found.text = std::string(block.code);
@@ -276,7 +276,7 @@ KlartextListing::KlartextListing(const SourceFile& program)
     : state_(std::make_unique<State>(program)) {}
 KlartextListing::~KlartextListing() = default;
 
-bool KlartextListing::next(KlartextLine& line, DiagnosticLog& log) {
+bool KlartextListing::next(ListedBlock& line, DiagnosticLog& log) {
     State& s = *state_;
     do {
         const std::size_t faults = log.errors();

@@ -38,7 +38,7 @@ std::optional<int> Control::tool_number(Scanner& scan, const Block& block, bool&
         const std::uint32_t index = scan.whole().value_or(0);
         name = parameters_.text(index);
         if (!name) {
-            log_.add(Message::KlartextWordMissing, block.span(begin, scan.at() - begin),
+            log_.add(Message::BlockNeeds, block.span(begin, scan.at() - begin),
                      {"TOOL CALL", "the name of a tool"});
             return std::nullopt;
         }
@@ -46,7 +46,7 @@ std::optional<int> Control::tool_number(Scanner& scan, const Block& block, bool&
     if (name) {
         has_tool = true;
         const int number = number_of(*name);
-        log_.add(Message::KlartextNamedTool, block.span(begin, scan.at() - begin),
+        log_.add(Message::NamedTool, block.span(begin, scan.at() - begin),
                  {"\"" + *name + "\"", std::to_string(number)});
         return number;
     }

@@ -61,6 +61,14 @@ bool BlockControl::run(const Command& command) {
     return true;
 }
 
+bool BlockControl::is_unknown(AxisMask mask) const {
+    const MachineState& state = machine_.state();
+    const auto named = [mask](Axis axis) { return (mask >> axis & 1U) != 0; };
+    return (named(kX) && (!state.known.x || state.relative.x)) ||
+           (named(kY) && (!state.known.y || state.relative.y)) ||
+           (named(kZ) && (!state.known.z || state.relative.z));
+}
+
 void BlockControl::refresh() {
     at_ = machine_.programmed_position();
 }

@@ -87,6 +87,8 @@ protected:
     /// Executes `command`.
     /// Returns: false if the program stops.
     bool run(const Command& command);
+    /// True if the position along an axis of `mask` is unknown, or relative to an unknown position.
+    bool is_unknown(AxisMask mask) const;
     /// Reads the position from the machine.
     virtual void refresh();
     /// Sets the position after a straight move to `end`.

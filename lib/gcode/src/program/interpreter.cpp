@@ -6,6 +6,7 @@
 #include "control/control_rules.h"
 #include "klartext/klartext_runner.h"
 #include "program/runner.h"
+#include "sinumerik/sinumerik_runner.h"
 #include "text/message.h"
 
 namespace ncsim::gcode {
@@ -64,18 +65,37 @@ bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
     return true;
 }
 
-/// Interprets a program in Klartext.
-void interpret_klartext(const SourceFile& program, const InterpreterOptions& options,
-                        const MotionSink& sink, DiagnosticLog& log, Interpretation& result) {
+/// Interprets a program in a language other than G-code: Klartext or SINUMERIK.
+void interpret_language(Dialect dialect, const SourceFile& program,
+                        const InterpreterOptions& options, const MotionSink& sink,
+                        DiagnosticLog& log, Interpretation& result) {
     InterpreterOptions own = options;
-    // M128, M129 and M126 are codes of the language.
+    // M128, M129 and M126 are codes of Klartext; TRAORI and TRAFOOF use the same numbers.
     own.tip_control.m_codes[128] = Coordinates::Tip;
     own.tip_control.m_codes[129] = Coordinates::Axes;
     own.rotary_ways = {};
-    const Rules rules = Rules::of(Dialect::Heidenhain, false);
+    const Rules rules = Rules::of(dialect, false);
     ArcCentres centres;
     centres.is_settled = true;
-    klartext::Runner(program, own, rules, centres, sink, log, result).run();
+    if (dialect == Dialect::Heidenhain) {
+        klartext::Runner(program, own, rules, centres, sink, log, result).run();
+    } else {
+        sinumerik::Runner(program, own, options.rotary_ways, rules, centres, sink, log, result)
+            .run();
+    }
+}
+
+/// Returns the language of the program: Heidenhain or Sinumerik; Auto for G-code.
+Dialect language_of(const DialectFindings& findings, bool strict) {
+    if (findings.stated) {
+        const bool is_language =
+            findings.dialect == Dialect::Heidenhain || findings.dialect == Dialect::Sinumerik;
+        return is_language ? findings.dialect : Dialect::Auto;
+    }
+    if (strict) return Dialect::Auto;
+    return findings.kind == Kind::Heidenhain ? Dialect::Heidenhain
+           : findings.kind == Kind::Siemens  ? Dialect::Sinumerik
+                                             : Dialect::Auto;
 }
 
 /// Interprets the whole program without output.
@@ -107,21 +127,20 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
         result.dialect.stated = true;
     }
     if (options.strict) result.dialect.dialect = Dialect::Rs274;
-    const bool is_klartext = result.dialect.stated
-                                 ? result.dialect.dialect == Dialect::Heidenhain
-                                 : result.dialect.kind == Kind::Heidenhain && !options.strict;
-    if (is_klartext) {
-        result.dialect.dialect = Dialect::Heidenhain;
+    if (const Dialect language = language_of(result.dialect, options.strict);
+        language != Dialect::Auto) {
+        result.dialect.dialect = language;
         result.dialect.kind = Kind::Milling;
         if (!result.dialect.stated) {
             result.dialect.evidence = result.dialect.kind_evidence;
             log.add(Message::DialectConcluded, place(result.dialect.evidence),
-                    {name_of(Dialect::Heidenhain), reasons(result.dialect.evidence)});
+                    {name_of(language), reasons(result.dialect.evidence)});
         }
-        interpret_klartext(program, options, sink, log, result);
+        interpret_language(language, program, options, sink, log, result);
         result.diagnostics = log.take();
         return result;
     }
+    if (result.dialect.dialect == Dialect::SinumerikIso) result.dialect.kind = Kind::Milling;
     if (refuse(result.dialect, options.strict, log)) {
         result.refused = true;
         result.diagnostics = log.take();

@@ -22,6 +22,8 @@ std::string_view name_of(Dialect dialect) {
         case Dialect::Grbl: return "grbl";
         case Dialect::Mach3: return "mach3";
         case Dialect::Heidenhain: return "heidenhain";
+        case Dialect::Sinumerik: return "sinumerik";
+        case Dialect::SinumerikIso: return "sinumerik-iso";
     }
     return "";
 }
