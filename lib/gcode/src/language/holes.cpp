@@ -68,7 +68,8 @@ bool BlockControl::peck(const Pecks& pecks, const MessageText& too_many) {
     };
     while (!in_one && depth - step > pecks.bottom + kPeckRounding) {
         const double rest = depth - pecks.bottom;
-        if (pecks.halves_last && depth != pecks.from && rest < 2.0 * step) step = rest / 2.0;
+        const bool is_last_but_one = pecks.halves_last && depth != pecks.from && rest < 2.0 * step;
+        if (is_last_but_one) step = rest / 2.0;
         const double target = depth - step;
         if (++count > kMostPecks) return fail(too_many, span);
         if (!break_chips(target)) return false;
@@ -84,6 +85,7 @@ bool BlockControl::peck(const Pecks& pecks, const MessageText& too_many) {
                 return false;
         }
         depth = target;
+        if (is_last_but_one) break;
         if (pecks.decrement > 0.0) {
             const double least = pecks.least > 0.0 ? pecks.least : pecks.decrement;
             step = std::max(step - pecks.decrement, least);

@@ -116,18 +116,18 @@ bool has_absolute_centres(const SourceFile& program, InterpreterOptions options,
 
 }  // namespace
 
-Interpretation interpret(const SourceFile& program, const InterpreterOptions& options,
+Interpretation interpret(const SourceFile& program, const InterpreterOptions& given,
                          const MotionSink& sink) {
     Interpretation result;
     DiagnosticLog log;
     result.files.push_back(program.name);
-    result.dialect = options.of_file ? *options.of_file : detect_dialect(program);
-    if (options.dialect != Dialect::Auto) {
-        result.dialect.dialect = options.dialect;
+    result.dialect = given.of_file ? *given.of_file : detect_dialect(program);
+    if (given.dialect != Dialect::Auto) {
+        result.dialect.dialect = given.dialect;
         result.dialect.stated = true;
     }
-    if (options.strict) result.dialect.dialect = Dialect::Rs274;
-    if (const Dialect language = language_of(result.dialect, options.strict);
+    if (given.strict) result.dialect.dialect = Dialect::Rs274;
+    if (const Dialect language = language_of(result.dialect, given.strict);
         language != Dialect::Auto) {
         result.dialect.dialect = language;
         result.dialect.kind = Kind::Milling;
@@ -136,22 +136,30 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
             log.add(Message::DialectConcluded, place(result.dialect.evidence),
                     {name_of(language), reasons(result.dialect.evidence)});
         }
-        interpret_language(language, program, options, sink, log, result);
+        interpret_language(language, program, given, sink, log, result);
         result.diagnostics = log.take();
         return result;
     }
     if (result.dialect.dialect == Dialect::SinumerikIso) result.dialect.kind = Kind::Milling;
-    if (refuse(result.dialect, options.strict, log)) {
+    if (refuse(result.dialect, given.strict, log)) {
         result.refused = true;
         result.diagnostics = log.take();
         return result;
     }
     const std::vector<Evidence>& evidence = result.dialect.evidence;
-    if (!options.strict && !result.dialect.stated && !evidence.empty()) {
+    if (!given.strict && !result.dialect.stated && !evidence.empty()) {
         log.add(Message::DialectConcluded, place(evidence),
                 {name_of(result.dialect.dialect), reasons(evidence)});
     }
-    Rules rules = Rules::of(result.dialect.dialect, options.strict);
+    // The ISO mode of SINUMERIK is the language of Fanuc; G291 selects it.
+    const bool is_iso = result.dialect.dialect == Dialect::SinumerikIso;
+    InterpreterOptions of_mode;
+    if (is_iso) {
+        of_mode = given;
+        of_mode.allow.emplace_back("G291");
+    }
+    const InterpreterOptions& options = is_iso ? of_mode : given;
+    Rules rules = Rules::of(is_iso ? Dialect::Fanuc : result.dialect.dialect, options.strict);
     rules.c_may_be_corner = result.dialect.c_may_be_corner;
     rules.linuxcnc_planes =
         rules.dialect == Dialect::Rs274 && (result.dialect.stated || !evidence.empty());

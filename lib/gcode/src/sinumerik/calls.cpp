@@ -273,6 +273,7 @@ std::optional<std::size_t> Runner::find_program(const std::string& name) {
 bool Runner::call(const std::string& called, std::vector<Argument> passed, double runs,
                   SourceSpan span) {
     const std::string name = program_name(called);
+    if (name.empty()) return refuse_text(0);
     const std::optional<std::size_t> found = find_program(name);
     if (!found) {
         const std::string upper_name = upper_of(name);

@@ -329,31 +329,6 @@ bool Control::seek_home(const Words& words, SourceSpan span) {
     return done;
 }
 
-/// G110, G111, G112: pole from the last position, the zero, the last pole.
-bool Control::set_pole(int code, const Words& words, SourceSpan span) {
-    const PlaneAxes axes = axes_of(plane_);
-    const std::array<std::size_t, 2> index{axes.first, axes.second};
-    const std::array<double, 2> from =
-        code == 110   ? std::array<double, 2>{at_[axes.first], at_[axes.second]}
-        : code == 112 ? pole_
-                      : std::array<double, 2>{};
-    for (std::size_t i = 0; i < 2; ++i)
-        pole_[i] = from[i];
-    if (words.polar_radius || words.polar_angle) {
-        if (!words.polar_radius || !words.polar_angle)
-            return fail(Message::BlockNeeds, span, {"the pole", "AP and RP"});
-        const trig::SinCos direction = trig::sin_cos(words.polar_angle->value);
-        pole_[0] += *words.polar_radius * direction.cos;
-        pole_[1] += *words.polar_radius * direction.sin;
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-        if (words.axis[index[i]]) pole_[i] = from[i] + words.axis[index[i]]->value;
-    }
-    polar_angle_.reset();
-    polar_radius_.reset();
-    return true;
-}
-
 // --- Ends ---
 
 bool Control::is_increment(const Coordinate& word) const {
@@ -397,30 +372,6 @@ Axes Control::ends(const Words& words, AxisMask& mask) const {
         end[i] = end_of(*words.axis[i], i);
     }
     return end;
-}
-
-/// Computes the end of AP and RP about the pole.
-bool Control::polar_end(const Words& words, Axes& end, AxisMask& mask, SourceSpan span) {
-    if (!words.polar_angle && !words.polar_radius) return true;
-    const PlaneAxes axes = axes_of(plane_);
-    if (words.axis[axes.first] || words.axis[axes.second])
-        return fail(Message::NotRead, span, {"AP or RP with an axis of the plane"});
-    const double x = at_[axes.first] - pole_[0];
-    const double y = at_[axes.second] - pole_[1];
-    double radius = polar_radius_.value_or(trig::length_of(x, y));
-    double angle = polar_angle_.value_or(trig::angle_of(x, y));
-    if (words.polar_radius) radius = *words.polar_radius;
-    if (words.polar_angle) {
-        const bool adds = is_increment(*words.polar_angle);
-        angle = adds ? angle + words.polar_angle->value : words.polar_angle->value;
-    }
-    const trig::SinCos direction = trig::sin_cos(angle);
-    end[axes.first] = pole_[0] + radius * direction.cos;
-    end[axes.second] = pole_[1] + radius * direction.sin;
-    mask |= 1U << axes.first | 1U << axes.second;
-    polar_radius_ = radius;
-    polar_angle_ = angle;
-    return true;
 }
 
 // --- Moves ---

@@ -75,6 +75,9 @@ bool Control::read_hole(const CycleCall& call, Hole& hole) {
         return fail(Message::BlockNeeds, call.span, {call.name, "a depth (DP or DPR)"});
     }
     hole.feed = machine_.state().feed;
+    if (hole.retract < hole.surface)
+        return fail(Message::BlockNeeds, call.span,
+                    {call.name, "a retraction plane (RTP) above the reference plane (RFP)"});
     if (hole.bottom > hole.surface) return fail(Message::HoleUpwards, call.span, {call.name});
     return true;
 }

@@ -166,7 +166,7 @@ bool Control::swivel(const CycleCall& call) {
     const bool moves = before[kA] != axes[kA] || before[kB] != axes[kB] || before[kC] != axes[kC];
     if (moves && at(0) != 0.0) {
         // The point of retraction is data of the machine builder.
-        log_.add(Message::SwivelRetract, span);
+        log_.add(Message::MachinePoint, span, {"the retraction of CYCLE800"});
         Command command = make(span);
         put(command, Code::G0);
         put(command, Code::G53);

@@ -81,8 +81,9 @@ std::string corner(std::string_view head, const std::array<double, 3>& place) {
 
 bool is_sinumerik(const SourceFile& program) {
     constexpr std::size_t kHead = 256'000;
-    constexpr std::array<std::string_view, 8> kSigns{"=",    "\"",  "(",   "_",
-                                                     "SUPA", "TRA", "ROT", "PROC"};
+    constexpr auto kSigns = std::to_array<std::string_view>(
+        {"=", "\"", "(", "_", "SUPA", "TRA", "ROT", "SCALE", "MIRROR", "PROC", "DEF", "GOTO",
+         "CASE", "MCALL", "FNORM", "STOPRE", "G70", "G71", "G500"});
     const std::string_view head = std::string_view(program.text).substr(0, kHead);
     const std::string ending =
         program.name.size() < 4 ? "" : upper_of(program.name.substr(program.name.size() - 4));

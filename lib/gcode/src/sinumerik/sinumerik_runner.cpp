@@ -179,6 +179,11 @@ bool Runner::act() {
 
 /// Executes a block that begins with the keyword `name`. `is_done`: false for another block.
 bool Runner::statement(std::string_view name, CodeScanner& scan, bool& is_done) {
+    // "G1", "X10": most blocks begin with a word.
+    if (name.size() < 2 || is_digit(name[1])) {
+        is_done = false;
+        return true;
+    }
     const std::size_t begin = scan.at();
     scan.move_to(begin + name.size());
     const SourceSpan span = line_.span(begin, name.size());
@@ -199,9 +204,8 @@ bool Runner::statement(std::string_view name, CodeScanner& scan, bool& is_done) 
     if (name == "PROC") return proc(scan);
     if (name == "EXTERN") return true;  // A declaration; the file of the program decides.
     if (name == "MSG" || name == "SETAL") return skip_call(scan);
-    if (name == "RET" || name == "M17") {
-        if (name == "RET" && scan.take('('))
-            return fail(Message::NotRead, span, {"RET with values"});
+    if (name == "RET") {
+        if (scan.take('(')) return fail(Message::NotRead, span, {"RET with values"});
         if (!is_at_end(scan)) return false;
         if (is_in_subprogram()) return finish_program();
         control_.end_program();
@@ -305,7 +309,7 @@ bool Runner::item(CodeScanner& scan, Words& words, bool& has_words) {
     if (has_sign && name.size() > 1 && !is_long_address(name))
         return fail(Message::VariableMissing, span, {raw});
     if (behind.peek() == '(') return named_call(raw, scan, begin == 0 && !has_words);
-    if (!has_sign) {
+    if (!has_sign && raw.size() > 1 && !is_digit(raw[1])) {
         switch (words_.keyword(name, span, words)) {
             case WordReader::Found::Error: return false;
             case WordReader::Found::Yes:

@@ -72,7 +72,9 @@ constexpr auto kLongWithoutPath = std::to_array<std::string_view>(
 }  // namespace
 
 bool is_long_address(std::string_view name) {
-    return has_name(kLong, name);
+    const bool is_output =
+        name.size() > 1 && name[0] == 'H' && std::ranges::all_of(name.substr(1), is_digit);  // H5=3
+    return is_output || has_name(kLong, name);
 }
 
 bool Words::has_m(int number) const {
@@ -223,7 +225,7 @@ WordReader::Found WordReader::word(CodeScanner& scan, const Line& line, Words& w
     const bool has_sign = scan.peek() == '=' && scan.peek(1) != '=';
     const bool is_single = name.size() == 1 && is_letter(name[0]);
     Coordinate value;
-    if (has_sign && (is_single || has_name(kLong, name))) {
+    if (has_sign && (is_single || is_long_address(name))) {
         scan.move_to(scan.at() + 1);
         scan.skip_blanks();
         if (name == "T" || name == "T1") {
@@ -293,6 +295,7 @@ WordReader::Found WordReader::take(std::string_view name, double value,
             default: return fail(Message::NotRead, span, {name});
         }
     }
+    if (name[0] == 'H') return Found::Yes;
     words.corner_span = span;
     if (name == "CR") return put(words.radius, value);
     if (name == "AR") return put(words.opening, value);
