@@ -353,7 +353,7 @@ TEST(Klartext, ListingHasOneLineABlock) {
                           "0 BEGIN PGM T MM\n1  L   X+1\tR0 ; text\n; text\n2 CYCL DEF 247 ~\n  "
                           "Q339=1 ;N\nwhat is this\n"};
     KlartextListing listing(file);
-    KlartextLine line;
+    ListedBlock line;
     DiagnosticLog log;
     std::vector<std::string> lines;
     while (listing.next(line, log))

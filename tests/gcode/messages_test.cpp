@@ -25,7 +25,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class By : unsigned char { Default, Strict, Fanuc, Grbl, Mach3, Tip, Turning, Klartext };
+enum class By : unsigned char {
+    Default,
+    Strict,
+    Fanuc,
+    Grbl,
+    Mach3,
+    Tip,
+    Turning,
+    Klartext,
+    Sinumerik
+};
 
 // Machine with rotary axes that reaches no orientation, and no tip position with X > 50 mm.
 class Stubborn : public JointSolver {
@@ -64,6 +74,7 @@ std::vector<std::string> said_of(const Case& c) {
                       : c.by == By::Grbl                       ? Dialect::Grbl
                       : c.by == By::Mach3                      ? Dialect::Mach3
                       : c.by == By::Klartext                   ? Dialect::Heidenhain
+                      : c.by == By::Sinumerik                  ? Dialect::Sinumerik
                                                                : Dialect::Rs274;
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
@@ -82,6 +93,7 @@ std::string many_points() {
 }
 
 const std::vector<Case>& cases() {
+    static const std::string kSinumerik = "G710 G90~T1 M6~";
     static const std::string kKlartext = "BEGIN PGM T MM~TOOL CALL 1 Z S1~";
     static const std::string kStart = "G21 G90 G17 F100 G0 X0 Y0 Z0~";
     static const std::vector<Case> kCases = {
@@ -363,7 +375,7 @@ const std::vector<Case>& cases() {
          "is not simulated [control-alarm]"},
         {By::Klartext, kKlartext + "L Z+0 FMAX M92",
          "3:1: warning: M92 refers to a point of the machine builder; it is read as the zero of "
-         "the machine (M91) [machine-point]"},
+         "the machine [machine-point]"},
         {By::Klartext, kKlartext + "CC X+0 Y+0~C X+0 Y+0 DR+ FMAX",
          "4:1: warning: FMAX in an arc is simulated at the last feed [arc-rapid]"},
         {By::Klartext, kKlartext + "TOOL CALL \"A\" Z",
@@ -374,6 +386,57 @@ const std::vector<Case>& cases() {
         {By::Klartext, kKlartext + "CYCL END",
          "3:1: warning: CYCL END is no block of the control; it is taken to end M89 "
          "[klartext-verb]"},
+        // SINUMERIK
+        {By::Sinumerik, kSinumerik + "POCKET4(1)",
+         "3:1: error: POCKET4 is not read; the program is stopped here [not-read]"},
+        {By::Sinumerik, kSinumerik + "?",
+         "3:1: error: '?' is no block of SINUMERIK; the program is stopped here [not-read]"},
+        {By::Sinumerik, kSinumerik + "G0 G1",
+         "3:4: error: G1 and another code of its group are in one block; the program is stopped "
+         "here [group-twice]"},
+        {By::Sinumerik, kSinumerik + "G1 X=A",
+         "3:6: error: there is no variable A; the program is stopped here [variable-missing]"},
+        {By::Sinumerik, kSinumerik + "R1=$A_IN[1]",
+         "3:4: error: $A_IN is data of the control, which are not known here; the program is "
+         "stopped here [variable-missing]"},
+        {By::Sinumerik, kSinumerik + "R1=\"A\"",
+         "3:1: error: this needs a number; the program is stopped here [value-type]"},
+        {By::Sinumerik, kSinumerik + "R[-1]=1",
+         "3:2: error: this index is not in the array; the program is stopped here "
+         "[parameter-range]"},
+        {By::Sinumerik, kSinumerik + "IF 1==1 AND 1==1",
+         "3:14: error: AND and OR bind more strongly than comparisons; put brackets around each "
+         "comparison; the program is stopped here [comparison-brackets]"},
+        {By::Sinumerik, kSinumerik + "GOTOF A",
+         "3:1: error: there is no label A behind this block; the program is stopped here "
+         "[label-missing]"},
+        {By::Sinumerik, kSinumerik + "LOOP~GOTOF A~A: IF 1==2",
+         "5:4: error: IF has no ENDIF; the program is stopped here [block-end-missing]"},
+        {By::Sinumerik, kSinumerik + "ENDLOOP",
+         "3:1: error: nothing before this block begins what ENDLOOP ends; the program is stopped "
+         "here [block-begin-missing]"},
+        {By::Sinumerik, "%_N_A_SPF~PROC A~%_N_B_MPF~A(1)",
+         "4:1: error: the call has more arguments than PROC has parameters; the program is stopped "
+         "here [call-arguments]"},
+        {By::Sinumerik, "%_N_A_SPF~X1~%_N_B_MPF~G0 A",
+         "6:1: error: a call needs a block of its own; the program is stopped here [call-forms]"},
+        {By::Sinumerik, kSinumerik + "TRANS X1 F1",
+         "3:1: error: TRANS needs a block of its own; the program is stopped here "
+         "[frame-own-block]"},
+        {By::Sinumerik, kSinumerik + "ATRANS X1~TRANS X1",
+         "4:1: error: TRANS after ATRANS or G59 may keep or delete their part of the offset; write "
+         "TRANS alone before it; the program is stopped here [reading-guess]"},
+        {By::Sinumerik, kSinumerik + "CYCLE81(5,0,1,2)",
+         "3:1: error: the depth of CYCLE81 is above the reference plane; the program is stopped "
+         "here [depth-positive]"},
+        {By::Sinumerik, kSinumerik + "G70",
+         "3:1: warning: G70 leaves the unit of feeds to the machine; mm is taken (--units names "
+         "the unit of the machine; G700 sets both) [feed-unit]"},
+        {By::Sinumerik, kSinumerik + "D3",
+         "3:1: warning: D3 of T1 has no values of its own here; length and radius of the tool are "
+         "taken [tool-edge]"},
+        {By::Sinumerik, "T1~G0 X1",
+         "1:1: warning: the program has no M6; T changes the tool at once [tool-change]"},
     };
     return kCases;
 }

@@ -14,6 +14,10 @@ ncsim_add_test(gcode
     klartext_cycles_test.cpp
     klartext_paths_test.cpp
     klartext_test.cpp
+    sinumerik_cycles_test.cpp
+    sinumerik_flow_test.cpp
+    sinumerik_frames_test.cpp
+    sinumerik_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp
     parser_test.cpp

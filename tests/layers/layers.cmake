@@ -24,7 +24,7 @@ endforeach()
 # Folders of a library's sources, the lowest first: a file may include files of its own folder and of
 # those before it. A name "a/b" is the folder b in a; files directly in a may include, and be included by, the
 # folders in it.
-set(floors_gcode text control/paths control/frames control/cycles klartext program)
+set(floors_gcode text control/paths control/frames control/cycles language klartext sinumerik program)
 set(floors_cda base exact polytope surface tree flat)
 set(floors_toolpath tools polytope motion)
 set(floors_brep geometry sources topology query heal recognise)

@@ -122,12 +122,11 @@ cda::Vec3 read_triple(const char* option, const std::string& text) {
 
 gcode::Dialect read_dialect(const std::string& name) {
     using gcode::Dialect;
-    for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
-                                  Dialect::Grbl, Dialect::Mach3, Dialect::Heidenhain}) {
+    for (const Dialect dialect : gcode::kDialectList) {
         if (name == gcode::name_of(dialect)) return dialect;
     }
     throw Refusal{fmt::format(
-        "--dialect '{}': expected auto, rs274, fanuc, haas, grbl, mach3 or heidenhain", name)};
+        "--dialect '{}': expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik or sinumerik-iso", name)};
 }
 
 bool read_inches(const std::string& unit) {
@@ -220,7 +219,7 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
-            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain [auto]")
+            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik, sinumerik-iso [auto]")
         ->type_name("NAME");
     command.add_flag("--strict", o.strict, "Refuse what LinuxCNC refuses");
     command

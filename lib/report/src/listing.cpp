@@ -3,7 +3,7 @@
 // Blocks, motions and codes of a program, as text or JSON.
 #include "ncsim/report/listing.h"
 
-#include "ncsim/gcode/klartext.h"
+#include "ncsim/gcode/language.h"
 #include "ncsim/gcode/print.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
@@ -210,17 +210,19 @@ Json to_json(const gcode::Motion& motion) {
 
 namespace {
 
-gcode::Diagnostics list_klartext(const gcode::SourceFile& program, bool as_json,
+/// Lists a program in a language other than G-code.
+gcode::Diagnostics list_language(const gcode::SourceFile& program,
+                                 gcode::ProgramListing& listing, bool as_json,
                                  const TextSink& sink) {
     gcode::DiagnosticLog log;
-    gcode::KlartextListing listing(program);
-    gcode::KlartextLine line;
+    const std::string kind(name_of(gcode::language_of(program)));
+    gcode::ListedBlock line;
     if (as_json) {
         JsonLines out(base_name(program.name), "blocks", sink);
         while (listing.next(line, log)) {
             out.add({{"line", line.line},
                      {"text", line.text},
-                     {"kind", line.is_readable ? "klartext" : "unreadable"}});
+                     {"kind", line.is_readable ? kind : "unreadable"}});
         }
         out.finish(log.diagnostics());
         return log.take();
@@ -237,8 +239,8 @@ gcode::Diagnostics list_klartext(const gcode::SourceFile& program, bool as_json,
 gcode::Diagnostics list_blocks(const gcode::SourceFile& program,
                                const gcode::ParserOptions& options, bool as_json,
                                const TextSink& sink) {
-    if (!options.strict && gcode::is_klartext(program))
-        return list_klartext(program, as_json, sink);
+    if (const auto listing = options.strict ? nullptr : gcode::listing_of(program))
+        return list_language(program, *listing, as_json, sink);
     gcode::DiagnosticLog log;
     gcode::BlockReader reader(program, options);
     gcode::Block block;

@@ -3,7 +3,7 @@
 // Parses suppressions in the comments of a program.
 #include "ncsim/verify/suppression.h"
 
-#include "ncsim/gcode/klartext.h"
+#include "ncsim/gcode/language.h"
 #include "ncsim/gcode/parser.h"
 #include "ncsim/verify/rule.h"
 
@@ -71,11 +71,10 @@ std::optional<std::vector<std::string>> ignored_in(std::string_view comment) {
 
 Suppressions::Suppressions(const gcode::SourceFile& program) {
     gcode::BlockReader reader(program);
-    std::optional<gcode::KlartextNotes> klartext;
-    if (gcode::is_klartext(program)) klartext.emplace(program);
+    const auto notes = gcode::notes_of(program);
     gcode::Block block;
     std::set<std::string, std::less<>> pending;
-    while (klartext ? klartext->next(block) : reader.next(block)) {
+    while (notes ? notes->next(block) : reader.next(block)) {
         for (const gcode::Comment& comment : block.comments) {
             const auto names = ignored_in(comment.text);
             if (names && names->empty()) unknown_.push_back({{}, comment.span});
@@ -87,7 +86,7 @@ Suppressions::Suppressions(const gcode::SourceFile& program) {
         }
         const bool does_something = !block.words.empty() || !block.assignments.empty() ||
                                     block.control.word != gcode::ControlWord::None ||
-                                    (klartext && !block.text.empty());
+                                    (notes && !block.text.empty());
         if (!does_something || pending.empty()) continue;
         lines_.emplace(block.line, std::move(pending));
         pending.clear();

@@ -1,4 +1,5 @@
-; 2:1: error: this is a program for Siemens controls: WORKPIECE (line 2), CYCLE800 (line 3); it is not read here: post it for a control with G-code, such as LinuxCNC's or Fanuc's, or, if it is that already, name the control (--dialect) [foreign-program]
+; 4:1: error: POCKET4 is not read; the program is stopped here [not-read]
 WORKPIECE(,,,"BOX",112,0,-20,-80,0,0,100,100)
 CYCLE800()
+POCKET4(10,0,2,15,40,50)
 G1 X1

@@ -63,9 +63,10 @@ struct Rules {
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = !strict && dialect == Dialect::Fanuc;
         rules.pecks_shrink = !strict && dialect == Dialect::Haas;
-        const bool klartext = !strict && dialect == Dialect::Heidenhain;
-        rules.corner_words = fanuc || klartext;
-        if (fanuc || klartext) rules.compensation_start = CompensationStart::SquareToNext;
+        const bool has_language =
+            !strict && (dialect == Dialect::Heidenhain || dialect == Dialect::Sinumerik);
+        rules.corner_words = fanuc || has_language;
+        if (fanuc || has_language) rules.compensation_start = CompensationStart::SquareToNext;
         rules.hole_patterns = fanuc;
         rules.circular_pockets = fanuc;
         rules.macro_b = fanuc;

@@ -88,8 +88,10 @@ void Machine::report_to(Interpretation& result) const {
 }
 
 std::optional<ProgramPlace> Machine::distance_guess() const {
-    const bool starts_absolute =
-        rules_.is_linuxcnc() || rules_.dialect == Dialect::Grbl || rules_.dialect == Dialect::Haas;
+    const bool starts_absolute = rules_.is_linuxcnc() || rules_.dialect == Dialect::Grbl ||
+                                 rules_.dialect == Dialect::Haas ||
+                                 rules_.dialect == Dialect::Heidenhain ||
+                                 rules_.dialect == Dialect::Sinumerik;
     if (starts_absolute || distance_.is_certain || distance_.are_places()) return std::nullopt;
     return distance_.first;
 }

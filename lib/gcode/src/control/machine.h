@@ -96,9 +96,9 @@ public:
     /// Returns the position in the coordinates of the program: rotation, scale and mirror images
     /// are removed.
     Axes programmed_position() const { return to_programmed(state_.position); }
-    /// Solution of the rotary axes: as the machine prefers, or with the leading axis at or above
-    /// (below) 0.
-    enum class LeadingAxis : std::uint8_t { Preferred, Positive, Negative };
+    /// Solution of the rotary axes: as the machine prefers, with the leading axis at or above
+    /// (below) 0, or with the least (greatest) position of the leading axis.
+    enum class LeadingAxis : std::uint8_t { Preferred, Positive, Negative, Least, Greatest };
     /// Sets the tilted plane `frame`, in coordinates of the datum and active units. The rotary axes
     /// do not turn. `name`: the words of the program.
     bool tilt(const FeatureFrame& frame, std::string_view name, SourceSpan span);
@@ -228,6 +228,8 @@ private:
     bool hole_pattern(const Command& command, Code code, bool words_taken);
     std::string_view corner_name(char letter) const {
         if (rules_.dialect == Dialect::Heidenhain) return letter == 'R' ? "RND" : "CHF";
+        if (rules_.dialect == Dialect::Sinumerik)
+            return letter == 'R' ? "RND" : letter == 'C' ? "CHR" : "ANG";
         return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
     }
     bool is_line(const Command& command) const;

@@ -15,7 +15,6 @@
 namespace ncsim::gcode::klartext {
 namespace {
 
-const gcode::Block kNoWords;
 constexpr int kMaxArcTurns = 100'000;
 
 /// M codes that move no axis and do not change the meaning of other words: programming aids, feed
@@ -35,16 +34,7 @@ std::string_view verb_of(const Block& block) {
 
 Control::Control(const InterpreterOptions& options, Machine& machine, Parameters& parameters,
                  DiagnosticLog& log)
-    : options_(options), machine_(machine), parameters_(parameters), log_(log) {
-    machine_.state().absolute_centres = true;
-    at_ = machine_.programmed_position();
-}
-
-bool Control::fail(const MessageText& message, SourceSpan span,
-                   std::initializer_list<std::string_view> arguments) {
-    log_.add(message, span, arguments);
-    return false;
-}
+    : BlockControl(options, machine, log), parameters_(parameters) {}
 
 bool Control::Words::has(int code) const {
     return std::ranges::find(m, code) != m.end();
@@ -56,48 +46,19 @@ bool Control::Words::has_axes() const {
 
 // --- Commands ---
 
-Command Control::make(SourceSpan span) const {
-    Command command;
-    command.block = &kNoWords;
-    command.span = span;
-    command.g.fill(Code::None);
-    command.m.fill(kNone);
-    return command;
-}
-
-void Control::put(Command& command, char letter, double value) const {
-    command.present |= 1U << letter_index(letter);
-    command.value[letter_index(letter)] = value;
-}
-
-void Control::put(Command& command, Code code) const {
-    command.g[static_cast<std::size_t>(entry_of(code).group)] = code;
-}
-
-bool Control::run(const Command& command) {
-    machine_.set_origin(command.span, file_);
-    const bool done = machine_.execute(command);
-    if (machine_.stopped()) return false;
-    if (!done) refresh();
-    return true;
-}
-
 void Control::refresh() {
-    at_ = machine_.programmed_position();
+    BlockControl::refresh();
     pr_.reset();
     pa_.reset();
 }
 
 void Control::arrive(const Axes& end) {
     const PlaneAxes axes = axes_of(plane_);
-    const double dx = end[axes.first] - at_[axes.first];
-    const double dy = end[axes.second] - at_[axes.second];
-    if (dx != 0.0 || dy != 0.0) {
-        tangent_ = {{dx, dy}};
+    if (end[axes.first] != at_[axes.first] || end[axes.second] != at_[axes.second]) {
         pr_.reset();
         pa_.reset();
     }
-    at_ = end;
+    BlockControl::arrive(end);
 }
 
 void Control::set_units(bool inches) {
@@ -251,7 +212,7 @@ bool Control::act_before(const Block& block, Words& words, Command& command) {
                 put(command, per_revolution_ ? Code::G95 : Code::G94);
                 feed_ = 0.0;
                 break;
-            case 92: log_.add(Message::KlartextMachinePoint, block.whole()); break;
+            case 92: log_.add(Message::MachinePoint, block.whole(), {"M92"}); break;
             default: break;
         }
     }
@@ -423,19 +384,11 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
         if (is_of_machine) put(command, Code::G53);
         // Increments are known even if the position before the move is unknown.
         MachineState& state = machine_.state();
-        bool is_unknown = false;
         bool all_incremental = !is_of_machine;
         for (std::size_t i = 0; i < end.size(); ++i) {
-            if ((mask >> i & 1U) == 0) continue;
-            const bool known = i == kX   ? state.known.x
-                               : i == kY ? state.known.y
-                               : i == kZ ? state.known.z
-                                         : true;
-            is_unknown |= !known || (i == kX && state.relative.x) ||
-                          (i == kY && state.relative.y) || (i == kZ && state.relative.z);
-            all_incremental &= words.is_incremental[i];
+            if ((mask >> i & 1U) != 0) all_incremental &= words.is_incremental[i];
         }
-        const bool by_increments = is_unknown && all_incremental && !corner &&
+        const bool by_increments = is_unknown(mask) && all_incremental && !corner &&
                                    block.verb == Verb::Straight && side_ == CutterSide::Off;
         for (std::size_t i = 0; i < end.size(); ++i) {
             if ((mask >> i & 1U) == 0) continue;
@@ -477,7 +430,7 @@ bool Control::retract(const Block& block, const Words& words, Command command) {
         return fail(Message::KlartextVerb, span, {"M140 under cutter compensation"});
     if (words.has_axes()) return fail(Message::KlartextVerb, span, {"M140 with axes"});
     if (!words.mb && !words.is_retracted_fully)
-        return fail(Message::KlartextWordMissing, span, {"M140", "MB"});
+        return fail(Message::BlockNeeds, span, {"M140", "MB"});
     const std::size_t axis = axes_of(plane_).third;
     const bool feeds = words.feed && !words.is_rapid;
     const double before = machine_.state().feed;
@@ -522,9 +475,7 @@ bool Control::arc(const Block& block, const Words& words_of_block) {
     if (block.verb == Verb::ArcTangent || block.verb == Verb::ArcTangentPolar) {
         if (block.verb == Verb::ArcTangentPolar && !polar_end(block, words, arc.end)) return true;
         if (!tangent_) return skip(Message::KlartextTangentMissing);
-        return tangent_arc(block, words, Axes(arc.end), arc)
-                   ? make_arc(words, arc, false, 0.0, command)
-                   : true;
+        return continue_tangentially(block, words, arc.end, command);
     }
     if (direction == 0 && block.verb == Verb::ArcPolar && words.pa && words.is_pa_incremental)
         direction = *words.pa < 0.0 ? -1 : 1;
@@ -533,8 +484,8 @@ bool Control::arc(const Block& block, const Words& words_of_block) {
     last_direction_ = direction;
     arc.turns = direction;
     if (block.verb == Verb::ArcByRadius) {
-        if (!words.radius) return fail(Message::KlartextWordMissing, span, {"CR", "a radius (R)"});
-        return make_arc(words, arc, true, *words.radius, command);
+        if (!words.radius) return fail(Message::BlockNeeds, span, {"CR", "a radius (R)"});
+        return make_arc(words, arc, *words.radius, command);
     }
     if (!centre_) return skip(Message::KlartextCentreMissing);
     arc.centre_1 = (*centre_)[0];
@@ -573,89 +524,47 @@ bool Control::arc(const Block& block, const Words& words_of_block) {
             arc.end[axes.second] = arc.centre_2 + ey;
             if (sweep > 360.0) arc.turns = direction * static_cast<int>(std::ceil(sweep / 360.0));
         }
-        if (!make_arc(words, arc, false, 0.0, command)) return false;
+        if (!make_arc(words, arc, std::nullopt, command)) return false;
         pr_ = pr;
         pa_ = angle;
         return true;
     }
-    return make_arc(words, arc, false, 0.0, command);
+    return make_arc(words, arc, std::nullopt, command);
 }
 
-/// Computes the arc that continues the last element tangentially to `end`.
-/// Returns: false if `arc` is no arc; a straight move was made, or an error was reported.
-bool Control::tangent_arc(const Block& block, const Words& words, const Axes& end,
-                          ProgramArc& arc) {
-    constexpr double kFlat = 1e-9;
-    const PlaneAxes axes = axes_of(plane_);
-    const double length = trig::length_of((*tangent_)[0], (*tangent_)[1]);
-    const double dx = (*tangent_)[0] / length;
-    const double dy = (*tangent_)[1] / length;
-    const double cx = end[axes.first] - at_[axes.first];
-    const double cy = end[axes.second] - at_[axes.second];
-    const double across = dx * cy - dy * cx;  // Positive: the end is on the left.
-    const double chord = trig::length_of(cx, cy);
-    if (std::abs(across) <= kFlat * chord) {
-        if (chord == 0.0 || dx * cx + dy * cy < 0.0) {
+/// Makes the element that continues the last element tangentially to `end`.
+/// Returns: false if the program stops.
+bool Control::continue_tangentially(const Block& block, const Words& words, const Axes& end,
+                                    const Command& command) {
+    ProgramArc arc;
+    switch (tangent_arc(end, arc)) {
+        case Tangent::None:
             log_.add(Message::KlartextTangentMissing, block.whole(), {verb_of(block)});
-            return false;
-        }
-        Command command = make(block.whole());
-        put(command, Code::G1);
-        AxisMask mask = 1U << axes.first | 1U << axes.second;
-        (void)words;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if ((mask >> i & 1U) != 0 || words.axis[i]) put(command, kAxisNames[i], end[i]);
-        }
-        command.axis_words = true;
-        if (run(command)) arrive(end);
-        return false;
+            return true;
+        case Tangent::Arc:
+            last_direction_ = arc.turns;
+            return make_arc(words, arc, std::nullopt, command);
+        case Tangent::Line: break;
     }
-    const double radius = chord * chord / (2.0 * across);  // Signed: positive to the left.
-    arc.end = end;
-    arc.centre_1 = at_[axes.first] - radius * dy;
-    arc.centre_2 = at_[axes.second] + radius * dx;
-    arc.turns = radius > 0.0 ? 1 : -1;
-    last_direction_ = arc.turns;
+    Command line = make(block.whole());
+    put(line, Code::G1);
+    const PlaneAxes axes = axes_of(plane_);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i == axes.first || i == axes.second || words.axis[i]) put(line, kAxisNames[i], end[i]);
+    }
+    line.axis_words = true;
+    if (run(line)) arrive(end);
     return true;
 }
 
 /// Makes the arc with the modes in `command`.
-bool Control::make_arc(const Words& words, const ProgramArc& arc, bool is_by_radius, double radius,
-                       Command command) {
-    const PlaneAxes axes = axes_of(plane_);
-    constexpr std::array kCentres{'I', 'J', 'K'};
-    put(command, arc.turns > 0 ? Code::G3 : Code::G2);
-    const Axes start = at_;
-    double c1 = arc.centre_1;
-    double c2 = arc.centre_2;
+bool Control::make_arc(const Words& words, const ProgramArc& arc, std::optional<double> radius,
+                       const Command& command) {
+    AxisMask named = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (i == axes.first || i == axes.second || words.axis[i])
-            put(command, kAxisNames[i], arc.end[i]);
+        if (words.axis[i]) named |= 1U << i;
     }
-    command.axis_words = true;
-    if (is_by_radius) {
-        put(command, 'R', radius);
-        // Centre, for the tangent at the end.
-        const double dx = arc.end[axes.first] - start[axes.first];
-        const double dy = arc.end[axes.second] - start[axes.second];
-        const double half = trig::length_of(dx, dy) / 2.0;
-        const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
-        const bool is_left = (arc.turns > 0) == (radius >= 0.0);
-        const double side = half == 0.0 ? 0.0 : (is_left ? height : -height) / (2.0 * half);
-        c1 = start[axes.first] + dx / 2.0 - dy * side;
-        c2 = start[axes.second] + dy / 2.0 + dx * side;
-    } else {
-        put(command, kCentres[axes.first], arc.centre_1);
-        put(command, kCentres[axes.second], arc.centre_2);
-    }
-    if (std::abs(arc.turns) > 1) put(command, 'P', std::abs(arc.turns));
-    if (!run(command)) return false;
-    arrive(arc.end);
-    const double turn = arc.turns > 0 ? 1.0 : -1.0;
-    const double rx = arc.end[axes.first] - c1;
-    const double ry = arc.end[axes.second] - c2;
-    if (rx != 0.0 || ry != 0.0) tangent_ = {{-turn * ry, turn * rx}};
-    return true;
+    return BlockControl::make_arc(arc, named, radius, command);
 }
 
 bool Control::stop_block(const Block& block) {

@@ -11,6 +11,7 @@
 #include "klartext/block.h"
 #include "klartext/q_parameters.h"
 #include "klartext/scanner.h"
+#include "language/block_control.h"
 
 #include <array>
 #include <cstdint>
@@ -24,28 +25,17 @@ namespace ncsim::gcode::klartext {
 
 /// Returns the names of tools that the program calls by name, in the order of the first call.
 std::vector<std::string> tool_names(const SourceFile& program);
-/// Letters of the axes, by index.
-inline constexpr std::string_view kAxisNames = "XYZABCUVW";
-/// Number of the first tool with a name; the next names follow.
-inline constexpr int kFirstNamedTool = 9001;
-
-/// Corner between a straight block and the next block.
-struct Corner {
-    char letter = 'R';  ///< 'R' (RND) or 'C' (CHF).
-    double size = 0.0;
-    SourceSpan span;
-};
+using language::Corner;
+using language::kAxisNames;
+using language::kFirstNamedTool;
 
 /// Executes blocks that act on the machine.
-class Control {
+class Control : public language::BlockControl {
 public:
     Control(const InterpreterOptions& options, Machine& machine, Parameters& parameters,
             DiagnosticLog& log);
 
-    /// Sets the file of the following blocks, as an index into Interpretation::files.
-    void set_file(std::uint32_t file) { file_ = file; }
     void set_units(bool inches);
-    void add_tool_names(const std::vector<std::string>& names);
 
     // Each function returns false after reporting an error at which the program stops.
     bool path(const Block& block, const Corner* corner);
@@ -59,10 +49,6 @@ public:
     bool stop_block(const Block& block);
     bool centre(const Block& block);
 
-    /// True after M2 or M30.
-    bool has_ended() const { return has_ended_; }
-    /// Ends the program, as M30 does.
-    void finish() { machine_.flush(), machine_.finish(); }
     /// Ends cutter compensation, as CALL PGM does.
     bool end_compensation(SourceSpan span);
 
@@ -103,11 +89,6 @@ private:
 
     bool gather(const Block& block, Words& words);
     bool take_m(const Block& block, const Word& word, Words& words);
-    Command make(SourceSpan span) const;
-    bool run(const Command& command);
-    void put(Command& command, char letter, double value) const;
-    void put(Command& command, Code code) const;
-    void put_modes(Command& command, const Words& words) const;
     bool act_before(const Block& block, Words& words, Command& command);
     bool set_side(Command& command, const Words& words, SourceSpan span);
     bool act_after(const Block& block, const Words& words);
@@ -115,13 +96,14 @@ private:
     bool retract(const Block& block, const Words& words, Command command);
     bool arc(const Block& block, const Words& words);
     bool polar_end(const Block& block, const Words& words, Axes& end);
-    bool tangent_arc(const Block& block, const Words& words, const Axes& end, ProgramArc& arc);
-    bool make_arc(const Words& words, const ProgramArc& arc, bool is_by_radius, double radius,
-                  Command command);
+    bool continue_tangentially(const Block& block, const Words& words, const Axes& end,
+                               const Command& command);
+    bool make_arc(const Words& words, const ProgramArc& arc, std::optional<double> radius,
+                  const Command& command);
     Axes ends(const Words& words, AxisMask& mask) const;
     double rotary_end(double value, double at) const;
-    void arrive(const Axes& end);
-    void refresh();
+    void arrive(const Axes& end) override;
+    void refresh() override;
 
     std::optional<int> tool_number(Scanner& scan, const Block& block, bool& has_tool);
     std::optional<double> radius_of_tool() const;
@@ -145,36 +127,24 @@ private:
     std::optional<double> value(std::uint32_t q) const;
     double value(std::uint32_t q, double otherwise) const { return value(q).value_or(otherwise); }
     bool needs(std::initializer_list<std::uint32_t> parameters, SourceSpan span);
-    bool move_to(double height, std::optional<double> feed);
     std::optional<double> feed_value(std::uint32_t q) const;
-    bool dwell(double seconds);
     bool drill(SourceSpan span);
     bool peck(SourceSpan span, double surface, double bottom, double clear);
     bool bore(double bottom, double clear);
     bool back_bore(SourceSpan span);
     bool tap(SourceSpan span, double surface, double bottom, double clear);
+    using BlockControl::peck;
+    using BlockControl::tap;
     bool bore_mill(SourceSpan span, double bottom, double clear);
-    bool fail(const MessageText& message, SourceSpan span,
-              std::initializer_list<std::string_view> arguments = {});
 
-    const InterpreterOptions& options_;
-    Machine& machine_;
     Parameters& parameters_;
-    DiagnosticLog& log_;
-    std::uint32_t file_ = 0;
     bool inches_ = false;
     bool per_revolution_ = false;
-    /// Position in coordinates of the program, without cutter compensation.
-    Axes at_{};
-    Plane plane_ = Plane::XY;
     double tool_feed_ = 0.0;        ///< F of TOOL CALL.
     double feed_ = 0.0;             ///< Last feed, as programmed.
     double radius_oversize_ = 0.0;  ///< DR of TOOL CALL.
-    int tool_ = 0;
-    std::map<std::string, int> named_tools_;
     CutterSide side_ = CutterSide::Off;
     std::optional<std::array<double, 2>> centre_;
-    std::optional<std::array<double, 2>> tangent_;  ///< Direction at the end of the last element.
     std::optional<double> pr_, pa_;  ///< Last polar coordinates, if the tool is there.
     int last_direction_ = 0;
     bool shortest_way_ = false;   ///< M126
@@ -182,8 +152,6 @@ private:
     Cycle cycle_;
     Cycle old_;  ///< Cycle with parts ("CYCL DEF 1.1 …") that is being defined.
     Transformation transformation_;
-    SourceSpan cycle_span_;
-    bool has_ended_ = false;
 };
 
 }  // namespace ncsim::gcode::klartext

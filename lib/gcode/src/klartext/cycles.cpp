@@ -14,7 +14,6 @@ namespace ncsim::gcode::klartext {
 namespace {
 
 constexpr double kMostPecks = 100'000.0;
-constexpr double kPeckRounding = 1e-9;  // A last peck of this size is a rounding error.
 
 bool is_hole_cycle(int number) {
     switch (number) {
@@ -292,30 +291,6 @@ bool Control::needs(std::initializer_list<std::uint32_t> parameters, SourceSpan 
     return true;
 }
 
-/// Moves the tool axis to `height`; without `feed`: rapid.
-bool Control::move_to(double height, std::optional<double> feed) {
-    const std::size_t axis = axes_of(plane_).third;
-    const KnownAxes& known = machine_.state().known;
-    const bool is_known = axis == kX ? known.x : axis == kY ? known.y : known.z;
-    if (is_known && at_[axis] == height) return true;
-    Command command = make(cycle_span_);
-    put(command, feed ? Code::G1 : Code::G0);
-    if (feed) put(command, 'F', *feed);
-    put(command, kAxisNames[axis], height);
-    command.axis_words = true;
-    if (!run(command)) return false;
-    at_[axis] = height;
-    return true;
-}
-
-bool Control::dwell(double seconds) {
-    if (!(seconds > 0.0)) return true;
-    Command command = make(cycle_span_);
-    put(command, Code::G4);
-    put(command, 'P', seconds);
-    return run(command);
-}
-
 /// Executes the defined cycle at the position of the tool.
 bool Control::call_cycle(SourceSpan span) {
     if (cycle_.number < 0) {
@@ -400,7 +375,6 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
     const double infeed = std::abs(value(202, 0.0));
     const double decrement = number == 200 || number == 1 ? 0.0 : std::abs(value(212, 0.0));
     const double least = std::min(infeed, std::abs(value(205, 0.0)));
-    const double total = surface - bottom;
     std::optional<double> up;  // Retract feed; empty: rapid.
     if (number == 203 || number == 205) {
         if (const std::optional<double> feed = feed_value(208))
@@ -421,62 +395,32 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
         if (from < surface && !move_to(from, feed ? std::optional(feed_of(*feed)) : std::nullopt))
             return false;
     }
-    const bool in_one = infeed <= 0.0 || infeed >= total;
-    if (!in_one && decrement > 0.0 && least <= 0.0 && total / decrement > kMostPecks)
-        return fail(Message::CycleRepeats, span);
-    const double smallest = decrement > 0.0 ? (least > 0.0 ? least : decrement) : infeed;
-    if (!in_one && total / smallest > kMostPecks) return fail(Message::CycleRepeats, span);
-    double step = in_one ? total : infeed;
-    double depth = from;
-    double breaks_left = breaks;
-    double count = 0.0;  // Bounds the loops if an infeed is below the rounding of the heights.
-    const auto break_chips = [&](double end) {
-        double at = broken_depth > 0.0 ? depth - broken_depth : end;
-        while (at > end + kPeckRounding) {
-            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
-            if (!move_to(at, down) || (breaking > 0.0 && !move_to(at + breaking, std::nullopt)))
-                return false;
-            at -= broken_depth;
-        }
-        return true;
-    };
-    while (!in_one && depth - step > bottom + kPeckRounding) {
-        const double target = depth - step;
-        if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
-        if (!break_chips(target)) return false;
-        if (!move_to(target, down)) return false;
-        if (breaks_left >= 1.0 && breaking > 0.0) {
-            breaks_left -= 1.0;
-            if (!move_to(std::min(target + breaking, clear), up)) return false;
-        } else {
-            breaks_left = breaks;
-            if (!move_to(clear, up) || !dwell(value(210, 0.0)) ||
-                !move_to(std::min(target + ahead, clear), std::nullopt))
-                return false;
-        }
-        depth = target;
-        if (decrement > 0.0) step = std::max(step - decrement, least > 0.0 ? least : decrement);
-    }
-    return break_chips(bottom) && move_to(bottom, down) && dwell(value(211, 0.0)) &&
-           move_to(clear, up);
+    language::Pecks pecks;
+    pecks.surface = surface;
+    pecks.bottom = bottom;
+    pecks.clear = clear;
+    pecks.from = from;
+    pecks.infeed = infeed;
+    pecks.decrement = decrement;
+    pecks.least = least;
+    pecks.ahead = ahead;
+    pecks.breaking = breaking;
+    pecks.breaks = breaks;
+    pecks.break_depth = broken_depth;
+    pecks.feed = down;
+    pecks.up = up;
+    pecks.dwell_above = value(210, 0.0);
+    pecks.dwell_below = value(211, 0.0);
+    return peck(pecks, Message::CycleRepeats);
 }
 
 /// 202: the spindle is oriented at the bottom, and the tool steps away from the wall (Q214).
 bool Control::bore(double bottom, double clear) {
     const double down = feed_of(feed_value(206).value_or(0.0));
     if (!move_to(bottom, down) || !dwell(value(211, 0.0))) return false;
-    MachineState& state = machine_.state();
-    const SpindleTurning turning = state.spindle;
-    state.spindle = SpindleTurning::Stopped;
-    state.spindle_oriented = true;
-    state.steps_aside = value(214, 0.0) != 0.0;
     const std::optional<double> feed = feed_value(208);
-    const bool done =
-        move_to(clear, feed && *feed > 0.0 ? std::optional(feed_of(*feed)) : std::nullopt);
-    machine_.state().spindle = turning;
-    machine_.state().spindle_oriented = false;
-    machine_.state().steps_aside.reset();
-    return done;
+    return bore_out(clear, feed && *feed > 0.0 ? std::optional(feed_of(*feed)) : std::nullopt,
+                    value(214, 0.0) != 0.0);
 }
 
 /// 204: bores upwards from below the part. The tool goes through the hole with the spindle
@@ -520,36 +464,24 @@ bool Control::tap(SourceSpan span, double surface, double bottom, double clear) 
     const int number = cycle_.number;
     const bool is_rigid = number == 17 || number == 207 || number == 209;
     if (!(is_rigid ? needs({239}, span) : needs({206}, span))) return false;
-    const SpindleTurning turning = state.spindle;
-    double feed = feed_of(feed_value(206).value_or(0.0));
-    SpindleTurning in = turning;
+    language::Tapping tapping;
+    tapping.surface = surface;
+    tapping.bottom = bottom;
+    tapping.clear = clear;
+    tapping.feed = feed_of(feed_value(206).value_or(0.0));
+    tapping.in = tapping.after = state.spindle;
     if (is_rigid) {
-        feed = std::abs(value(239, 0.0)) * state.spindle_rpm;
-        in = value(239, 0.0) < 0.0 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
+        tapping.feed = std::abs(value(239, 0.0)) * state.spindle_rpm;
+        tapping.in =
+            value(239, 0.0) < 0.0 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
     }
-    const SpindleTurning out = in == SpindleTurning::Clockwise ? SpindleTurning::Counterclockwise
-                               : in == SpindleTurning::Counterclockwise ? SpindleTurning::Clockwise
-                                                                        : in;
-    const auto turn = [&](SpindleTurning sense) { machine_.state().spindle = sense; };
-    turn(in);
-    bool done = true;
-    if (number == 209 && value(257, 0.0) != 0.0) {
-        const double step = std::abs(value(257, 0.0));
-        const double breaking = std::abs(value(256, 0.0));
-        double count = 0.0;
-        for (double at = surface - step; done && at > bottom + kPeckRounding; at -= step) {
-            if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
-            done = move_to(at, feed);
-            turn(out);
-            done = done && move_to(breaking > 0.0 ? std::min(at + breaking, clear) : clear, feed);
-            turn(in);
-        }
+    tapping.feed_out = tapping.feed;
+    if (number == 209) {
+        tapping.step = std::abs(value(257, 0.0));
+        tapping.breaking = std::abs(value(256, 0.0));
     }
-    done = done && move_to(bottom, feed) && dwell(value(211, 0.0));
-    turn(out);
-    done = done && move_to(clear, feed);
-    turn(turning);
-    return done;
+    tapping.dwell = value(211, 0.0);
+    return tap(tapping, Message::CycleRepeats);
 }
 
 /// 208: mills a bore along a helix.
@@ -557,11 +489,11 @@ bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
     if (!needs({206, 334, 335}, span)) return false;
     const std::optional<double> tool = radius_of_tool();
     if (!tool)
-        return fail(Message::KlartextWordMissing, span, {"cycle 208", "the radius of the tool"});
+        return fail(Message::BlockNeeds, span, {"cycle 208", "the radius of the tool"});
     const double radius = value(335, 0.0) / 2.0 - *tool;
     const double infeed = std::abs(value(334, 0.0));
     if (!(radius > 0.0))
-        return fail(Message::KlartextWordMissing, span,
+        return fail(Message::BlockNeeds, span,
                     {"cycle 208", "a diameter larger than the tool"});
     const double feed = feed_of(feed_value(206).value_or(0.0));
     const bool is_climb = value(351, 1.0) >= 0.0;

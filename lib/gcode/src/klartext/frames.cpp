@@ -345,13 +345,13 @@ bool Control::plane(const Block& block) {
         const auto& b = words.base;
         const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         if (!words.has_base || !words.has_normal || !(length > 1e-9))
-            return fail(Message::KlartextWordMissing, span, {name, "BX BY BZ and NX NY NZ"});
+            return fail(Message::BlockNeeds, span, {name, "BX BY BZ and NX NY NZ"});
         std::array<double, 3> z{n[0] / length, n[1] / length, n[2] / length};
         const double along = b[0] * z[0] + b[1] * z[1] + b[2] * z[2];
         std::array<double, 3> x{b[0] - along * z[0], b[1] - along * z[1], b[2] - along * z[2]};
         const double size = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
         if (!(size > 1e-9))
-            return fail(Message::KlartextWordMissing, span,
+            return fail(Message::BlockNeeds, span,
                         {name, "a base that is not the normal"});
         for (double& v : x)
             v /= size;

@@ -41,7 +41,7 @@ namespace {
 std::optional<KlartextCorner> read_corner(klartext::Scanner& scan) {
     KlartextCorner corner;
     while (!scan.is_at_end()) {
-        std::string name = klartext::upper_of(scan.letters());
+        std::string name = upper_of(scan.letters());
         const bool increment = name.size() == 2 && name[0] == 'I';
         if (increment) name.erase(0, 1);
         if (name.size() != 1 || name[0] < 'X' || name[0] > 'Z') return std::nullopt;
@@ -120,7 +120,7 @@ void KlartextNotes::State::tool_def(Block& block) {
     const klartext::Value number = scan.value();
     if (number.kind != klartext::Value::Kind::Number || !(number.number >= 1.0)) return;
     while (!scan.is_at_end()) {
-        const std::string name = klartext::upper_of(scan.letters());
+        const std::string name = upper_of(scan.letters());
         const klartext::Value value = scan.value();
         if (name.empty() || value.kind != klartext::Value::Kind::Number) return;
         if (name != "R" || !(value.number > 0.0)) continue;
@@ -143,7 +143,7 @@ void KlartextNotes::State::blk_form(Block& block) {
     if (is_least) {
         scan.skip_blanks();
         const std::size_t at = scan.at();
-        const std::string axis = klartext::upper_of(scan.letters());
+        const std::string axis = upper_of(scan.letters());
         const bool is_axis = axis.size() == 1 && is_blank(scan.peek());
         if (!is_axis) scan.move_to(at);
     }
@@ -204,7 +204,7 @@ bool KlartextNotes::next(Block& block) {
     }
     switch (s.read.verb) {
         case Verb::BeginPgm: {
-            const std::string text = klartext::upper_of(s.read.code);
+            const std::string text = upper_of(s.read.code);
             const bool inches = text.ends_with(" INCH") || text.ends_with(" IN");
             s.add(block, 'G', inches ? 20.0 : 21.0, s.read.whole());
             break;
@@ -224,12 +224,12 @@ bool KlartextNotes::next(Block& block) {
     return true;
 }
 
-std::optional<KlartextCylinder> klartext_cylinder(const SourceFile& program) {
+std::optional<RoundBlank> klartext_cylinder(const SourceFile& program) {
     klartext::Reader reader(program);
     klartext::Block block;
     double unit = 1.0;
     while (reader.next_verb(block)) {
-        const std::string text = klartext::upper_of(block.code);
+        const std::string text = upper_of(block.code);
         if (block.verb == klartext::Verb::BeginPgm &&
             (text.ends_with(" INCH") || text.ends_with(" IN")))
             unit = 25.4;
@@ -237,9 +237,9 @@ std::optional<KlartextCylinder> klartext_cylinder(const SourceFile& program) {
         klartext::Scanner scan(block.code, block.rest);
         if (!scan.take_word("CYLINDER")) continue;
         scan.skip_blanks();
-        const std::string axis = klartext::upper_of(scan.letters());
+        const std::string axis = upper_of(scan.letters());
         if (axis.size() != 1 || axis[0] < 'X' || axis[0] > 'Z') continue;
-        KlartextCylinder found;
+        RoundBlank found;
         found.axis = axis[0] - 'X';
         found.span = block.whole();
         found.text = std::string(block.code);
@@ -248,7 +248,7 @@ std::optional<KlartextCylinder> klartext_cylinder(const SourceFile& program) {
         double distance = 0.0;
         bool is_readable = true;
         while (is_readable && !scan.is_at_end()) {
-            const std::string name = klartext::upper_of(scan.letters());
+            const std::string name = upper_of(scan.letters());
             const klartext::Value value = scan.value();
             is_readable = value.kind == klartext::Value::Kind::Number;
             if (name == "R") diameter = 2.0 * value.number;
@@ -276,7 +276,7 @@ KlartextListing::KlartextListing(const SourceFile& program)
     : state_(std::make_unique<State>(program)) {}
 KlartextListing::~KlartextListing() = default;
 
-bool KlartextListing::next(KlartextLine& line, DiagnosticLog& log) {
+bool KlartextListing::next(ListedBlock& line, DiagnosticLog& log) {
     State& s = *state_;
     do {
         const std::size_t faults = log.errors();

@@ -218,7 +218,7 @@ std::optional<Corner> Runner::corner_after(bool& is_refused) {
             span = next_.whole();
             const auto word = std::ranges::find(next_.words, Address::Radius, &Word::address);
             if (word == next_.words.end()) {
-                fail(Message::KlartextWordMissing, span, {next_.name, "a length"});
+                fail(Message::BlockNeeds, span, {next_.name, "a length"});
                 is_refused = true;
                 break;
             }
@@ -600,7 +600,7 @@ bool Runner::call_program() {
     const SourceSpan span = block_.whole();
     if (!control_.end_compensation(span)) return false;
     const std::optional<std::size_t> opened = open_file(name);
-    if (!opened) return fail(Message::KlartextProgramMissing, span, {name});
+    if (!opened) return fail(Message::ProgramMissing, span, {name});
     Frame frame;
     frame.is_program = true;
     frame.label = name;

@@ -47,7 +47,7 @@ std::optional<double> Parameters::value_of(const Value& value, SourceSpan span) 
     if (!is_set && reported_.size() < 50 && reported_.insert({value.set, value.index}).second) {
         std::string name = value.set == 'Q' ? "Q" : std::string("Q") + value.set;
         name += std::to_string(value.index);
-        log_.add(Message::KlartextParameterUnset, span, {name});
+        log_.add(Message::ParameterWithoutValue, span, {name});
     }
     return value.number * number;
 }

@@ -25,11 +25,6 @@ std::vector<std::string> tool_names(const SourceFile& program) {
     return names;
 }
 
-void Control::add_tool_names(const std::vector<std::string>& names) {
-    for (const std::string& name : names)
-        named_tools_.try_emplace(name, kFirstNamedTool + static_cast<int>(named_tools_.size()));
-}
-
 /// Reads the tool of TOOL CALL. `has_tool`: false if the block has no tool.
 /// Returns: nullopt after reporting an error.
 std::optional<int> Control::tool_number(Scanner& scan, const Block& block, bool& has_tool) {
@@ -43,16 +38,15 @@ std::optional<int> Control::tool_number(Scanner& scan, const Block& block, bool&
         const std::uint32_t index = scan.whole().value_or(0);
         name = parameters_.text(index);
         if (!name) {
-            log_.add(Message::KlartextWordMissing, block.span(begin, scan.at() - begin),
+            log_.add(Message::BlockNeeds, block.span(begin, scan.at() - begin),
                      {"TOOL CALL", "the name of a tool"});
             return std::nullopt;
         }
     }
     if (name) {
         has_tool = true;
-        add_tool_names({*name});
-        const int number = named_tools_.at(*name);
-        log_.add(Message::KlartextNamedTool, block.span(begin, scan.at() - begin),
+        const int number = number_of(*name);
+        log_.add(Message::NamedTool, block.span(begin, scan.at() - begin),
                  {"\"" + *name + "\"", std::to_string(number)});
         return number;
     }
@@ -79,10 +73,9 @@ std::optional<int> Control::tool_number(Scanner& scan, const Block& block, bool&
 
 /// Returns the radius of the tool with the oversize of TOOL CALL, in active units.
 std::optional<double> Control::radius_of_tool() const {
-    const auto& tools = machine_.control().store->tools;
-    const auto entry = std::ranges::find(tools, tool_, &ToolTableEntry::number);
-    if (entry == tools.end() || !entry->diameter) return std::nullopt;
-    return entry->diameter->mm() / 2.0 / machine_.state().unit_mm() + radius_oversize_;
+    const std::optional<double> diameter = diameter_of(tool_);
+    if (!diameter) return std::nullopt;
+    return *diameter / 2.0 + radius_oversize_;
 }
 
 bool Control::tool_call(const Block& block) {

@@ -6,6 +6,7 @@
 #include "control/control_rules.h"
 #include "klartext/klartext_runner.h"
 #include "program/runner.h"
+#include "sinumerik/sinumerik_runner.h"
 #include "text/message.h"
 
 namespace ncsim::gcode {
@@ -64,18 +65,37 @@ bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
     return true;
 }
 
-/// Interprets a program in Klartext.
-void interpret_klartext(const SourceFile& program, const InterpreterOptions& options,
-                        const MotionSink& sink, DiagnosticLog& log, Interpretation& result) {
+/// Interprets a program in a language other than G-code: Klartext or SINUMERIK.
+void interpret_language(Dialect dialect, const SourceFile& program,
+                        const InterpreterOptions& options, const MotionSink& sink,
+                        DiagnosticLog& log, Interpretation& result) {
     InterpreterOptions own = options;
-    // M128, M129 and M126 are codes of the language.
+    // M128, M129 and M126 are codes of Klartext; TRAORI and TRAFOOF use the same numbers.
     own.tip_control.m_codes[128] = Coordinates::Tip;
     own.tip_control.m_codes[129] = Coordinates::Axes;
     own.rotary_ways = {};
-    const Rules rules = Rules::of(Dialect::Heidenhain, false);
+    const Rules rules = Rules::of(dialect, false);
     ArcCentres centres;
     centres.is_settled = true;
-    klartext::Runner(program, own, rules, centres, sink, log, result).run();
+    if (dialect == Dialect::Heidenhain) {
+        klartext::Runner(program, own, rules, centres, sink, log, result).run();
+    } else {
+        sinumerik::Runner(program, own, options.rotary_ways, rules, centres, sink, log, result)
+            .run();
+    }
+}
+
+/// Returns the language of the program: Heidenhain or Sinumerik; Auto for G-code.
+Dialect language_of(const DialectFindings& findings, bool strict) {
+    if (findings.stated) {
+        const bool is_language =
+            findings.dialect == Dialect::Heidenhain || findings.dialect == Dialect::Sinumerik;
+        return is_language ? findings.dialect : Dialect::Auto;
+    }
+    if (strict) return Dialect::Auto;
+    return findings.kind == Kind::Heidenhain ? Dialect::Heidenhain
+           : findings.kind == Kind::Siemens  ? Dialect::Sinumerik
+                                             : Dialect::Auto;
 }
 
 /// Interprets the whole program without output.
@@ -96,43 +116,50 @@ bool has_absolute_centres(const SourceFile& program, InterpreterOptions options,
 
 }  // namespace
 
-Interpretation interpret(const SourceFile& program, const InterpreterOptions& options,
+Interpretation interpret(const SourceFile& program, const InterpreterOptions& given,
                          const MotionSink& sink) {
     Interpretation result;
     DiagnosticLog log;
     result.files.push_back(program.name);
-    result.dialect = options.of_file ? *options.of_file : detect_dialect(program);
-    if (options.dialect != Dialect::Auto) {
-        result.dialect.dialect = options.dialect;
+    result.dialect = given.of_file ? *given.of_file : detect_dialect(program);
+    if (given.dialect != Dialect::Auto) {
+        result.dialect.dialect = given.dialect;
         result.dialect.stated = true;
     }
-    if (options.strict) result.dialect.dialect = Dialect::Rs274;
-    const bool is_klartext = result.dialect.stated
-                                 ? result.dialect.dialect == Dialect::Heidenhain
-                                 : result.dialect.kind == Kind::Heidenhain && !options.strict;
-    if (is_klartext) {
-        result.dialect.dialect = Dialect::Heidenhain;
+    if (given.strict) result.dialect.dialect = Dialect::Rs274;
+    if (const Dialect language = language_of(result.dialect, given.strict);
+        language != Dialect::Auto) {
+        result.dialect.dialect = language;
         result.dialect.kind = Kind::Milling;
         if (!result.dialect.stated) {
             result.dialect.evidence = result.dialect.kind_evidence;
             log.add(Message::DialectConcluded, place(result.dialect.evidence),
-                    {name_of(Dialect::Heidenhain), reasons(result.dialect.evidence)});
+                    {name_of(language), reasons(result.dialect.evidence)});
         }
-        interpret_klartext(program, options, sink, log, result);
+        interpret_language(language, program, given, sink, log, result);
         result.diagnostics = log.take();
         return result;
     }
-    if (refuse(result.dialect, options.strict, log)) {
+    if (result.dialect.dialect == Dialect::SinumerikIso) result.dialect.kind = Kind::Milling;
+    if (refuse(result.dialect, given.strict, log)) {
         result.refused = true;
         result.diagnostics = log.take();
         return result;
     }
     const std::vector<Evidence>& evidence = result.dialect.evidence;
-    if (!options.strict && !result.dialect.stated && !evidence.empty()) {
+    if (!given.strict && !result.dialect.stated && !evidence.empty()) {
         log.add(Message::DialectConcluded, place(evidence),
                 {name_of(result.dialect.dialect), reasons(evidence)});
     }
-    Rules rules = Rules::of(result.dialect.dialect, options.strict);
+    // The ISO mode of SINUMERIK is the language of Fanuc; G291 selects it.
+    const bool is_iso = result.dialect.dialect == Dialect::SinumerikIso;
+    InterpreterOptions of_mode;
+    if (is_iso) {
+        of_mode = given;
+        of_mode.allow.emplace_back("G291");
+    }
+    const InterpreterOptions& options = is_iso ? of_mode : given;
+    Rules rules = Rules::of(is_iso ? Dialect::Fanuc : result.dialect.dialect, options.strict);
     rules.c_may_be_corner = result.dialect.c_may_be_corner;
     rules.linuxcnc_planes =
         rules.dialect == Dialect::Rs274 && (result.dialect.stated || !evidence.empty());

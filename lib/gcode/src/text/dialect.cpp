@@ -22,6 +22,8 @@ std::string_view name_of(Dialect dialect) {
         case Dialect::Grbl: return "grbl";
         case Dialect::Mach3: return "mach3";
         case Dialect::Heidenhain: return "heidenhain";
+        case Dialect::Sinumerik: return "sinumerik";
+        case Dialect::SinumerikIso: return "sinumerik-iso";
     }
     return "";
 }
@@ -355,6 +357,7 @@ public:
         find_heidenhain(number);
         find_values_after_equals(number);
         find_named_cycles(number);
+        find_siemens(number);
         find_power(number);
         has_iso_codes_ = has_iso_codes_ || (is_named_siemens_ && has_iso_code(split_.code));
         const std::string& code = split_.code;
@@ -561,6 +564,61 @@ private:
                 add(kinds_[kSiemens], 43, 4, code.substr(at, std::min(end, code.size()) - at),
                     line);
             }
+        }
+    }
+
+    /// Counts blocks that begin with a statement of SINUMERIK ("PROC CUT", "FOR I=1 TO 5", "TRANS
+    /// X10"), its keywords, and G codes that other controls lack.
+    void find_siemens(std::uint32_t line) {
+        const std::string_view code = split_.code;
+        Case& siemens = kinds_[kSiemens];
+        std::size_t at = code.find_first_not_of(" \t");
+        if (at == std::string_view::npos) return;
+        if (code[at] == 'N' && at + 1 < code.size() && is_digit(code[at + 1])) {
+            at = code.find_first_not_of("0123456789", at + 1);
+            at = at == std::string_view::npos ? at : code.find_first_not_of(" \t", at);
+            if (at == std::string_view::npos) return;
+        }
+        std::size_t end = at;
+        while (end < code.size() && is_capital(code[end]))
+            ++end;
+        const std::string_view first = code.substr(at, end - at);
+        const std::size_t next = code.find_first_not_of(" \t\r", end);
+        const std::string_view rest =
+            next == std::string_view::npos ? std::string_view() : code.substr(next);
+        const auto begins = [&](std::string_view name) {
+            return rest.starts_with(name) && rest.size() > name.size() &&
+                   (rest[name.size()] == ' ' || rest[name.size()] == '[');
+        };
+        const bool has_name = !rest.empty() && (is_capital(rest[0]) || rest[0] == '_');
+        const bool is_spaced = end < code.size() && code[end] == ' ';
+        if ((first == "PROC" || first == "EXTERN") && has_name && is_spaced)
+            add(siemens, 45, 4, first, line);
+        if (first == "DEF" &&
+            (begins("INT") || begins("REAL") || begins("BOOL") || begins("STRING") ||
+             begins("CHAR") || begins("AXIS") || begins("FRAME")))
+            add(siemens, 46, 4, "variables (DEF)", line);
+        if (first == "FOR" && code.find('=') != std::string_view::npos &&
+            code.find(" TO ") != std::string_view::npos)
+            add(siemens, 47, 4, "FOR … TO", line);
+        if (first == "CASE" && code.find(" OF ") != std::string_view::npos)
+            add(siemens, 48, 4, "CASE … OF", line);
+        constexpr std::array<std::string_view, 8> kFrames{"TRANS", "ATRANS", "ROT",    "AROT",
+                                                          "SCALE", "ASCALE", "MIRROR", "AMIRROR"};
+        const bool is_frame = std::ranges::find(kFrames, first) != kFrames.end();
+        const bool has_axis = rest.size() > 1 &&
+                              ((rest[0] >= 'X' && rest[0] <= 'Z') || rest.starts_with("RPL")) &&
+                              rest.find_first_of("0123456789=") != std::string_view::npos;
+        if (is_frame && (rest.empty() || (has_axis && is_spaced))) add(siemens, 49, 4, first, line);
+        constexpr std::array<std::string_view, 6> kWords{"TRAFOOF", "STOPRE", "SETMS",
+                                                         "FNORM",   "CUT2D",  "COMPOF"};
+        for (std::size_t i = 0; i < kWords.size(); ++i) {
+            if (contains(code, kWords[i])) add(siemens, 50 + i, 4, kWords[i], line);
+        }
+        constexpr std::array<std::string_view, 7> kCodes{"G500", "G700", "G710", "G601",
+                                                         "G602", "G641", "G642"};
+        for (std::size_t i = 0; i < kCodes.size(); ++i) {
+            if (contains(code, kCodes[i])) add(siemens, 56 + i, 3, kCodes[i], line);
         }
     }
 

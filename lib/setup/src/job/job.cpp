@@ -341,7 +341,9 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
 /// Chooses a program of the file in `job`. A file for a different kind of control is left as a
 /// whole, to be refused.
 void choose_program(Job& job, const JobOptions& options) {
-    if (options.dialect == gcode::Dialect::Heidenhain) return;
+    if (options.dialect == gcode::Dialect::Heidenhain ||
+        options.dialect == gcode::Dialect::Sinumerik)
+        return;
     const gcode::FilePrograms file(job.program, options.block_delete.value_or(false));
     const std::vector<gcode::FileProgram>& programs = file.programs();
     if (programs.size() < 2 && file.unreached().empty()) return;

@@ -357,11 +357,10 @@ private:
     gcode::Dialect read_dialect(const toml::node& node, const std::string& key) const {
         using gcode::Dialect;
         const std::string name = r_.text(node, key);
-        for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
-                                      Dialect::Grbl, Dialect::Mach3, Dialect::Heidenhain}) {
+        for (const Dialect dialect : gcode::kDialectList) {
             if (name == gcode::name_of(dialect)) return dialect;
         }
-        r_.fail(node, "expected auto, rs274, fanuc, haas, grbl, mach3 or heidenhain");
+        r_.fail(node, "expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik or sinumerik-iso");
     }
 
     std::map<std::string, double> read_variables(const toml::node& node,

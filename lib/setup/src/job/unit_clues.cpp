@@ -3,7 +3,7 @@
 // Signs of inches in tool comments, feeds and coordinates.
 #include "job/unit_clues.h"
 
-#include "ncsim/gcode/klartext.h"
+#include "ncsim/gcode/language.h"
 #include "ncsim/gcode/parser.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ bool suggests_inches(const gcode::SourceFile& program,
         if (has_unit(text, "MM")) return false;
         is_any_in_inches |= is_in_inches(text);
     }
-    if (!is_any_in_inches || gcode::is_klartext(program)) return false;
+    if (!is_any_in_inches || gcode::language_of(program) != gcode::Language::GCode) return false;
     gcode::BlockReader reader(program);
     gcode::Block block;
     while (reader.next(block)) {

@@ -4,7 +4,7 @@
 // remarks in order, tool calls, and units; then every remark gets its tool and its unit.
 #include "ncsim/toolpath/tool_table.h"
 
-#include "ncsim/gcode/klartext.h"
+#include "ncsim/gcode/language.h"
 #include "ncsim/gcode/parser.h"
 
 #include "tools/comment_text.h"
@@ -346,9 +346,9 @@ private:
     int last_tool_ = 0;
 };
 
-/// Returns the round bar of BLK FORM CYLINDER.
+/// Returns the round bar that the program describes.
 std::optional<StockEntry> cylinder_of(const gcode::SourceFile& program) {
-    const std::optional<gcode::KlartextCylinder> found = gcode::klartext_cylinder(program);
+    const std::optional<gcode::RoundBlank> found = gcode::round_blank_of(program);
     if (!found || !text::is_sane_length(found->radius.mm()) ||
         !text::is_sane_length(found->length.mm()))
         return std::nullopt;
@@ -372,9 +372,8 @@ std::optional<StockEntry> cylinder_of(const gcode::SourceFile& program) {
 ProgramNotes read_notes(const gcode::SourceFile& program, bool default_inches) {
     NoteReader notes(default_inches);
     Block block;
-    if (gcode::is_klartext(program)) {
-        gcode::KlartextNotes reader(program);
-        while (reader.next(block))
+    if (const auto reader = gcode::notes_of(program)) {
+        while (reader->next(block))
             notes.read(block);
         ProgramNotes found = notes.finish();
         if (!found.stock) found.stock = cylinder_of(program);

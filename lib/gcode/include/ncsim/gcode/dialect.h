@@ -5,6 +5,7 @@
 
 #include "ncsim/gcode/source.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,9 +13,23 @@
 
 namespace ncsim::gcode {
 
-/// A dialect: the rules by which a family of controls reads blocks. Heidenhain: Klartext, a
-/// language other than G-code.
-enum class Dialect : std::uint8_t { Auto, Rs274, Fanuc, Haas, Grbl, Mach3, Heidenhain };
+/// A dialect: the rules by which a family of controls reads blocks. Heidenhain (Klartext) and
+/// Sinumerik are languages other than G-code. SinumerikIso: ISO mode of SINUMERIK, read as Fanuc.
+enum class Dialect : std::uint8_t {
+    Auto,
+    Rs274,
+    Fanuc,
+    Haas,
+    Grbl,
+    Mach3,
+    Heidenhain,
+    Sinumerik,
+    SinumerikIso
+};
+/// All dialects, in the order of messages.
+inline constexpr std::array kDialectList{
+    Dialect::Auto,  Dialect::Rs274,      Dialect::Fanuc,     Dialect::Haas,        Dialect::Grbl,
+    Dialect::Mach3, Dialect::Heidenhain, Dialect::Sinumerik, Dialect::SinumerikIso};
 
 /// Direction of the offset at the end of the first move with cutter compensation: square to the
 /// move itself (LinuxCNC, Mach3), or square to the start of the next move (Fanuc, Haas: type A).

@@ -356,6 +356,9 @@ std::optional<Axes> Machine::axes_of_tilt(LeadingAxis leading, std::string_view 
         turn_about(2, state_.rotation)
             .direction_to_parent(state_.plane_frame->direction_to_parent({0, 0, 1}));
     std::string why_not = "no position has the sign that SEQ asks for";
+    const bool compares = leading == LeadingAxis::Least || leading == LeadingAxis::Greatest;
+    std::optional<Axes> best;
+    double best_tilt = 0.0;
     for (const JointSolver::Way way :
          {JointSolver::Way::Specified, JointSolver::Way::Up, JointSolver::Way::Down}) {
         const JointSolver::Solution turned =
@@ -367,10 +370,17 @@ std::optional<Axes> Machine::axes_of_tilt(LeadingAxis leading, std::string_view 
         const Axes axes = from_machine(from_axis_positions(*turned.joints));
         // A or B tilts the tool; C alone only turns the part.
         const double tilts = std::abs(axes[kA]) > kZero ? axes[kA] : axes[kB];
+        if (compares) {
+            const bool is_better =
+                !best || (leading == LeadingAxis::Least ? tilts < best_tilt : tilts > best_tilt);
+            if (is_better) best = axes, best_tilt = tilts;
+            continue;
+        }
         if (leading == LeadingAxis::Preferred ||
             (leading == LeadingAxis::Positive ? tilts >= -kZero : tilts <= kZero))
             return axes;
     }
+    if (best) return best;
     stop_with(Message::Unreachable, span, {name, why_not});
     return std::nullopt;
 }

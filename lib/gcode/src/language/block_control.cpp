@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Commands, positions, arcs and tools.
+#include "language/block_control.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "text/message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace ncsim::gcode::language {
+namespace {
+
+const gcode::Block kNoWords;
+constexpr std::array kCentres{'I', 'J', 'K'};
+
+}  // namespace
+
+BlockControl::BlockControl(const InterpreterOptions& options, Machine& machine, DiagnosticLog& log)
+    : options_(options), machine_(machine), log_(log) {
+    machine_.state().absolute_centres = true;
+    at_ = machine_.programmed_position();
+}
+
+bool BlockControl::fail(const MessageText& message, SourceSpan span,
+                        std::initializer_list<std::string_view> arguments) {
+    log_.add(message, span, arguments);
+    return false;
+}
+
+Command BlockControl::make(SourceSpan span) {
+    Command command;
+    command.block = &kNoWords;
+    command.span = span;
+    command.g.fill(Code::None);
+    command.m.fill(kNone);
+    return command;
+}
+
+void BlockControl::put(Command& command, char letter, double value) {
+    command.present |= 1U << letter_index(letter);
+    command.value[letter_index(letter)] = value;
+}
+
+void BlockControl::put(Command& command, Code code) {
+    command.g[static_cast<std::size_t>(entry_of(code).group)] = code;
+}
+
+void BlockControl::put(Command& command, MGroup group, int m) {
+    command.m[static_cast<std::size_t>(group)] = static_cast<std::int16_t>(m);
+}
+
+bool BlockControl::run(const Command& command) {
+    machine_.set_origin(command.span, file_);
+    const bool done = machine_.execute(command);
+    if (machine_.stopped()) return false;
+    if (!done) refresh();
+    return true;
+}
+
+bool BlockControl::is_unknown(AxisMask mask) const {
+    const MachineState& state = machine_.state();
+    const auto named = [mask](Axis axis) { return (mask >> axis & 1U) != 0; };
+    return (named(kX) && (!state.known.x || state.relative.x)) ||
+           (named(kY) && (!state.known.y || state.relative.y)) ||
+           (named(kZ) && (!state.known.z || state.relative.z));
+}
+
+void BlockControl::refresh() {
+    at_ = machine_.programmed_position();
+}
+
+void BlockControl::arrive(const Axes& end) {
+    const PlaneAxes axes = axes_of(plane_);
+    const double dx = end[axes.first] - at_[axes.first];
+    const double dy = end[axes.second] - at_[axes.second];
+    if (dx != 0.0 || dy != 0.0) tangent_ = {{dx, dy}};
+    at_ = end;
+}
+
+// --- Arcs ---
+
+/// Computes the element that continues the last element tangentially to `end`. An end on the
+/// tangent gives a line.
+/// Requires: `tangent_` is set.
+BlockControl::Tangent BlockControl::tangent_arc(const Axes& end, ProgramArc& arc) const {
+    constexpr double kFlat = 1e-9;
+    const PlaneAxes axes = axes_of(plane_);
+    const double length = trig::length_of((*tangent_)[0], (*tangent_)[1]);
+    const double dx = (*tangent_)[0] / length;
+    const double dy = (*tangent_)[1] / length;
+    const double cx = end[axes.first] - at_[axes.first];
+    const double cy = end[axes.second] - at_[axes.second];
+    const double across = dx * cy - dy * cx;  // Positive: the end is on the left.
+    const double chord = trig::length_of(cx, cy);
+    if (std::abs(across) <= kFlat * chord)
+        return chord == 0.0 || dx * cx + dy * cy < 0.0 ? Tangent::None : Tangent::Line;
+    const double radius = chord * chord / (2.0 * across);  // Signed: positive to the left.
+    arc.end = end;
+    arc.centre_1 = at_[axes.first] - radius * dy;
+    arc.centre_2 = at_[axes.second] + radius * dx;
+    arc.turns = radius > 0.0 ? 1 : -1;
+    return Tangent::Arc;
+}
+
+bool BlockControl::make_arc(const ProgramArc& arc, AxisMask named, std::optional<double> radius,
+                            Command command) {
+    const PlaneAxes axes = axes_of(plane_);
+    put(command, arc.turns > 0 ? Code::G3 : Code::G2);
+    const Axes start = at_;
+    double c1 = arc.centre_1;
+    double c2 = arc.centre_2;
+    for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+        if (i == axes.first || i == axes.second || (named >> i & 1U) != 0)
+            put(command, kAxisNames[i], arc.end[i]);
+    }
+    command.axis_words = true;
+    if (radius) {
+        put(command, 'R', *radius);
+        // Centre, for the tangent at the end.
+        const double dx = arc.end[axes.first] - start[axes.first];
+        const double dy = arc.end[axes.second] - start[axes.second];
+        const double half = trig::length_of(dx, dy) / 2.0;
+        const double height = std::sqrt(std::max(0.0, *radius * *radius - half * half));
+        const bool is_left = (arc.turns > 0) == (*radius >= 0.0);
+        const double side = half == 0.0 ? 0.0 : (is_left ? height : -height) / (2.0 * half);
+        c1 = start[axes.first] + dx / 2.0 - dy * side;
+        c2 = start[axes.second] + dy / 2.0 + dx * side;
+    } else {
+        put(command, kCentres[axes.first], arc.centre_1);
+        put(command, kCentres[axes.second], arc.centre_2);
+    }
+    if (std::abs(arc.turns) > 1) put(command, 'P', std::abs(arc.turns));
+    if (!run(command)) return false;
+    arrive(arc.end);
+    const double turn = arc.turns > 0 ? 1.0 : -1.0;
+    const double rx = arc.end[axes.first] - c1;
+    const double ry = arc.end[axes.second] - c2;
+    if (rx != 0.0 || ry != 0.0) tangent_ = {{-turn * ry, turn * rx}};
+    return true;
+}
+
+// --- Tools ---
+
+void BlockControl::add_tool_names(const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        named_tools_.try_emplace(name, kFirstNamedTool + static_cast<int>(named_tools_.size()));
+}
+
+/// Returns the number that stands for the tool `tool_name`.
+int BlockControl::number_of(const std::string& tool_name) {
+    add_tool_names({tool_name});
+    return named_tools_.at(tool_name);
+}
+
+/// Returns the diameter of `tool` in active units; nullopt if unspecified.
+std::optional<double> BlockControl::diameter_of(int tool) const {
+    const auto& tools = machine_.control().store->tools;
+    const auto entry = std::ranges::find(tools, tool, &ToolTableEntry::number);
+    if (entry == tools.end() || !entry->diameter) return std::nullopt;
+    return entry->diameter->mm() / machine_.state().unit_mm();
+}
+
+}  // namespace ncsim::gcode::language

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Common part of the control floors of languages whose blocks are not words of G-code (Klartext,
+// SINUMERIK): commands of Machine, positions, arcs, tools by name, holes.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+
+#include "control/command.h"
+#include "control/machine.h"
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::gcode::language {
+
+/// Letters of the axes, by index.
+inline constexpr std::string_view kAxisNames = "XYZABCUVW";
+/// Number of the first tool with a name; the next names follow.
+inline constexpr int kFirstNamedTool = 9001;
+
+/// Corner between a straight block and the next block.
+struct Corner {
+    char letter = 'R';  ///< 'R' (rounding) or 'C' (chamfer).
+    double size = 0.0;
+    SourceSpan span;
+};
+
+/// Depths of a hole that is drilled in infeeds. Heights along the tool axis, active units.
+struct Pecks {
+    double surface = 0.0, bottom = 0.0;
+    double clear = 0.0;  ///< Height of the clearance above the surface.
+    double from = 0.0;   ///< Height at which the first infeed begins; usually the surface.
+    double infeed = 0.0;
+    double decrement = 0.0;    ///< Amount by which each infeed is smaller than the last infeed.
+    double least = 0.0;        ///< Smallest infeed; 0: the decrement.
+    double ahead = 0.0;        ///< Distance above the last depth up to which the tool is rapid.
+    double breaking = 0.0;     ///< Retraction for chip breaking.
+    double breaks = 0.0;       ///< Number of breaks before a full retraction.
+    double break_depth = 0.0;  ///< Depth between breaks within an infeed; 0: none.
+    double feed = 0.0;
+    std::optional<double> first_feed;  ///< Feed of the first infeed, unless `feed`.
+    std::optional<double> up;          ///< Feed of the retraction; empty: rapid.
+    double dwell_above = 0.0, dwell_below = 0.0, dwell_between = 0.0;  ///< Seconds.
+    bool halves_last = false;  ///< The last two infeeds are equal if the rest is short.
+};
+
+/// A tapped hole.
+struct Tapping {
+    double surface = 0.0, bottom = 0.0, clear = 0.0;
+    double feed = 0.0;
+    double feed_out = 0.0;
+    SpindleTurning in = SpindleTurning::Clockwise;
+    SpindleTurning after = SpindleTurning::Stopped;  ///< After the hole.
+    double step = 0.0;                               ///< Infeed; 0: in one.
+    double breaking = 0.0;  ///< Retraction between infeeds; 0: up to `clear`.
+    double dwell = 0.0;     ///< Seconds at the bottom.
+};
+
+/// Executes blocks that act on the machine.
+class BlockControl {
+public:
+    BlockControl(const InterpreterOptions& options, Machine& machine, DiagnosticLog& log);
+    virtual ~BlockControl() = default;
+
+    /// Sets the file of the following blocks, as an index into Interpretation::files.
+    void set_file(std::uint32_t file) { file_ = file; }
+    void add_tool_names(const std::vector<std::string>& names);
+    /// True after the end of the program.
+    bool has_ended() const { return has_ended_; }
+    /// Ends the program, as M30 does.
+    void finish() { machine_.flush(), machine_.finish(); }
+
+protected:
+    bool fail(const MessageText& message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+    static Command make(SourceSpan span);
+    static void put(Command& command, char letter, double value);
+    static void put(Command& command, Code code);
+    static void put(Command& command, MGroup group, int m);
+    /// Executes `command`.
+    /// Returns: false if the program stops.
+    bool run(const Command& command);
+    /// True if the position along an axis of `mask` is unknown, or relative to an unknown position.
+    bool is_unknown(AxisMask mask) const;
+    /// Reads the position from the machine.
+    virtual void refresh();
+    /// Sets the position after a straight move to `end`.
+    virtual void arrive(const Axes& end);
+
+    /// Form of the element that continues the last element tangentially.
+    enum class Tangent : std::uint8_t { None, Line, Arc };
+    Tangent tangent_arc(const Axes& end, ProgramArc& arc) const;
+    /// Makes `arc` with the modes in `command`. `named`: axes of the block; `radius`: the arc is
+    /// given by its radius instead of its centre.
+    bool make_arc(const ProgramArc& arc, AxisMask named, std::optional<double> radius,
+                  Command command);
+
+    bool move_to(double height, std::optional<double> feed);
+    bool dwell(double seconds);
+    bool peck(const Pecks& pecks, const MessageText& too_many);
+    bool tap(const Tapping& tapping, const MessageText& too_many);
+    /// Retracts with the spindle oriented. `steps_aside`: the tool leaves the wall first.
+    bool bore_out(double clear, std::optional<double> feed, bool steps_aside);
+
+    int number_of(const std::string& tool_name);
+    std::optional<double> diameter_of(int tool) const;
+
+    const InterpreterOptions& options_;
+    Machine& machine_;
+    DiagnosticLog& log_;
+    std::uint32_t file_ = 0;
+    /// Position in coordinates of the program, without cutter compensation.
+    Axes at_{};
+    Plane plane_ = Plane::XY;
+    int tool_ = 0;
+    std::map<std::string, int> named_tools_;
+    std::optional<std::array<double, 2>> tangent_;  ///< Direction at the end of the last element.
+    SourceSpan cycle_span_;                         ///< Block of the moves of a cycle.
+    bool has_ended_ = false;
+};
+
+}  // namespace ncsim::gcode::language

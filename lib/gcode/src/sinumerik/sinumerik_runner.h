@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs a SINUMERIK program: statements, jumps, loops, repeats, subprograms, modal calls. Blocks
+// that act on the machine go to Control.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+
+#include "control/machine.h"
+#include "sinumerik/control.h"
+#include "sinumerik/expression.h"
+#include "sinumerik/reader.h"
+#include "sinumerik/variables.h"
+#include "sinumerik/words.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ncsim::gcode::sinumerik {
+
+/// Returns the names of tools that the program selects by name, in the order of the first one.
+std::vector<std::string> tool_names(const SourceFile& program);
+
+/// Runs a program.
+class Runner {
+public:
+    Runner(const SourceFile& program, const InterpreterOptions& options,
+           const std::array<RotaryWay, 3>& ways, const Rules& rules, ArcCentres& centres,
+           const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
+
+    void run();
+
+private:
+    struct File {
+        const SourceFile* source = nullptr;
+        std::unique_ptr<SourceFile> owned;  // Set for files other than the main program.
+        std::vector<Section> sections;
+    };
+    /// A label or a block number, with the start of its line.
+    struct Label {
+        std::string name;
+        Place place;
+    };
+    /// A program of a file.
+    struct Program {
+        std::size_t file = 0;
+        Section section;
+        bool has_labels = false;
+        std::vector<Label> labels;
+        std::map<std::size_t, std::optional<Place>> ends;  // Of structures, by the start.
+    };
+    enum class LoopKind : std::uint8_t { For, While, Loop, Repeat };
+    struct Loop {
+        LoopKind kind = LoopKind::Loop;
+        Place header, body;
+        Target counter;
+        double last = 0.0;
+    };
+    /// Blocks that REPEAT runs again.
+    struct Passage {
+        Place begin;
+        std::size_t stop = 0;  // Offset of the first line behind the blocks.
+        Place back;
+        std::uint64_t remaining = 0;
+    };
+    struct Argument {
+        std::optional<Value> value;
+        std::optional<Target> target;  // For parameters with VAR.
+    };
+    /// A modal call (MCALL).
+    struct Modal {
+        bool is_active = false;
+        bool is_cycle = false;
+        CycleCall cycle;
+        std::string program;
+        std::vector<Argument> arguments;
+    };
+    /// A program that runs.
+    struct Frame {
+        std::size_t program = 0;
+        std::string name;
+        Place back;  // In the program that called.
+        std::vector<Loop> loops;
+        std::vector<Passage> repeats;
+        std::vector<Argument> arguments;
+        std::vector<std::pair<std::string, Target>> copies;  // Of parameters with VAR.
+        std::uint64_t runs_left = 0;                         // Of "L100 P3".
+        std::optional<SavedModes> saved;
+        Modal modal;
+        std::deque<HolePlace> places;  // Of a pattern, for a modal subprogram.
+        SourceSpan places_span;
+    };
+
+    bool step();
+    bool act();
+    bool statement(std::string_view name, CodeScanner& scan, bool& is_done);
+    bool items(CodeScanner& scan);
+    bool item(CodeScanner& scan, Words& words, bool& has_words);
+    bool finish_block(const Words& words, SourceSpan span);
+    bool assign(CodeScanner& scan);
+    bool skip_call(CodeScanner& scan);
+    bool named_call(std::string_view raw, CodeScanner& scan, bool is_first);
+    bool built_in(const std::string& name, CodeScanner& scan, bool is_modal, bool& is_known);
+    bool define(CodeScanner& scan);
+    bool define_one(Type type, std::uint32_t length, CodeScanner& scan);
+    bool frame_statement(std::string_view name, CodeScanner& scan);
+    bool is_at_end(CodeScanner& scan);
+
+    // Jumps and loops.
+    bool condition(CodeScanner& scan, bool& is_true);
+    bool if_statement(CodeScanner& scan);
+    bool jump(std::string_view kind, CodeScanner& scan);
+    bool case_statement(CodeScanner& scan);
+    std::optional<std::string> jump_target(CodeScanner& scan);
+    bool go_to(std::string_view kind, const std::string& label);
+    const std::vector<Label>& labels();
+    bool loop_statement(std::string_view name, CodeScanner& scan);
+    bool end_loop(std::string_view name, CodeScanner& scan);
+    bool for_loop(CodeScanner& scan);
+    bool repeat_section(std::string_view name, CodeScanner& scan);
+    std::optional<Place> end_of_structure(Place after, std::string_view name, bool stops_at_else);
+    bool skip_to_end(std::string_view name, bool stops_at_else);
+    void leave_structures(std::size_t offset);
+    bool next_pass();
+
+    // Calls.
+    bool proc(CodeScanner& scan);
+    bool modal(CodeScanner& scan);
+    bool call_modal();
+    std::optional<std::vector<Argument>> arguments(CodeScanner& scan);
+    std::optional<Arguments> cycle_arguments(CodeScanner& scan);
+    bool call(const std::string& name, std::vector<Argument> arguments, double runs,
+              SourceSpan span);
+    std::optional<std::size_t> find_program(const std::string& name);
+    std::optional<std::size_t> program_of(std::size_t file, const std::string& name);
+    bool finish_program();
+    std::optional<double> take_runs(CodeScanner& scan);
+
+    bool fail(const MessageText& message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+    bool refuse_text(std::size_t at);
+    void seek(Place place);
+
+    Frame& frame() { return frames_.back(); }
+    Program& program() { return programs_[frame().program]; }
+    bool is_in_subprogram() const { return frames_.size() > 1; }
+
+    const InterpreterOptions& options_;
+    DiagnosticLog& log_;
+    Interpretation& result_;
+    gcode::Parameters registers_;  // Required by Machine; the language does not read them.
+    Path path_;
+    Machine machine_;
+    Control control_;
+    Variables variables_;
+    Expressions expressions_;
+    WordReader words_;
+    std::deque<File> files_;
+    std::deque<Program> programs_;
+    std::vector<Frame> frames_;
+    std::optional<Reader> reader_;
+    Line line_, ahead_;
+    std::uint64_t repeated_ = 0;
+    std::uint64_t most_blocks_ = 0;
+    bool ended_ = false;
+};
+
+}  // namespace ncsim::gcode::sinumerik
