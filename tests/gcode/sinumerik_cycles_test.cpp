@@ -171,7 +171,7 @@ TEST(SinumerikCycles, FaultsOfHoles) {
         "G41\nCYCLE81(5,0,2,-3)",
         "6:1: CYCLE81 under G41 or G42 is not read; the program is stopped here [not-read]");
     expect_refused("CYCLE83(5,0,2,-6,,,1EX-9)",
-                   "5:1: a cycle needs a number of repeats of at least 1; K0 and L0 define it "
+                   "5:1: the number of repeats must be 1 or more, and not without end "
                    "[cycle-repeats]");
 }
 

@@ -542,8 +542,10 @@ std::optional<std::string> variable_name(std::string_view text) {
         name += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
     if (name.starts_with("#<") && name.ends_with('>') && name.size() > 3) return name;
     constexpr std::size_t kMostDigits = 5;
-    const bool is_number = name.starts_with('#') && name.size() > 1 &&
-                           name.size() <= kMostDigits + 1 && name[1] != '0' &&
+    // Q parameters of Klartext and R parameters of SINUMERIK begin at 0.
+    const bool is_parameter = name.starts_with('q') || name.starts_with('r');
+    const bool begins = name.starts_with('#') ? name.size() > 1 && name[1] != '0' : is_parameter;
+    const bool is_number = begins && name.size() > 1 && name.size() <= kMostDigits + 1 &&
                            name.find_first_not_of("0123456789", 1) == std::string::npos;
     if (!is_number) return std::nullopt;
     return name;
