@@ -30,7 +30,7 @@ def errors(schema, value):
 def call(words, folder, **options):
     """Runs ncsim. Returns the exit code, the standard output and the standard error."""
     run = subprocess.run([NCSIM, *words], cwd=folder, capture_output=True, stdin=subprocess.DEVNULL, text=True,
-                         errors="replace", timeout=120, check=False, **options)
+                         errors="replace", timeout=1000, check=False, **options)
     return run.returncode, run.stdout, run.stderr
 
 
