@@ -301,6 +301,10 @@ TEST(Readings, ThatFailAreNamed) {
     EXPECT_TRUE(contains(program["doubts"][0]["message"], "rapid-in-material in line 10"))
         << program.dump(1);
     EXPECT_EQ(verdict_of(folder, {"slot.nc", "--accept", "block-delete"})["verdict"], "accepted");
+    // "off" in the project file decides, too.
+    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--block-delete", "off"})["verdict"], "clean");
+    folder.write("ncsim.toml", "version = 1\nblock-delete = false\n");
+    EXPECT_EQ(verdict_of(folder, {"slot.nc"})["verdict"], "clean");
 }
 
 // --- Values of the control ---------------------------------------------------------------------

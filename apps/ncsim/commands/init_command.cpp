@@ -103,6 +103,7 @@ std::string first_project(const std::string& folder) {
         if (!below.empty()) folders.insert(below);
     }
     std::string text =
+        "#:schema /usr/share/doc/ncsim/docs/schemas/project.schema.json\n"
         "# Written by ncsim init: options for all NC programs in this folder and below.\n"
         "# A key is a long option of ncsim check. The command line and job files come first.\n"
         "version = 1\n"

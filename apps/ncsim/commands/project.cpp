@@ -43,6 +43,7 @@ std::vector<std::string> setting_words(const setup::ProjectSetting& setting,
                                             kind->is_flag ? "true or false" : "a value"));
     }
     const std::string name = "--" + setting.option;
+    if (kind->is_switch) return {name + (setting.is_on ? "=on" : "=off")};
     if (setting.is_flag) return setting.is_on ? std::vector{name} : std::vector<std::string>();
     std::vector<std::string> words;
     // Reading a FIFO without a writer would block.

@@ -330,7 +330,8 @@ std::optional<OptionKind> kind_of_check_option(const std::string& name) {
             if (of_one_run.contains(known)) continue;
             if (!decides_verdicts(known) && !limits.contains(known)) continue;
             const std::string type = option->type_name();
-            kinds[known] = {option->is_flag(), type.starts_with("FILE") || type.starts_with("DIR")};
+            kinds[known] = {option->is_flag(), app.is_switch("--" + known),
+                            type.starts_with("FILE") || type.starts_with("DIR")};
         }
         return kinds;
     }();

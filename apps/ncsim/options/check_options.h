@@ -81,7 +81,8 @@ cli::App* add_rules(cli::App& app, RulesOptions& options);
 /// Kind of value of an option that determines verdicts and is permitted in ncsim.toml.
 struct OptionKind {
     bool is_flag = false;
-    bool is_file = false;  ///< A file or a folder.
+    bool is_switch = false;  ///< A flag whose `off` differs from its absence.
+    bool is_file = false;    ///< A file or a folder.
 };
 /// Returns the kind of the option with this long name (without dashes); empty if there is none.
 std::optional<OptionKind> kind_of_check_option(const std::string& name);

@@ -105,6 +105,8 @@ public:
     std::vector<const App*> subcommands() const;
     /// Returns the command on the command line; this command if there is none.
     App* chosen();
+    /// True if `name`, with its dashes, is a switch of this command or of a subcommand.
+    bool is_switch(const std::string& name) const;
     /// Returns the number of occurrences of the option `name` on the command line.
     std::size_t count(const std::string& name) const;
 
@@ -116,7 +118,6 @@ public:
 private:
     explicit App(CLI::App* command);
     Option* add(CLI::Option* option);
-    bool is_switch(const std::string& word) const;
 
     std::unique_ptr<CLI::App> owned_;  // the program; owns the commands
     CLI::App* app_;

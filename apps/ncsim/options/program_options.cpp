@@ -125,8 +125,10 @@ gcode::Dialect read_dialect(const std::string& name) {
     for (const Dialect dialect : gcode::kDialectList) {
         if (name == gcode::name_of(dialect)) return dialect;
     }
-    throw Refusal{fmt::format(
-        "--dialect '{}': expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik or sinumerik-iso", name)};
+    throw Refusal{
+        fmt::format("--dialect '{}': expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, "
+                    "sinumerik or sinumerik-iso",
+                    name)};
 }
 
 bool read_inches(const std::string& unit) {
@@ -219,7 +221,8 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
-            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik, sinumerik-iso [auto]")
+            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik, sinumerik-iso "
+            "[auto]")
         ->type_name("NAME");
     command.add_flag("--strict", o.strict, "Refuse what LinuxCNC refuses");
     command

@@ -178,7 +178,8 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
 
 void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
                      const std::vector<FirstSetUp>& set_ups) {
-    out << "# Written by ncsim init. Lengths in mm, angles in degrees.\n"
+    out << "#:schema /usr/share/doc/ncsim/docs/schemas/job.schema.json\n"
+           "# Written by ncsim init. Lengths in mm, angles in degrees.\n"
            "#\n"
            "# A name in a list \"assumed\" stands for a value that no file specifies. Measure the "
            "value at\n"
