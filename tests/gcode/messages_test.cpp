@@ -416,10 +416,10 @@ const std::vector<Case>& cases() {
          "3:1: error: nothing before this block begins what ENDLOOP ends; the program is stopped "
          "here [block-begin-missing]"},
         {By::Sinumerik, "%_N_A_SPF~PROC A~%_N_B_MPF~A(1)",
-         "4:1: error: the call has more arguments than PROC has parameters; the program is stopped "
+         "2:1: error: the call has more arguments than PROC has parameters; the program is stopped "
          "here [call-arguments]"},
         {By::Sinumerik, "%_N_A_SPF~X1~%_N_B_MPF~G0 A",
-         "6:1: error: a call needs a block of its own; the program is stopped here [call-forms]"},
+         "4:1: error: a call needs a block of its own; the program is stopped here [call-forms]"},
         {By::Sinumerik, kSinumerik + "TRANS X1 F1",
          "3:1: error: TRANS needs a block of its own; the program is stopped here "
          "[frame-own-block]"},
