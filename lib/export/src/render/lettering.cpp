@@ -134,7 +134,7 @@ double distance(PixelPoint p, PixelPoint a, PixelPoint b) {
 }
 
 std::uint8_t mix(std::uint8_t under, std::uint8_t over, double share) {
-    return static_cast<std::uint8_t>(under + share * (over - under) + 0.5);
+    return static_cast<std::uint8_t>(std::lround(under + share * (over - under)));
 }
 
 bool is_continuation_byte(char c) {
