@@ -9,7 +9,7 @@ set(functions "sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh
 set(known
   "lib/gcode/src/text/expression.cpp: EXP, LN, POW and ** of programs, which the language has"
   "lib/gcode/src/klartext/q_parameters.cpp: EXP, LN, LOG and ^ of programs, which the language has"
-  "lib/gcode/src/sinumerik/expression.cpp: EXP, LN and powers of ten of programs, which the language has")
+  "lib/gcode/src/sinumerik/formula.cpp: EXP, LN and powers of ten of programs, which the language has")
 
 set(faults "")
 set(met "")

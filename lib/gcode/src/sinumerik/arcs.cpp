@@ -5,7 +5,7 @@
 // Source: SINUMERIK 840D sl, Programming Manual Fundamentals, "Circular interpolation", 06/2019.
 #include "ncsim/trig/angles.h"
 
-#include "sinumerik/control.h"
+#include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
 
 #include <array>

@@ -7,7 +7,7 @@
 #include "ncsim/gcode/print.h"
 
 #include "language/block_control.h"
-#include "sinumerik/reader.h"
+#include "sinumerik/line_reader.h"
 #include "sinumerik/sinumerik_runner.h"
 #include "text/code_scanner.h"
 #include "text/message.h"

@@ -7,9 +7,9 @@
 #include "ncsim/gcode/interpretation.h"
 
 #include "control/machine.h"
-#include "sinumerik/control.h"
-#include "sinumerik/expression.h"
-#include "sinumerik/reader.h"
+#include "sinumerik/formula.h"
+#include "sinumerik/line_reader.h"
+#include "sinumerik/sinumerik_control.h"
 #include "sinumerik/variables.h"
 #include "sinumerik/words.h"
 

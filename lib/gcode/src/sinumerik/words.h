@@ -6,8 +6,8 @@
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/state.h"
 
-#include "sinumerik/expression.h"
-#include "sinumerik/reader.h"
+#include "sinumerik/formula.h"
+#include "sinumerik/line_reader.h"
 #include "text/code_scanner.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 //
 // Modes, tools, offsets, straight moves.
 // Source: SINUMERIK 840D sl, Programming Manual Fundamentals, 06/2019.
-#include "sinumerik/control.h"
+#include "sinumerik/sinumerik_control.h"
 
 #include "ncsim/trig/angles.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reads lines.
-#include "sinumerik/reader.h"
+#include "sinumerik/line_reader.h"
 
 #include "text/characters.h"
 #include "text/code_scanner.h"

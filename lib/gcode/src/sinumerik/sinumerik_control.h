@@ -6,9 +6,9 @@
 
 #include "control/machine.h"
 #include "language/block_control.h"
-#include "sinumerik/expression.h"
+#include "sinumerik/formula.h"
 #include "sinumerik/frame.h"
-#include "sinumerik/reader.h"
+#include "sinumerik/line_reader.h"
 #include "sinumerik/words.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 // Order: settable offset, swivel plane, programmable frames.
 // Source: SINUMERIK 840D sl, Programming Manual Fundamentals, "Frames", 06/2019; SINUMERIK ONE,
 // 12/2019 (G58, G59); for CYCLE800 the public description of its parameters.
-#include "sinumerik/control.h"
+#include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
 
 #include <algorithm>

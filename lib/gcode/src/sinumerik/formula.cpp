@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Operators, functions and names of expressions.
-#include "sinumerik/expression.h"
+#include "sinumerik/formula.h"
 
 #include "ncsim/gcode/print.h"
 #include "ncsim/trig/angles.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Chooses the readers of a language.
-#include "ncsim/gcode/language.h"
-
 #include "ncsim/gcode/dialect.h"
 #include "ncsim/gcode/klartext.h"
+#include "ncsim/gcode/language.h"
 #include "ncsim/gcode/sinumerik.h"
 
 namespace ncsim::gcode {

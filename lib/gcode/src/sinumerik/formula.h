@@ -6,7 +6,7 @@
 
 #include "ncsim/gcode/diagnostic.h"
 
-#include "sinumerik/reader.h"
+#include "sinumerik/line_reader.h"
 #include "sinumerik/variables.h"
 #include "text/code_scanner.h"
 

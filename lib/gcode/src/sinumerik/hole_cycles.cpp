@@ -4,7 +4,7 @@
 // Source: SINUMERIK 840D sl, Programming Manual Cycles, 2007, and the parameters of 06/2019.
 #include "ncsim/trig/angles.h"
 
-#include "sinumerik/control.h"
+#include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
 
 #include <algorithm>
