@@ -91,6 +91,13 @@ TEST(Options, TakeEverythingThatCanBeAskedFor) {
     EXPECT_TRUE(o.quiet);
 }
 
+TEST(Options, SwitchesAreOnOrOff) {
+    EXPECT_EQ(options({"run", "part.nc", "--block-delete=off"}).block_delete, false);
+    EXPECT_EQ(options({"run", "part.nc", "--block-delete", "on"}).block_delete, true);
+    const std::string text = refusal({"run", "part.nc", "--block-delete=x"});
+    EXPECT_NE(text.find("--block-delete 'x': expected on or off"), std::string::npos) << text;
+}
+
 TEST(Options, MarksAreOnUnlessSomeAreNamed) {
     EXPECT_TRUE(options({"run", "part.nc", "--png", "a.png"}).marks.legend);
     const Options some = options({"run", "part.nc", "--png", "a.png", "--marks", "axes,scale"});

@@ -236,6 +236,13 @@ App::Outcome App::parse(std::vector<std::string> words) {
         words[i] += "=" + words[i + 1];
         words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     }
+    for (const std::string& word : words) {
+        const std::size_t equals = word.find('=');
+        if (equals == std::string::npos || !is_switch(word.substr(0, equals))) continue;
+        const std::string value = word.substr(equals + 1);
+        if (value != "on" && value != "off")
+            throw UsageError{word.substr(0, equals) + " '" + value + "': expected on or off"};
+    }
     try {
         // CLI11 expects the words in reverse order.
         app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
