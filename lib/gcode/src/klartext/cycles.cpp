@@ -488,13 +488,11 @@ bool Control::tap(SourceSpan span, double surface, double bottom, double clear) 
 bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
     if (!needs({206, 334, 335}, span)) return false;
     const std::optional<double> tool = radius_of_tool();
-    if (!tool)
-        return fail(Message::BlockNeeds, span, {"cycle 208", "the radius of the tool"});
+    if (!tool) return fail(Message::BlockNeeds, span, {"cycle 208", "the radius of the tool"});
     const double radius = value(335, 0.0) / 2.0 - *tool;
     const double infeed = std::abs(value(334, 0.0));
     if (!(radius > 0.0))
-        return fail(Message::BlockNeeds, span,
-                    {"cycle 208", "a diameter larger than the tool"});
+        return fail(Message::BlockNeeds, span, {"cycle 208", "a diameter larger than the tool"});
     const double feed = feed_of(feed_value(206).value_or(0.0));
     const bool is_climb = value(351, 1.0) >= 0.0;
     const bool is_clockwise = machine_.state().spindle == SpindleTurning::Counterclockwise;
