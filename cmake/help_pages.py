@@ -173,9 +173,9 @@ def find_values(program, commands):
                 option.values = names + categories
             elif option.is_switch:
                 option.values = ["on", "off"]
-            elif option.type in ("NAME", "VIEW", "WHAT", "UNIT", "PATH", "CONTROL", "THINGS"):
+            elif option.type in ("NAME", "VIEW", "WHAT", "UNIT", "PATH", "CONTROL", "THINGS", "MARKS"):
                 option.values = values_of(program, command.name, option)
-                option.is_list = option.type == "THINGS"
+                option.is_list = option.type in ("THINGS", "MARKS")
                 known.setdefault(option.text, option.values)
     for command in commands:
         for option in command.options:

@@ -221,8 +221,7 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
-            "Control: auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik, sinumerik-iso "
-            "[auto]")
+            "Control: rs274, fanuc, haas, grbl, heidenhain, sinumerik … [auto]")
         ->type_name("NAME");
     command.add_flag("--strict", o.strict, "Refuse what LinuxCNC refuses");
     command

@@ -97,8 +97,8 @@ MarkOptions read_marks(const std::string& list) {
         } else if (name == "legend") {
             marks.legend = true;
         } else {
-            throw Refusal{fmt::format(
-                "--marks '{}': expected all, none, or a list of axes, zero, scale, legend", name)};
+            throw Refusal{
+                fmt::format("--marks '{}': expected all, none, axes, zero, scale or legend", name)};
         }
         begin = end + 1;
     }
@@ -284,7 +284,7 @@ void add_picture_options(cli::App& run, Options& o) {
     run.add_option_function<std::string>(
            "--marks", [&o](Text list) { o.marks = read_marks(list); },
            "axes, zero, scale, legend; all or none [all]")
-        ->type_name("LIST");
+        ->type_name("MARKS");
     run.add_flag("--show-path", o.shows_path, "Draw the tool path, rapid moves dashed");
     run.add_flag("--show-tool", o.shows_tool, "Draw the tool");
     run.add_flag("--show-fixtures", o.shows_fixtures, "Draw vises, clamps and other fixtures");
