@@ -373,7 +373,7 @@ bool Runner::repeat_section(std::string_view name, CodeScanner& scan) {
     section.remaining = static_cast<std::uint64_t>(std::min(*runs, 1e9)) - 1;
     repeated_ = std::max<std::uint64_t>(repeated_, 1);
     const Place start = section.begin;
-    frame().repeats.push_back(std::move(section));
+    frame().repeats.push_back(section);
     reader_->seek(start);
     return true;
 }

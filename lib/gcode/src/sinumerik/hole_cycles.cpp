@@ -278,7 +278,7 @@ bool Control::stop_spindle_at_bottom(const CycleCall& call, const Hole& hole) {
 std::optional<std::vector<HolePlace>> Control::pattern(const CycleCall& call) {
     const auto at = [&](std::size_t i) { return argument(call, i, 0.0); };
     const bool is_grid = call.name == "CYCLE801";
-    const double columns = std::round(is_grid ? at(5) : at(5));
+    const double columns = std::round(at(5));
     const double rows = is_grid ? std::round(at(6)) : 1.0;
     if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= kMostHoles)) {
         fail(Message::BlockNeeds, call.span, {call.name, "a number of holes from 1 to 10000"});
