@@ -223,8 +223,9 @@ def without_rests(events):
     out, at, unit = [], [0.0] * 6, 1.0
     for e in events:
         # rs274 prints four decimals of inches, and of millimetres.
-        rounding = 1e-4 * max(e[5], unit)
-        if e[0] in ("rapid", "feed") and at is not None and max(abs(a - b) for a, b in zip(e[1], at)) < rounding:
+        rounding = 1.5e-4 * max(e[5], unit)
+        if e[0] in ("rapid", "feed") and at is not None and \
+                max(abs(round(a, 4) - round(b, 4)) for a, b in zip(e[1], at)) < rounding:
             continue
         out.append(e)
         unit = e[5]

@@ -19,12 +19,12 @@ CLASSES = {
     "G88": Explained("After G88 the operator takes the tool out by hand. rs274 makes no motion and counts from the "
                      "clearance plane; ncsim retracts.", r"motion", r"G88"),
     "the machine of rs274": Explained(
-        "Without a configuration, the variables #5161 … #5390 count inches; a tool change forgets that G43 in a block "
+        "Without a configuration, T1 is in the spindle at the start, and the variables #5161 … #5390 count inches; a tool change forgets that G43 in a block "
         "before it, or G49, without a move between, has moved the tip; G20 and G21 do not convert the length in "
         "force, so G28, G30, G53 and the next G43 or G49 go elsewhere; G10 L2 with R turns the position without the offset "
         "of G92 or G52. ncsim counts millimetres, knows the tip, and warns of this R.",
         r"motion", r"#5[123]\d\d|G4[39].*\n(?:(?:(?!.*[XYZ])|.*G(?:10|92|52)).*\n)*.*M6|G43(?:.*\n)+.*G2[01](?:.*\n)+.*G(?:28|30|43|49|53)"
-        r"|G(?:92|52) (?:.*\n)+.*G10 L2 .*R"),
+        r"|G(?:92|52) (?:.*\n)+.*G10 L2 .*R|G10 L1[01]? P1 (?:.*\n)+.*G43(?! ?H)"),
     "G84 and G74 in G18 and G19": Explained(
         "rs274 feeds to a point with its axes in the wrong order; the manual of LinuxCNC has the axis across the "
         "plane, as for G81.", r"motion", r"G[78]4"),
