@@ -376,7 +376,7 @@ Axes Control::ends(const Words& words, AxisMask& mask) const {
 
 // --- Moves ---
 
-bool Control::move(const Words& words, Command command, SourceSpan span) {
+bool Control::move(const Words& words, const Command& command, SourceSpan span) {
     const bool is_of_machine = words.of(CodeGroup::Suppress).has_value();
     AxisMask mask = 0;
     Axes end = ends(words, mask);
