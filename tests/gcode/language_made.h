@@ -55,8 +55,8 @@ inline Made run(const std::string& text, const Files& files = {}, Dialect dialec
     options.limits.repeated_blocks = 20'000;
     options.peck_clearance = 0.2;
     options.joints = joints;
-    options.read_file = [&](std::string_view name) -> std::optional<SourceFile> {
-        const auto found = files.find(name);
+    options.read_file = [&](std::string_view path) -> std::optional<SourceFile> {
+        const auto found = files.find(path);
         if (found == files.end()) return std::nullopt;
         return SourceFile{found->first, found->second};
     };

@@ -31,9 +31,9 @@ CLASSES = {
     "a corner that turns back": Explained(
         "Where the path turns back on itself within 3° into or out of an arc, rs274 cuts the outside corner short. "
         "ncsim rounds the corner, as the manual of LinuxCNC says.", r"(motion|gouge|concave corner|compensation-arc)", r"G4[12]"),
-    "cos[90]": Explained("The cosine of 90 degrees is 0 in ncsim and 6e-17 in rs274, which is true in a condition and has a "
-                         "tangent.",
-                         r"motion|not-a-number", r"COS\[ATAN|TAN\[A"),
+    "exact angles": Explained("Angles of whole degrees are exact in ncsim. In rs274 the cosine of 90 is 6e-17, which is true in a "
+                              "condition and has a tangent, and acos[-0.5] is 120.00000000000001, which FUP rounds up.",
+                              r"motion|not-a-number", r"COS\[ATAN|TAN\[A|F(?:UP|IX)\[.*A(?:COS|SIN|TAN)\["),
 }
 
 BEGIN, END = "<!-- rs274 -->", "<!-- /rs274 -->"
