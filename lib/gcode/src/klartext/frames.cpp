@@ -351,8 +351,7 @@ bool Control::plane(const Block& block) {
         std::array<double, 3> x{b[0] - along * z[0], b[1] - along * z[1], b[2] - along * z[2]};
         const double size = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
         if (!(size > 1e-9))
-            return fail(Message::BlockNeeds, span,
-                        {name, "a base that is not the normal"});
+            return fail(Message::BlockNeeds, span, {name, "a base that is not the normal"});
         for (double& v : x)
             v /= size;
         const std::array<double, 3> y{z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2],
