@@ -211,9 +211,8 @@ Json to_json(const gcode::Motion& motion) {
 namespace {
 
 /// Lists a program in a language other than G-code.
-gcode::Diagnostics list_language(const gcode::SourceFile& program,
-                                 gcode::ProgramListing& listing, bool as_json,
-                                 const TextSink& sink) {
+gcode::Diagnostics list_language(const gcode::SourceFile& program, gcode::ProgramListing& listing,
+                                 bool as_json, const TextSink& sink) {
     gcode::DiagnosticLog log;
     const std::string kind(name_of(gcode::language_of(program)));
     gcode::ListedBlock line;

@@ -360,7 +360,9 @@ private:
         for (const Dialect dialect : gcode::kDialectList) {
             if (name == gcode::name_of(dialect)) return dialect;
         }
-        r_.fail(node, "expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik or sinumerik-iso");
+        r_.fail(node,
+                "expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik or "
+                "sinumerik-iso");
     }
 
     std::map<std::string, double> read_variables(const toml::node& node,
