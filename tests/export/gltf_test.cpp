@@ -120,8 +120,9 @@ std::vector<std::array<float, 3>> roof_normals(double rise, std::uint32_t tool) 
                {{rise * s, 0, s}, 2 * rise * s, cut, 0, {{1, 2, 5, 4}}}};
     b.shells = 1;
     // The last primitive belongs to the tool.
+    const ReadPrimitive of_tool = primitives_of(written(b, {{{}, {5, tool}}, ""})).back();
     std::vector<std::array<float, 3>> normals;
-    for (const Corner& corner : primitives_of(written(b, {{{}, {5, tool}}, ""})).back().vertices)
+    for (const Corner& corner : of_tool.vertices)
         normals.push_back(corner.normal);
     return normals;
 }
