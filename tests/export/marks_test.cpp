@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 
 namespace ncsim::exporter {
 namespace {
@@ -20,12 +22,15 @@ Image blank(std::uint32_t width, std::uint32_t height) {
     return image;
 }
 
+constexpr double kStrip = 0.12;  // of a picture of 4:3
+
 // A block of 100 x 60 x 20 mm with the program zero at a corner of its top.
 const cda::Box kBlock{{0, 0, -20}, {100, 60, 0}};
 
 Camera camera_of(const Image& image, View view) {
-    const double rows = (1.0 - kMarkStrip) * image.height;
-    return with_mark_strip(fit_camera(kBlock, view, image.width / rows));
+    const double strip = mark_strip(image.width, image.height);
+    const double rows = (1.0 - strip) * image.height;
+    return with_mark_strip(fit_camera(kBlock, view, image.width / rows), strip);
 }
 
 struct Pixel {
@@ -60,8 +65,28 @@ TEST(Marks, LeaveAStripBelowThePart) {
             EXPECT_GE(at.x, 0.0);
             EXPECT_LE(at.x, image.width);
         }
-        EXPECT_LE(lowest, (1.0 - kMarkStrip) * image.height);
+        EXPECT_LE(lowest, (1.0 - kStrip) * image.height);
         EXPECT_GE(highest, 0.0);
+    }
+}
+
+// In a tall picture, letters as high as its height suggests would not fit its width.
+TEST(Marks, OfTallAndWidePicturesFit) {
+    for (const auto& [width, height] : {std::pair{320U, 3000U}, {3000U, 320U}, {400U, 400U}}) {
+        SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
+        Image image = blank(width, height);
+        Marks marks;
+        marks.axes = marks.scale = true;
+        marks.size_mm = {1234.5, 1234.5, 1234.5};
+        marks.legend = {{{200, 30, 30}, "T1 ball end mill D6"}};
+        draw_marks(image, camera_of(image, View::Top), Background::White, marks);
+        EXPECT_FALSE(image == blank(width, height));
+        for (std::uint32_t y = 0; y < height; ++y) {
+            ASSERT_EQ(image.at(0, y), kWhite) << y;
+            ASSERT_EQ(image.at(width - 1, y), kWhite) << y;
+        }
+        for (std::uint32_t x = 0; x < width; ++x)
+            ASSERT_EQ(image.at(x, height - 1), kWhite) << x;
     }
 }
 
@@ -149,8 +174,8 @@ TEST(Marks, ScaleBarHasTheLengthThatItNames) {
     draw_marks(image, camera, Background::White, marks);
     // The bar is the longest dark run of a row in the strip.
     std::uint32_t longest = 0;
-    for (auto row = static_cast<std::uint32_t>((1.0 - kMarkStrip) * image.height);
-         row < image.height; ++row) {
+    for (auto row = static_cast<std::uint32_t>((1.0 - kStrip) * image.height); row < image.height;
+         ++row) {
         std::uint32_t run = 0;
         for (std::uint32_t column = 0; column < image.width; ++column) {
             run = is_dark(image.at(column, row)) ? run + 1 : 0;
@@ -176,7 +201,7 @@ TEST(Marks, LegendShowsEachColourAndStopsAtTheEdge) {
         marks.legend.emplace_back(colours[0], "T1 flat end mill D8");
     Image full = blank(800, 600);
     draw_marks(full, camera_of(full, View::Top), Background::White, marks);
-    const auto strip = static_cast<std::size_t>((1.0 - kMarkStrip) * 600);
+    const auto strip = static_cast<std::size_t>((1.0 - kStrip) * 600);
     for (std::size_t i = 0; i < 800 * strip; ++i)
         ASSERT_EQ(full.pixels[i], kWhite);
 }
@@ -191,8 +216,7 @@ TEST(Marks, ScaleOfColoursGoesFromItsBeginToItsEnd) {
     double yellow = 0.0;
     double violet = 0.0;
     for (std::uint32_t column = 0; column < image.width; ++column) {
-        const Rgba8 p =
-            image.at(column, static_cast<std::uint32_t>(960 * (1.0 - 0.5 * kMarkStrip)));
+        const Rgba8 p = image.at(column, static_cast<std::uint32_t>(960 * (1.0 - 0.5 * kStrip)));
         if (p.r > 200 && p.g > 180 && p.b < 120) yellow = column;
         if (violet == 0.0 && p.b > p.g + 25 && p.r > p.g + 10) violet = column;
     }

@@ -90,7 +90,8 @@ std::map<std::string, double> read_variables(const std::vector<std::string>& tex
                              std::from_chars(text.data() + equals + 1, end, value) ==
                                  std::from_chars_result{end, std::errc{}};
         if (!is_read || !std::isfinite(value)) {
-            throw Refusal{fmt::format("--variable '{}': expected #500=1 or #<_name>=1", text)};
+            throw Refusal{
+                fmt::format("--variable '{}': expected #500=1, #<_name>=1, R5=1 or Q5=1", text)};
         }
         variables[*name] = value;
     }

@@ -132,10 +132,10 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.ghost_stock = outcome.survey.stock->specified_by == toolpath::ValueSource::Assumption;
     options.depth_top = stock.max.z;
     options.depth_bottom = std::max(stock.min.z, tips.min.z);
-    const bool has_strip = has_marks(o);
-    const double rows = (has_strip ? 1.0 - exporter::kMarkStrip : 1.0) * o.height;
-    options.camera = exporter::fit_camera(visible_box(outcome), view, o.width / rows);
-    if (has_strip) options.camera = exporter::with_mark_strip(options.camera);
+    const double strip = has_marks(o) ? exporter::mark_strip(o.width, o.height) : 0.0;
+    options.camera =
+        exporter::fit_camera(visible_box(outcome), view, o.width / ((1.0 - strip) * o.height));
+    options.camera = exporter::with_mark_strip(options.camera, strip);
     options.camera.depth += simulation::reach_of(outcome.fixtures);
     if (o.shows_machine) options.camera.depth += norm(machine_box(outcome).size());
     // Paths and tools beyond the picture may also be far in front of it.

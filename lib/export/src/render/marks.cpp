@@ -55,7 +55,7 @@ public:
           camera_(camera),
           text_(text_colour(background)),
           halo_(halo_colour(background)),
-          strip_(kMarkStrip * image.height),
+          strip_(mark_strip(image.width, image.height) * image.height),
           letter_(kLetter * strip_),
           line_(0.14 * letter_) {}
 
@@ -224,9 +224,14 @@ private:
 
 }  // namespace
 
-Camera with_mark_strip(Camera camera) {
-    camera.height /= 1.0 - kMarkStrip;
-    camera.target = camera.target - (0.5 * kMarkStrip * camera.height) * camera.up;
+double mark_strip(std::uint32_t width, std::uint32_t height) {
+    constexpr double kShare = 0.12;
+    return kShare * std::min(1.0, 0.75 * width / height);
+}
+
+Camera with_mark_strip(Camera camera, double strip) {
+    camera.height /= 1.0 - strip;
+    camera.target = camera.target - (0.5 * strip * camera.height) * camera.up;
     return camera;
 }
 

@@ -16,9 +16,6 @@
 
 namespace ncsim::exporter {
 
-/// Height of the strip for marks below the part, as a share of the height of the picture.
-inline constexpr double kMarkStrip = 0.12;
-
 /// Smallest width and height of a picture with marks, in pixels.
 inline constexpr std::uint32_t kLeastMarkedSide = 240;
 
@@ -36,9 +33,14 @@ struct Marks {
     std::string scale_begin, scale_end;
 };
 
-/// Returns `camera` with a strip of kMarkStrip below the part. `camera` must have been fitted to a
-/// picture of `aspect / (1 - kMarkStrip)`.
-Camera with_mark_strip(Camera camera);
+/// Returns the height of the strip for marks below the part, as a share of the height of a picture
+/// of `width` by `height` pixels: 12 % for the usual 4:3, less for narrower pictures, so that the
+/// marks fit.
+double mark_strip(std::uint32_t width, std::uint32_t height);
+
+/// Returns `camera` with a strip of the share `strip` below the part. `camera` must have been
+/// fitted to the picture without the strip.
+Camera with_mark_strip(Camera camera, double strip);
 
 /// Returns the number and the colour of each tool that cut, in the order of the numbers.
 std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const Provenance& provenance);
