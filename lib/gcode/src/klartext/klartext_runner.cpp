@@ -5,6 +5,7 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "text/line_end.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -13,10 +14,6 @@
 
 namespace ncsim::gcode::klartext {
 namespace {
-
-std::uint64_t line_count(const SourceFile& file) {
-    return static_cast<std::uint64_t>(std::ranges::count(file.text, '\n')) + 1;
-}
 
 /// True if a line of `file` is BEGIN PGM.
 bool has_begin_pgm(const SourceFile& file) {
@@ -41,7 +38,7 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
       machine_(options, rules, centres, log, path_, registers_),
       control_(options, machine_, parameters_, log) {
     registers_.set_rules(rules);
-    most_blocks_ = options.limits.repeated_blocks + line_count(program);
+    most_blocks_ = options.limits.repeated_blocks + line_count(program.text);
     files_.push_back({&program, nullptr, Reader(program), false, {}});
     control_.add_tool_names(tool_names(program));
     has_begin_ = has_begin_pgm(program);
@@ -579,7 +576,7 @@ std::optional<std::size_t> Runner::open_file(const std::string& name) {
     const SourceFile* kept = owned.get();
     control_.add_tool_names(tool_names(*kept));
     files_.push_back({kept, std::move(owned), Reader(*kept), false, {}});
-    most_blocks_ += line_count(*kept);
+    most_blocks_ += line_count(kept->text);
     result_.files.push_back(kept->name);
     return files_.size() - 1;
 }

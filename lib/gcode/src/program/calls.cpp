@@ -2,6 +2,7 @@
 //
 // Calls of subprograms by O-words, M98, M97, G65: search, entry and return.
 #include "program/runner.h"
+#include "text/line_end.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ std::optional<std::size_t> Runner::open_file(const std::string& name) {
     const SourceFile* kept = owned.get();
     files_.push_back(
         {kept, std::move(owned), BlockReader(*kept, {.strict = rules_.strict}), nullptr});
-    most_blocks_ += line_count(*kept);
+    most_blocks_ += line_count(kept->text);
     result_.files.push_back(kept->name);
     return files_.size() - 1;
 }

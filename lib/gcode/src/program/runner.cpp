@@ -3,6 +3,7 @@
 // Execution of a block.
 #include "program/runner.h"
 
+#include "text/line_end.h"
 #include "text/number.h"
 
 #include <algorithm>
@@ -37,12 +38,8 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
     parameters_.set_rules(rules);
     for (const auto& [name, value] : options.variables)
         parameters_.specify(name, value);
-    most_blocks_ = options.limits.repeated_blocks + line_count(program);
+    most_blocks_ = options.limits.repeated_blocks + line_count(program.text);
     files_.push_back({&program, nullptr, BlockReader(program, {.strict = rules.strict}), nullptr});
-}
-
-std::uint64_t Runner::line_count(const SourceFile& file) {
-    return static_cast<std::uint64_t>(std::ranges::count(file.text, '\n')) + 1;
 }
 
 void Runner::run() {

@@ -67,8 +67,6 @@ private:
         std::size_t marker = 0;
     };
 
-    static std::uint64_t line_count(const SourceFile& file);
-
     // Execution of a block
     bool step();
     bool percent();

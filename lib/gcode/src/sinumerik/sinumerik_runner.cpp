@@ -3,6 +3,7 @@
 // Execution of blocks: statements, assignments, words.
 #include "sinumerik/sinumerik_runner.h"
 
+#include "text/line_end.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -12,10 +13,6 @@
 
 namespace ncsim::gcode::sinumerik {
 namespace {
-
-std::uint64_t line_count(const SourceFile& file) {
-    return static_cast<std::uint64_t>(std::ranges::count(file.text, '\n')) + 1;
-}
 
 /// True if a block of `file` has M6.
 bool has_tool_change(const SourceFile& file) {
@@ -76,7 +73,7 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options,
       expressions_(variables_, control_, log),
       words_(expressions_, log) {
     registers_.set_rules(rules);
-    most_blocks_ = options.limits.repeated_blocks + line_count(program);
+    most_blocks_ = options.limits.repeated_blocks + line_count(program.text);
     files_.push_back({&program, nullptr, sections_of(program)});
     for (const Section& section : files_[0].sections) {
         Program& added = programs_.emplace_back();

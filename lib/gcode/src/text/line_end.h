@@ -3,7 +3,9 @@
 // Line ends: LF, CRLF or CR. A UTF-8 byte order mark is not part of the first line.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -25,6 +27,11 @@ inline LineEnd find_line_end(std::string_view text) {
         return {at, at + 1 == length && lf ? length + 1 : at + 1};
     }
     return {length, lf ? length + 1 : length};
+}
+
+/// Returns the number of lines of `text`, for limits: lines that end in CR alone are not counted.
+inline std::uint64_t line_count(std::string_view text) {
+    return static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n')) + 1;
 }
 
 /// Returns `text` without a leading byte order mark.
