@@ -146,7 +146,7 @@ TEST(Diff, OfDifferentBlocksIsADifference) {
     folder.write("b.nc", replaced("40.,30.,10.,20.", "41.,30.,10.,20."));
     const Ran ran = folder.run({"diff", "a.nc", "b.nc"});
     EXPECT_EQ(ran.exit_code, 1);
-    EXPECT_NE(ran.out.find("the blocks differ"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("the stocks differ"), std::string::npos) << ran.out;
     EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--stock", "40x30x10"}).exit_code, 0);
 }
 

@@ -94,6 +94,69 @@ TEST(JobOfTwoSetUps, MakesThePartOfTwoCallsByHand) {
     EXPECT_EQ(folder.read("job.stl"), folder.read("hand.stl"));
 }
 
+TEST(JobOfTwoSetUps, IsComparedWithAnotherJob) {
+    JobFolder folder;
+    EXPECT_EQ(folder.run({"diff", "job.toml", "job.toml"}).exit_code, 0);
+    // The slot of set-up 2 is 0.5 mm deeper in the new job.
+    std::string back = folder.read("back.nc");
+    back.replace(back.find("G1 Z-2"), 6, "G1 Z-2.5");
+    folder.write("deep.nc", back);
+    std::string job = folder.read("job.toml");
+    folder.write("new.toml", job.replace(job.find("back.nc"), 7, "deep.nc"));
+    const Ran ran = folder.run({"diff", "job.toml", "new.toml", "--json", "d.json"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    const json d = json::parse(folder.read("d.json"));
+    ASSERT_EQ(d["set_ups"].size(), 2U);
+    EXPECT_EQ(d["set_ups"][0]["differs"], false);
+    EXPECT_EQ(d["set_ups"][1]["set_up"], "set-up 2, back");
+    EXPECT_NEAR(d["set_ups"][1]["only_in_old"]["volume_mm3"], 60 * 10 * 0.5, 1e-6);
+    EXPECT_EQ(d["differs"], true);
+    EXPECT_EQ(folder.run({"diff", "job.toml", "new.toml", "--setup", "top"}).exit_code, 0);
+    // A program replaces that of the selected set-up.
+    EXPECT_EQ(folder.run({"diff", "job.toml", "deep.nc", "--setup", "back"}).exit_code, 1);
+    EXPECT_EQ(folder.run({"diff", "job.toml", "back.nc", "--setup", "back"}).exit_code, 0);
+    EXPECT_TRUE(contains(folder.run({"diff", "job.toml", "deep.nc"}).err, "--setup"));
+}
+
+TEST(JobOfTwoSetUps, ThatPlacesThePartElsewhereDiffers) {
+    JobFolder folder;
+    std::string job = folder.read("job.toml");
+    folder.write("new.toml", job.replace(job.find("[0, 0, -20]"), 11, "[1, 0, -20]"));
+    const Ran ran = folder.run({"diff", "job.toml", "new.toml"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "set-up 2, back\nthe stocks differ")) << ran.out;
+}
+
+TEST(JobOfTwoSetUps, DiffRefusesWhatItCannotPair) {
+    JobFolder folder;
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& why) {
+        const Ran ran = folder.run(words);
+        EXPECT_EQ(ran.exit_code, 2) << ran.out;
+        EXPECT_TRUE(contains(ran.err, why)) << ran.err;
+    };
+    std::string job = folder.read("job.toml");
+    folder.write("one.toml", job.substr(0, job.rfind("[[setup]]")));
+    refused({"diff", "top.nc", "job.toml"}, "'top.nc' is not; expected OLD as a job");
+    refused({"diff", "job.toml", "one.toml"}, "'job.toml' has 2 programs and 'one.toml' has 1");
+    refused({"diff", "job.toml", "job.toml", "--json", "top.nc"}, "top.nc");
+    EXPECT_TRUE(contains(folder.read("top.nc"), "G21"));
+}
+
+TEST(JobOfTwoSetUps, ShowsItsMachine) {
+    JobFolder folder;
+    const Ran none = folder.run({"machine", "job.toml"});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_TRUE(contains(none.err, "'job.toml': the job names no machine")) << none.err;
+    folder.write("mill.toml", "name = \"a mill\"\n");
+    folder.change("version = 2\n", "version = 2\nmachine = \"mill.toml\"\n");
+    folder.change("program = \"top.nc\"\n",
+                  "program = \"top.nc\"\noffsets = { G54 = [1, 2, 3] }\n");
+    const Ran ran = folder.run({"machine", "job.toml"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "a mill\n")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "set-up 1, top\n  G54 at 1, 2, 3\n  fixture vise")) << ran.out;
+}
+
 TEST(JobOfTwoSetUps, OneIsSelectedByNumberOrName) {
     const JobFolder folder;
     for (const char* name : {"2", "back"}) {

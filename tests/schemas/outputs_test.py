@@ -101,6 +101,8 @@ def outputs():
         add("check", ["check", job], ["-q"])
         add("check", ["check", "holes.nc", "broken.nc", "missing.nc"], ["-q"], allowed=(2,))
         add("diff", ["diff", samples[0], samples[1]], ["-q"])
+        add("diff", ["diff", job, job], ["-q"])
+        add("diff", ["diff", job, job], ["-q", "--setup", "2"])
         call(["run", "holes.nc", "--save-stock", "a.ncstock", "--stl", "a.stl", "-q"], folder)
         add("report", ["run", "holes.nc"], ["-q", "--step", "a.step", "--section", "z=-2", "--dxf", "a.dxf",
                                             "--simplify", "0.1", "--stl", "b.stl", "--block-volumes",

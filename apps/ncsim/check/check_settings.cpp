@@ -190,7 +190,10 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         if (specified_.job.empty())
             words = with_settings(std::move(words), job.settings(), job.folder(), is_free);
         const std::vector<setup::ProjectSetting> rest = job.without_own(settings, overridden);
-        made.options = parsed(with_settings(std::move(words), rest, project->folder, is_free));
+        words = with_settings(std::move(words), rest, project->folder, is_free);
+        made.options = parsed(words);
+        made.options.left_stocks =
+            left_stocks_.try_emplace(words, made.options.left_stocks).first->second;
         if (!specified_.quiet) {
             for (const std::string& line : overridden)
                 notes_.insert("note: " + line + '\n');

@@ -74,6 +74,7 @@ private:
     std::map<std::string, std::optional<std::string>> project_above_;  // by folder
     std::map<std::string, setup::ProjectFile> projects_;
     std::map<std::string, std::shared_ptr<const report::Baseline>> baselines_;
+    std::map<std::vector<std::string>, std::shared_ptr<LeftStocks>> left_stocks_;  // by words
     std::set<std::string> notes_;
     std::deque<CheckSettings> settings_;
     std::vector<std::size_t> number_of_;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compares two programs.
+// Compares two programs or jobs.
 #include "commands/diff.h"
 
 #include "ncsim/report/describe.h"
 #include "ncsim/report/difference.h"
-#include "ncsim/setup/machine_formats.h"
+#include "ncsim/setup/job_file.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/compare_parts.h"
 #include "ncsim/simulation/models.h"
 
+#include "commands/project.h"
+#include "options/job_steps.h"
 #include "options/plan_options.h"
 #include "system/console.h"
 #include "system/output.h"
@@ -17,9 +19,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -27,15 +33,22 @@ namespace {
 
 using Side = simulation::SurveyedPlan;
 
-Side read_side(const DiffOptions& diff, const std::string& path,
-               const std::optional<toolpath::Stock>& stock, setup::InputSet& inputs) {
-    auto options = static_cast<const ProgramOptions&>(diff);
-    options.program = path;
-    if (stock) options.stock = stock;
+// A program to compare, in its set-up.
+struct Input {
+    DiffOptions options;
+    std::string label;  ///< "set-up 2, back"; empty outside a job.
+};
+
+// Reads the program of `input`, which is cut from `stock` if there is one.
+Side read_side(const Input& input, const std::optional<toolpath::Stock>& stock,
+               setup::InputSet& inputs) {
+    DiffOptions options = input.options;
+    const bool is_later = options.job_step.value_or(0) > 0;
+    if (stock) (is_later ? options.left_stock : options.stock) = stock;
     Side side;
-    side.plan = plan_for(options, diff, diff.machine, inputs);
-    if (!diff.machine.empty())
-        simulation::apply_machine(side.plan, setup::read_machine(diff.machine, inputs));
+    side.plan = plan_for(options, options, options.machine, inputs);
+    if (const auto machine = machine_for(options.machine, side.plan.job, inputs))
+        (void)simulation::apply_machine(side.plan, *machine);
     if (side.plan.model.empty()) side.plan.model = simulation::verifying_model().name;
     side.survey = simulation::survey(side.plan);
     return side;
@@ -48,13 +61,79 @@ bool is_usable(const Side& side) {
     return false;
 }
 
+// Returns the programs of a job, or the program outside a job.
+std::vector<Input> inputs_to_compare(const DiffOptions& options, setup::InputSet& inputs) {
+    std::vector<Input> programs;
+    for (const ChosenStep& step : chosen_steps(options, inputs)) {
+        Input& one = programs.emplace_back(Input{options, step.label});
+        one.options.job_step = step.number;
+    }
+    if (programs.empty()) programs.push_back({options, {}});
+    return programs;
+}
+
+// Returns the options of the new side. A new program is in the set-up of the old one.
+DiffOptions options_of_new(const DiffOptions& old) {
+    if (!setup::is_job_file(old.new_program)) {
+        DiffOptions options = old;
+        options.program = old.new_program;
+        if (old.job.empty() || !old.program.empty()) return options;
+        setup::InputSet aside;
+        const std::vector<ChosenStep> steps = chosen_steps(old, aside);
+        if (steps.size() > 1) {
+            throw std::runtime_error(
+                fmt::format("'{}' has several programs; select the one that '{}' replaces: --setup",
+                            old.job, old.new_program));
+        }
+        if (!steps.empty()) options.job_step = steps[0].number;
+        return options;
+    }
+    std::vector<std::string> words = old.words;
+    words.insert(words.end(), {"--", old.new_program, old.new_program});
+    return std::get<DiffOptions>(options_with_project(words));
+}
+
+// Compares the parts of two programs, which are cut from the stock of the old one. Empty if a
+// program cannot be cut.
+std::optional<report::Difference> difference_of(const Input& a_input, const Input& b_input,
+                                                setup::InputSet& inputs) {
+    const Side a = read_side(a_input, {}, inputs);
+    if (!is_usable(a)) return std::nullopt;
+    const Side b_alone = read_side(b_input, {}, inputs);
+    const toolpath::Stock stock = static_cast<const toolpath::Stock&>(*a.survey.stock);
+    const Side b = read_side(b_input, stock, inputs);
+    if (!is_usable(b)) return std::nullopt;
+
+    report::Difference d = simulation::compare_parts(a, b);
+    // An assumed stock follows from the motions and has no information of its own.
+    const auto& other = b_alone.survey.stock;
+    const bool both_specified = other && other->specified_by != toolpath::ValueSource::Assumption &&
+                                a.survey.stock->specified_by != toolpath::ValueSource::Assumption;
+    if (both_specified && !(*other == stock)) {
+        d.stocks = fmt::format("the stocks differ: {} and {}; both were cut from the first",
+                               report::describe(stock), report::describe(*other));
+    }
+    const double tolerance = a_input.options.tolerance_mm3;
+    d.set_up = a_input.label;
+    d.old_name = a.plan.job.program.name;
+    d.new_name = b.plan.job.program.name;
+    d.tolerance_mm3 = tolerance;
+    d.differs =
+        !d.stocks.empty() || d.only_old.volume_mm3 > tolerance || d.only_new.volume_mm3 > tolerance;
+    return d;
+}
+
 }  // namespace
 
 cli::App* add_diff(cli::App& app, DiffOptions& o) {
     cli::App* diff =
         app.add_subcommand("diff", "Compare the parts of two programs: exit code 1 if they differ");
-    diff->add_option("old", o.program, "NC program")->required()->type_name("OLD");
-    diff->add_option("new", o.new_program, "NC program")->required()->type_name("NEW");
+    diff->add_option("old", o.program, "NC program, or job file (.toml)")
+        ->required()
+        ->type_name("OLD");
+    diff->add_option("new", o.new_program, "NC program, or job file (.toml)")
+        ->required()
+        ->type_name("NEW");
     add_language_options(*diff, o);
     add_setup_options(*diff, o);
     add_simulation_options(*diff, o, Models::Verifying);
@@ -72,9 +151,14 @@ cli::App* add_diff(cli::App& app, DiffOptions& o) {
     return diff;
 }
 
-void complete(const DiffOptions& o) {
+void complete(DiffOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     require_verifying(o);
+    if (setup::is_job_file(o.new_program) && !setup::is_job_file(o.program))
+        throw Refusal{fmt::format("'{}' is a job, '{}' is not; expected OLD as a job, too",
+                                  o.new_program, o.program)};
+    take_job(o, o.program);
+    if (!o.set_up.empty() && o.job.empty()) throw Refusal{"--setup selects a set-up of a job file"};
 }
 
 int run(const DiffOptions& options) {
@@ -85,32 +169,28 @@ int run(const DiffOptions& options) {
     inputs.expect(options.new_program);
     if (!options.machine.empty()) inputs.expect(options.machine);
     outputs.reserve(options.json);
-    const Side a = read_side(options, options.program, {}, inputs);
-    if (!is_usable(a)) return kFindings;
-    const Side b_alone = read_side(options, options.new_program, {}, inputs);
-    const toolpath::Stock stock = static_cast<const toolpath::Stock&>(*a.survey.stock);
-    const Side b = read_side(options, options.new_program, stock, inputs);
-    if (!is_usable(b)) return kFindings;
-
-    report::Difference d = simulation::compare_parts(a, b);
-    // An assumed stock follows from the motions and has no information of its own.
-    const auto& other = b_alone.survey.stock;
-    const bool both_specified = other && other->specified_by != toolpath::ValueSource::Assumption &&
-                                a.survey.stock->specified_by != toolpath::ValueSource::Assumption;
-    if (both_specified && !(*other == stock)) {
-        d.stocks = fmt::format("the blocks differ: {} and {}; both were cut from the first",
-                               report::describe(stock), report::describe(*other));
+    const std::vector<Input> a = inputs_to_compare(options, inputs);
+    const std::vector<Input> b = inputs_to_compare(options_of_new(options), inputs);
+    if (a.size() != b.size()) {
+        throw std::runtime_error(fmt::format(
+            "'{}' has {} programs and '{}' has {}; expected two jobs with as many set-ups and "
+            "programs",
+            options.job, a.size(), options.new_program, b.size()));
     }
-    const bool differs = !d.stocks.empty() || d.only_old.volume_mm3 > options.tolerance_mm3 ||
-                         d.only_new.volume_mm3 > options.tolerance_mm3;
-    d.old_name = setup::name_of_input(options.program);
-    d.new_name = setup::name_of_input(options.new_program);
-    d.tolerance_mm3 = options.tolerance_mm3;
-    d.differs = differs;
-    if (!options.quiet) put_text(report::text_of(d), outputs.takes_standard_output());
-    outputs.write(options.json, [&](std::ostream& out) { report::write_difference(out, d); });
+    std::vector<report::Difference> differences;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::optional<report::Difference> d = difference_of(a[i], b[i], inputs);
+        if (!d) return kFindings;
+        if (!options.quiet) put_text(report::text_of(*d), outputs.takes_standard_output());
+        differences.push_back(*std::move(d));
+    }
+    outputs.write(options.json,
+                  [&](std::ostream& out) { report::write_differences(out, differences); });
     outputs.commit();
-    return differs || (options.process && d.process.differs()) ? kFindings : kClean;
+    const bool differs = std::ranges::any_of(differences, [&](const report::Difference& d) {
+        return d.differs || (options.process && d.process.differs());
+    });
+    return differs ? kFindings : kClean;
 }
 
 }  // namespace ncsim::app

@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `ncsim diff`, which compares the parts of two programs, for example after a change of
-// a post-processor.
+// The command `ncsim diff`, which compares the parts of two programs or jobs, for example after a
+// change of a post-processor.
 #pragma once
 
 #include "options/program_options.h"
 
 #include <string>
+#include <vector>
 
 namespace ncsim::app {
 
-/// Options of `ncsim diff`; `program` is the old program.
+/// Options of `ncsim diff`; `program` is the old program, or `job` the old job.
 struct DiffOptions : ProgramOptions, SimulationOptions {
-    std::string new_program;
+    std::string new_program;     ///< Or a job file.
     std::string machine;         ///< Offsets and kinematics, for both programs.
     double tolerance_mm3 = 0.0;  ///< Differences up to this volume do not count.
     bool process = false;        ///< Exit code 1 also for different feeds and speeds.
     std::string json;            ///< Output file; empty: none.
     bool quiet = false;
+    std::vector<std::string> words;  ///< Options of the command line, without OLD and NEW.
 };
 
 cli::App* add_diff(cli::App& app, DiffOptions& options);
-void complete(const DiffOptions& options);
+void complete(DiffOptions& options);
 
-/// Compares two programs. Returns 0 if the parts (and with `process`, the processes) are equal; 1
-/// if they differ or a program has faults.
+/// Compares two programs, or the programs of two jobs in each set-up. Returns 0 if the parts (and
+/// with `process`, the processes) are equal; 1 if they differ or a program has faults.
 /// Throws: std::runtime_error on an environment failure.
 int run(const DiffOptions& options);
 

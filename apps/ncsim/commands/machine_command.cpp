@@ -4,6 +4,10 @@
 #include "commands/machine_command.h"
 
 #include "ncsim/export/png.h"
+#include "ncsim/report/describe.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/setup/job_file.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/machine_text.h"
 #include "ncsim/simulation/program_check.h"
@@ -18,9 +22,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
 #include <ostream>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -66,11 +74,55 @@ std::string sheet_of_pose(const setup::MachineFile& file, const std::string& pos
         pose, tip.x + 0.0, tip.y + 0.0, tip.z + 0.0, axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
 }
 
+// The machine of a job, and its set-ups in words.
+struct MachineOfJob {
+    std::string path;
+    std::string set_ups;
+};
+
+std::string text_of(const std::map<int, cda::Vec3>& offsets,
+                    const std::vector<verify::Fixture>& fixtures) {
+    std::string text;
+    for (const auto& [system, at] : offsets)
+        text += fmt::format("  {} at {:g}, {:g}, {:g}\n", setup::name_of_system(system), at.x + 0.0,
+                            at.y + 0.0, at.z + 0.0);
+    for (const verify::Fixture& fixture : fixtures)
+        text += fmt::format("  fixture {}: {}\n", fixture.name, report::describe(fixture.box));
+    return text;
+}
+
+// Returns the machine that `path` names if it is a job; otherwise `path`.
+MachineOfJob machine_of(const std::string& path, setup::InputSet& inputs) {
+    const bool may_be_job = setup::is_job_file(path);
+    if (!may_be_job || !setup::is_job_text({path, inputs.read(path, setup::kMostSetUpBytes)}))
+        return {path, {}};
+    const setup::JobFile job = setup::read_job_file(path, inputs);
+    MachineOfJob found;
+    for (const setup::ProjectSetting& setting : job.settings) {
+        if (setting.option != "machine" || setting.values.empty()) continue;
+        const std::string folder = std::filesystem::path(path).parent_path().string();
+        found.path = setup::seen_in(folder, setting.values.front());
+    }
+    if (found.path.empty())
+        throw std::runtime_error(
+            fmt::format("'{}': the job names no machine; expected machine = \"mill.toml\"", path));
+    found.set_ups = text_of(job.offsets, job.fixtures);
+    for (std::size_t i = 0; i < job.set_ups.size(); ++i) {
+        const setup::JobSetUp& set_up = job.set_ups[i];
+        found.set_ups += fmt::format("set-up {}{}{}\n", i + 1, set_up.name.empty() ? "" : ", ",
+                                     report::one_line(set_up.name)) +
+                         text_of(set_up.offsets, set_up.fixtures);
+    }
+    return found;
+}
+
 }  // namespace
 
 cli::App* add_machine(cli::App& app, MachineOptions& o) {
     cli::App* machine = app.add_subcommand("machine", "Show how a machine is built and turns");
-    machine->add_option("machine", o.machine, "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
+    machine
+        ->add_option("machine", o.machine,
+                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm; or a job")
         ->required()
         ->type_name("FILE");
     machine->add_option("--save", o.save, "Write it as a machine.toml")->type_name("FILE");
@@ -95,15 +147,16 @@ int run(const MachineOptions& options) {
     outputs.reserve(options.png);
     const auto view = exporter::parse_view(options.view);
     if (!view) throw std::runtime_error(fmt::format("--view: '{}' is no view", options.view));
-    setup::MachineFile file = setup::read_machine(options.machine, inputs);
+    const MachineOfJob named = machine_of(options.machine, inputs);
+    setup::MachineFile file = setup::read_machine(named.path, inputs);
     simulation::bodies_of(file);  // rejects a mesh that check cannot use
     make_transparent(file, options.transparent);
     if (const std::string lost = setup::not_in_machine_toml(file);
         !options.save.empty() && !lost.empty()) {
-        throw std::runtime_error(fmt::format("--save: {} of '{}' would be lost; it stays as it is",
-                                             lost, options.machine));
+        throw std::runtime_error(
+            fmt::format("--save: {} of '{}' would be lost; it stays as it is", lost, named.path));
     }
-    std::string text = setup::machine_sheet(file);
+    std::string text = setup::machine_sheet(file) + named.set_ups;
     if (!options.pose.empty()) text += sheet_of_pose(file, options.pose);
     put_text(text, outputs.takes_standard_output());
     outputs.write(options.save, [&](std::ostream& out) { out << setup::machine_toml(file); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `ncsim machine`: prints the structure of the machine in a file.
+// The command `ncsim machine`: prints the structure of a machine, and the set-ups of a job on it.
 #pragma once
 
 #include "options/cli.h"
@@ -11,7 +11,7 @@
 namespace ncsim::app {
 
 struct MachineOptions {
-    std::string machine;  ///< Input file.
+    std::string machine;  ///< Machine, or job that names a machine.
     std::string save;     ///< A machine.toml to write; empty: none.
     std::string png;      ///< A picture to write; empty: none.
     std::string view = "iso";

@@ -181,6 +181,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
         if (chosen == merge) return merge_options;
         if (chosen == diff) {
             complete(diff_options);
+            diff_options.words = words_of(*diff, [](const std::string&) { return true; });
+            diff_options.words.erase(std::ranges::find(diff_options.words, "--"),
+                                     diff_options.words.end());
             return diff_options;
         }
         if (chosen == machine) return machine_options;

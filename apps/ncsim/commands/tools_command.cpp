@@ -39,8 +39,8 @@ namespace {
 
 // Prints the sheet of one program. Returns the exit code; with `json`, adds the sheet to this text
 // instead.
-int print_sheet(const ToolsOptions& options, setup::InputSet& inputs, OutputSet& outputs,
-                std::string* json) {
+int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::InputSet& inputs,
+                OutputSet& outputs, std::string* json) {
     const SimulationOptions usual;
     simulation::Plan plan = plan_for(options, usual, {}, inputs);
     outputs.reserve(options.save_job);
@@ -48,7 +48,8 @@ int print_sheet(const ToolsOptions& options, setup::InputSet& inputs, OutputSet&
     const report::Plunges plunges = simulation::plunges_of(plan);
     const setup::Job& job = plan.job;
     if (options.json) {
-        std::string sheet = report::tool_sheet_json(job.program.name, survey, job.tools, plunges);
+        std::string sheet =
+            report::tool_sheet_json(job.program.name, set_up, survey, job.tools, plunges);
         if (json) {
             while (sheet.ends_with('\n'))
                 sheet.pop_back();
@@ -77,7 +78,8 @@ int run(const ToolsOptions& options) {
     if (steps.size() < 2) {
         ToolsOptions one = options;
         if (!steps.empty()) one.job_step = steps[0].number;
-        const int code = print_sheet(one, inputs, outputs, nullptr);
+        const std::string set_up = steps.empty() ? std::string() : steps[0].label;
+        const int code = print_sheet(one, set_up, inputs, outputs, nullptr);
         outputs.commit();
         return code;
     }
@@ -90,7 +92,7 @@ int run(const ToolsOptions& options) {
         one.job_step = step.number;
         if (!options.json)
             put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)));
-        worst = worse_code(worst, print_sheet(one, inputs, outputs, &sheets));
+        worst = worse_code(worst, print_sheet(one, step.label, inputs, outputs, &sheets));
     }
     if (options.json) write_stdout("{\"programs\": [\n" + sheets + "\n]}\n");
     outputs.commit();

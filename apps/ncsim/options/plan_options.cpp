@@ -84,6 +84,20 @@ toolpath::Stock left_stock(const ProgramOptions& options, const SimulationOption
 
 }  // namespace
 
+toolpath::Stock LeftStocks::of(std::size_t step, setup::InputSet& inputs, const Make& make) {
+    const std::scoped_lock lock(mutex_);
+    const auto known = left_.find(step);
+    const auto is_unchanged = [&](const auto& file) {
+        return setup::digest_of_file(file.first, inputs) == file.second;
+    };
+    if (known != left_.end() && std::ranges::all_of(known->second.files, is_unchanged))
+        return known->second.stock;
+    setup::RecordedInput read(inputs);
+    toolpath::Stock stock = make(read);
+    if (read.knows_all()) left_.insert_or_assign(step, Left{stock, read.files()});
+    return stock;
+}
+
 bool add_fixtures(setup::MachineFile& machine, const setup::Job& job) {
     if (job.below_stock) machine.machine.below_stock = *job.below_stock;
     if (!job.fixtures_specified) return false;
@@ -110,8 +124,12 @@ simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions
     plan.budget = setup::Budget(simulation.max_memory_gb, simulation.max_seconds);
     auto job = static_cast<const setup::JobOptions&>(program);
     job.job_step = setup::selected_step(job, inputs);
-    if (job.job_step.value_or(0) > 0)
-        job.left_stock = left_stock(program, simulation, machine, *job.job_step, inputs, stop);
+    const std::size_t step = job.job_step.value_or(0);
+    if (step > 0 && !job.left_stock) {
+        job.left_stock = program.left_stocks->of(step, inputs, [&](setup::InputSet& read) {
+            return left_stock(program, simulation, machine, step, read, stop);
+        });
+    }
     plan.job = setup::read_job(std::move(job), inputs);
     plan.model = simulation.model;
     plan.tolerance = simulation.tolerance;

@@ -5,10 +5,15 @@
 #pragma once
 
 #include "ncsim/setup/job_options.h"
+#include "ncsim/setup/recorded_input.h"
 
 #include "options/cli.h"
 
+#include <cstddef>
 #include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -29,6 +34,24 @@ struct Refusal {
     std::string text;  ///< "--stock '1x2': expected …"
 };
 
+/// Stocks that the programs of a job leave, for all copies of the options. All members may be
+/// called from several threads.
+class LeftStocks {
+public:
+    using Make = std::function<toolpath::Stock(setup::InputSet&)>;
+    /// Returns the stock of the program `step`. `make` cuts it on the first call, and again if a
+    /// file that it reads has changed; every call reads these files through `inputs`.
+    toolpath::Stock of(std::size_t step, setup::InputSet& inputs, const Make& make);
+
+private:
+    struct Left {
+        toolpath::Stock stock;
+        setup::ReadFiles files;
+    };
+    std::recursive_mutex mutex_;  // `make` needs the stock of the step before
+    std::map<std::size_t, Left> left_;
+};
+
 /// Description of the program and its set-up, and the output file for the description.
 struct ProgramOptions : setup::JobOptions {
     std::string save_job;     ///< Job file to write; empty: none.
@@ -36,6 +59,7 @@ struct ProgramOptions : setup::JobOptions {
     std::string project;      ///< The ncsim.toml with settings for the program; empty: none.
     std::string set_up;       ///< Number or name of a set-up of the job; empty: all set-ups.
     bool verbose = false;     ///< Print the source of each setting.
+    std::shared_ptr<LeftStocks> left_stocks = std::make_shared<LeftStocks>();
 };
 
 /// Further options of commands that simulate. Lengths in mm.

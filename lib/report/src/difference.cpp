@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -71,10 +72,31 @@ Json to_json(const OneSidedMaterial& side, const std::string& cut_by) {
     return json;
 }
 
+Json to_json(const Difference& d) {
+    Json json;
+    if (!d.set_up.empty()) json["set_up"] = d.set_up;
+    json.update({{"old", relative_path(d.old_name)},
+                 {"new", relative_path(d.new_name)},
+                 {"differs", d.differs},
+                 {"tolerance_mm3", d.tolerance_mm3},
+                 {"same_motions", d.same_motions},
+                 {"old_mm3", round_value(d.old_mm3)},
+                 {"new_mm3", round_value(d.new_mm3)},
+                 {"only_in_old", to_json(d.only_old, d.new_name)},
+                 {"only_in_new", to_json(d.only_new, d.old_name)},
+                 {"process",
+                  {{"differs", d.process.differs()},
+                   {"only_in_old", to_json(d.process.only_old)},
+                   {"only_in_new", to_json(d.process.only_new)}}}});
+    if (!d.stocks.empty()) json["stocks"] = d.stocks;
+    return json;
+}
+
 }  // namespace
 
 std::string text_of(const Difference& d) {
     std::string text;
+    if (!d.set_up.empty()) append(text, "{}\n", one_line(d.set_up));
     const std::string old_name = printable_path(d.old_name);
     const std::string new_name = printable_path(d.new_name);
     if (!d.stocks.empty()) append(text, "{}\n", one_line(d.stocks));
@@ -94,23 +116,16 @@ std::string text_of(const Difference& d) {
     return text;
 }
 
-void write_difference(std::ostream& out, const Difference& d) {
-    Json json{{"version", 1},
-              {"ncsim", kVersion},
-              {"old", relative_path(d.old_name)},
-              {"new", relative_path(d.new_name)},
-              {"differs", d.differs},
-              {"tolerance_mm3", d.tolerance_mm3},
-              {"same_motions", d.same_motions},
-              {"old_mm3", round_value(d.old_mm3)},
-              {"new_mm3", round_value(d.new_mm3)},
-              {"only_in_old", to_json(d.only_old, d.new_name)},
-              {"only_in_new", to_json(d.only_new, d.old_name)},
-              {"process",
-               {{"differs", d.process.differs()},
-                {"only_in_old", to_json(d.process.only_old)},
-                {"only_in_new", to_json(d.process.only_new)}}}};
-    if (!d.stocks.empty()) json["stocks"] = d.stocks;
+void write_differences(std::ostream& out, const std::vector<Difference>& differences) {
+    Json json{{"version", 1}, {"ncsim", kVersion}};
+    if (differences.size() == 1) {
+        json.update(to_json(differences.front()));
+    } else {
+        json["differs"] = std::ranges::any_of(differences, &Difference::differs);
+        json["set_ups"] = Json::array();
+        for (const Difference& d : differences)
+            json["set_ups"].push_back(to_json(d));
+    }
     out << to_text(json);
 }
 

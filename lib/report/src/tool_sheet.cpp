@@ -167,7 +167,8 @@ std::string tool_sheet(const ProgramFacts& program,
     return ToolSheet(described, program, plunges).text();
 }
 
-std::string tool_sheet_json(const std::string& name, const ProgramFacts& program,
+std::string tool_sheet_json(const std::string& name, const std::string& set_up,
+                            const ProgramFacts& program,
                             const std::vector<toolpath::ToolEntry>& described,
                             const Plunges& plunges) {
     Json tools = Json::array();
@@ -195,7 +196,9 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
         }
         tools.push_back(std::move(tool));
     }
-    Json json{{"program", base_name(name)}, {"tools", std::move(tools)}};
+    Json json{{"program", base_name(name)}};
+    if (!set_up.empty()) json["set_up"] = set_up;
+    json["tools"] = std::move(tools);
     if (program.stock) {
         const toolpath::StockEntry& stock = *program.stock;
         const cda::Box& box = stock.box;

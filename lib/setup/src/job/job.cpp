@@ -155,7 +155,7 @@ JobFile take_job_file(JobOptions& options, InputSet& inputs) {
     if (const auto number = selected_step(options, inputs)) {
         const JobStep step = steps_of(file, folder).at(*number);
         options.job_step = number;
-        options.program = step.program;
+        if (options.program.empty()) options.program = step.program;
         select_step(file, step);
     }
     if (options.program.empty()) {

@@ -579,6 +579,13 @@ bool is_job_file(const std::string& path) {
     return path.size() > kEnding.size() && path.ends_with(kEnding);
 }
 
+bool is_job_text(const gcode::SourceFile& file) {
+    const TomlReader reader(file.name, file.text);
+    constexpr std::string_view kKeysOfJobs[] = {"version", "program", "setup", "stock", "machine"};
+    return std::ranges::any_of(kKeysOfJobs,
+                               [&](std::string_view key) { return reader.root().contains(key); });
+}
+
 std::string output_below(const std::string& folder, const std::string& name,
                          const std::string& where) {
     namespace fs = std::filesystem;

@@ -34,6 +34,7 @@ struct ProcessDifference {
 
 /// Result of the comparison.
 struct Difference {
+    std::string set_up;              ///< "set-up 2, back"; empty outside a job.
     std::string old_name, new_name;  ///< Names of the programs.
     double tolerance_mm3 = 0.0;      ///< Volume up to which differences do not count.
     bool differs = false;
@@ -50,7 +51,9 @@ struct Difference {
 
 /// Returns the difference as text.
 std::string text_of(const Difference& difference);
-/// Writes the difference as JSON. Lengths are in mm, volumes in mm³.
-void write_difference(std::ostream& out, const Difference& difference);
+/// Writes the difference as JSON; a list under "set_ups" if there are several. Lengths are in mm,
+/// volumes in mm³.
+/// Requires: at least one difference.
+void write_differences(std::ostream& out, const std::vector<Difference>& differences);
 
 }  // namespace ncsim::report

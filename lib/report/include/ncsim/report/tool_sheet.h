@@ -35,8 +35,10 @@ std::string tool_sheet(const ProgramFacts& program,
                        const std::vector<toolpath::ToolEntry>& described,
                        const Plunges& plunges = {});
 
-/// Returns the sheet as JSON, with the diagnostics. `name` is the name of the program.
-std::string tool_sheet_json(const std::string& name, const ProgramFacts& program,
+/// Returns the sheet as JSON, with the diagnostics. `name` is the name of the program, `set_up` that
+/// of its set-up; empty outside a job.
+std::string tool_sheet_json(const std::string& name, const std::string& set_up,
+                            const ProgramFacts& program,
                             const std::vector<toolpath::ToolEntry>& described,
                             const Plunges& plunges = {});
 

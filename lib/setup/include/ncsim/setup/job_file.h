@@ -119,6 +119,9 @@ JobFile parse_job_file(const gcode::SourceFile& file);
 JobFile read_job_file(const std::string& path, InputSet& inputs);
 /// True if `path` has the ending of a job file, .toml.
 bool is_job_file(const std::string& path);
+/// True if the TOML text of `file` is a job and not a machine: it has a key that only jobs have.
+/// Throws: std::runtime_error with line and column if `file` is not TOML.
+bool is_job_text(const gcode::SourceFile& file);
 /// Returns the path of an output that a job file in `folder` names.
 /// Throws: std::runtime_error, beginning with `where`, if the output is not below `folder`.
 std::string output_below(const std::string& folder, const std::string& name,

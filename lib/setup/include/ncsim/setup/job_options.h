@@ -31,7 +31,8 @@ struct JobOptions {
     std::optional<toolpath::ToolSpec> assumed_tool;
     std::string job;  ///< Job file; empty if none.
     /// Program of a job with set-ups, numbered from 0 in the order of machining (steps_of()); empty
-    /// if `program` identifies the step, or if there is only one.
+    /// if `program` identifies the step, or if there is only one. With both, `program` replaces the
+    /// program of the step.
     std::optional<std::size_t> job_step;
     /// Stock that the previous step of the job left, placed for this step.
     std::optional<toolpath::Stock> left_stock;
