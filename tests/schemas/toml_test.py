@@ -7,6 +7,7 @@ reader knows. Keys of ncsim.toml are the options of `ncsim check --help` that th
 """
 import concurrent.futures
 import glob
+import itertools
 import json
 import os
 import re
@@ -151,7 +152,10 @@ def places(kind, schema, node=None, path=(), value=None, document=lambda value: 
             children += [(key, child) for key in base if re.search(pattern, key)][:1]
         for key, child in children:
             inner = base.get(key, example(schema, child))
-            for rest in (base, minimal):
+            # Keys such as turn and move exclude points.
+            fewer = ({k: v for k, v in base.items() if k not in left_out}
+                     for count in (1, 2) for left_out in itertools.combinations(base, count))
+            for rest in itertools.chain((base,), fewer, (minimal,)):
                 whole = completed(schema, [document({**rest, key: inner})])
                 if whole is not None:
                     break

@@ -13,6 +13,7 @@
 #include "files/toml_text.h"
 #include "files/tool_keys.h"
 #include "job/job_keys.h"
+#include "job/three_points.h"
 #include "machines/fixture_reader.h"
 
 #include <fmt/format.h>
@@ -284,6 +285,12 @@ private:
                   check_turn(n, set_up.turn);
               }},
              {"move", [&](const auto& n, const auto& k) { set_up.move = r_.vector(n, k); }},
+             {"points",
+              [&](const auto& n, const auto& k) {
+                  TurnAndMove motion = read_points(n, k);
+                  set_up.turn = std::move(motion.turn);
+                  set_up.move = motion.move;
+              }},
              {"zero", [&](const auto& n, const auto& k) { set_up.zero = r_.vector(n, k); }},
              {"start", [&](const auto& n, const auto& k) { set_up.start = r_.vector(n, k); }},
              {"offsets",
@@ -308,6 +315,8 @@ private:
         if (t.contains("program") && t.contains("programs"))
             r_.fail(t, "a set-up has program or programs, not both");
         if (set_up.programs.empty()) r_.fail(t, "a set-up needs a program");
+        if (t.contains("points") && (t.contains("turn") || t.contains("move")))
+            r_.fail(*t.get("points"), "a set-up has points, or turn and move, not both");
         for (verify::Fixture& fixture : set_up.fixtures) {
             if (fixture.system != 0) continue;
             fixture.box.min = fixture.box.min - set_up.zero;
@@ -330,7 +339,7 @@ private:
             r_.fail(r_.root(),
                     fmt::format("{} set-ups; at most {}", job.set_ups.size(), kMostSetUps));
         const toml::table& first = *r_.root().get("setup")->as_array()->get(0)->as_table();
-        for (const char* key : {"turn", "move"}) {
+        for (const char* key : {"turn", "move", "points"}) {
             if (const toml::node* node = first.get(key))
                 r_.fail(*node, fmt::format("'{}': the stock is where [stock] places it", key));
         }
@@ -343,6 +352,25 @@ private:
                     throw std::runtime_error(
                         fmt::format("{}: '{}' is the output of two set-ups", set_up.where, name));
             }
+        }
+    }
+
+    TurnAndMove read_points(const toml::node& node, const std::string& key) const {
+        std::array<cda::Vec3, 3> before{}, now{};
+        const auto three = [this](std::array<cda::Vec3, 3>& points) {
+            return [this, &points](const toml::node& n, const std::string& k) {
+                const toml::array& list = r_.list(n, k, points.size());
+                for (std::size_t i = 0; i < points.size(); ++i)
+                    points[i] = r_.vector(list[i], k);
+            };
+        };
+        const toml::table& table = r_.table(node, key);
+        r_.each(table, key, {{"before", three(before)}, {"now", three(now)}});
+        if (table.size() != 2) r_.fail(node, fmt::format("'{}': expected before and now", key));
+        try {
+            return motion_of(before, now);
+        } catch (const std::invalid_argument& e) {
+            r_.fail(node, fmt::format("'{}': {}", key, e.what()));
         }
     }
 
