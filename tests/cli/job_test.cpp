@@ -331,6 +331,34 @@ TEST(JobOfTwoSetUps, RefusesHostileFilesAndWritesNothing) {
     EXPECT_EQ(folder.shell("\"$0\" check --job - < job.toml").exit_code, 2);
 }
 
+// A check that a clamp or the machine fails must not be clean with the saved job.
+TEST(SavedJob, KeepsFixturesAndMachine) {
+    JobFolder folder(
+        "version = 2\nprogram = \"top.nc\"\nunits = \"mm\"\nstock = \"60x40x20\"\n"
+        "start = [0, 0, 100]\nmachine = \"mill.toml\"\nbelow_stock = 3\n"
+        "[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 10\nlength = 22\n"
+        "[[fixture]]\nname = \"stop\"\nclearance = 0.5\nbox = [[35, -20, -20], [45, -10, 5]]\n"
+        "[[fixture]]\noffset = \"G55\"\nbox = [[0, 0, -20], [1, 1, -10]]\n");
+    folder.write("mill.toml",
+                 "name = \"a mill\"\n[travel]\nx = [-200, 20]\n[offsets]\n"
+                 "G54 = [0, 0, 0]\nG55 = [100, 0, 0]\n");
+    const json before = folder.report();
+    EXPECT_EQ(before["programs"][0]["verdict"], "failed");
+    ASSERT_EQ(folder.run({"run", "job.toml", "-q", "--save-job", "saved/again.toml"}).exit_code, 2);
+    std::filesystem::create_directory(folder.path() / "saved");
+    ASSERT_EQ(folder.run({"run", "job.toml", "-q", "--save-job", "saved/again.toml"}).exit_code, 0);
+    folder.run({"check", "saved/again.toml", "-q", "--json", "a.json"});
+    const json after = json::parse(folder.read("a.json"));
+    EXPECT_EQ(after["programs"][0]["findings"], before["programs"][0]["findings"]);
+    folder.change("box = [[35, -20, -20], [45, -10, 5]]", "mesh = \"stop.stl\"");
+    folder.run({"run", "top.nc", "--stock", "5x5x5@30,-20,-5", "--tool", "T1=flat:D1:L20", "-q",
+                "--stl", "stop.stl"});
+    const Ran mesh = folder.run({"run", "job.toml", "-q", "--save-job", "b.toml"});
+    EXPECT_EQ(mesh.exit_code, 2) << mesh.err;
+    EXPECT_TRUE(contains(mesh.err, "the fixture 'stop' is a mesh (job.toml:16")) << mesh.err;
+    EXPECT_FALSE(folder.has("b.toml"));
+}
+
 TEST(Fixtures, AreBoxesByTheSizesOfViseAndClamp) {
     const JobFolder folder;
     folder.change("fixture = []",

@@ -62,7 +62,7 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
     }
     print_findings(job.program, survey.diagnostics);
     outputs.write(options.save_job,
-                  [&](std::ostream& out) { save_job(out, job, survey, options.save_job); });
+                  [&](std::ostream& out) { save_job(out, job, survey, {}, options.save_job); });
     return gcode::has_errors(survey.diagnostics) ? kFindings : kClean;
 }
 

@@ -355,8 +355,9 @@ int run(Options options) {
         }
         write_outputs(outcome, outputs);
     }
-    outputs.write(o.save_job,
-                  [&](std::ostream& out) { save_job(out, plan.job, survey, o.save_job); });
+    outputs.write(o.save_job, [&](std::ostream& out) {
+        save_job(out, plan.job, survey, o.machine, o.save_job);
+    });
     outputs.write(o.report,
                   [&](std::ostream& out) { report::write_report(out, run_facts(outcome)); });
     outputs.commit();

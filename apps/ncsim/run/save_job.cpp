@@ -6,7 +6,10 @@
 #include "ncsim/report/value_source.h"
 #include "ncsim/setup/job_file.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 namespace ncsim::app {
@@ -75,6 +78,9 @@ DescribedJob describe_job(const setup::Job& job, const simulation::Survey& surve
     file.require = job.options.require;
     file.start = job.start;
     file.offsets = job.options.offsets;
+    file.fixtures = job.fixtures;
+    file.fixtures_specified = job.fixtures_specified;
+    file.below_stock = job.below_stock;
     if (survey.stock) {
         file.stock = *survey.stock;
         if (file.stock->from) file.stock->from->path = seen_from(path, file.stock->from->path);
@@ -88,8 +94,17 @@ DescribedJob describe_job(const setup::Job& job, const simulation::Survey& surve
 }
 
 void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
-              const std::string& path) {
-    const DescribedJob described = describe_job(job, survey, path);
+              const std::string& machine, const std::string& path) {
+    for (const verify::Fixture& fixture : job.fixtures) {
+        if (!fixture.mesh.triangles.empty())
+            throw std::runtime_error(
+                fmt::format("--save-job: the fixture '{}' is a mesh ({}); only "
+                            "boxes, vises and clamps are written",
+                            fixture.name, fixture.mesh_at));
+    }
+    DescribedJob described = describe_job(job, survey, path);
+    if (!machine.empty())
+        described.file.settings.push_back({"machine", {seen_from(path, machine)}, false, true, {}});
     setup::write_job_file(out, described.file, described.remarks);
 }
 

@@ -25,9 +25,11 @@ DescribedJob describe_job(const setup::Job& job, const simulation::Survey& surve
 /// Returns the path of a file, relative to the folder of `job_file`.
 std::string path_from(const std::string& job_file, const std::string& path);
 
-/// Writes the tools, the stock and the settings that were used. Assumed values have a comment.
-/// `path` is the final path of the file; the path of the program is relative to it.
+/// Writes the tools, the stock, the fixtures and the settings that were used. Assumed values have a
+/// comment. `machine` is a path, empty if there is none. `path` is the final path of the file; all
+/// paths in the file are relative to its folder.
+/// Throws: std::runtime_error if a fixture is a mesh.
 void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
-              const std::string& path);
+              const std::string& machine, const std::string& path);
 
 }  // namespace ncsim::app

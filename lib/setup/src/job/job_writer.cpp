@@ -109,6 +109,18 @@ void write_stock(std::ostream& out, const toolpath::Stock& stock) {
     if (!(stock.from->move == cda::Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
 }
 
+// Requires: no fixture is a mesh.
+void write_fixtures(std::ostream& out, const std::vector<verify::Fixture>& fixtures) {
+    for (const verify::Fixture& fixture : fixtures) {
+        out << "\n[[fixture]]\nname = " << quoted(fixture.name) << '\n';
+        if (fixture.system != 0)
+            out << "offset = " << quoted(name_of_system(fixture.system)) << '\n';
+        if (fixture.clearance_mm > 0.0)
+            out << "clearance = " << number(fixture.clearance_mm) << '\n';
+        out << "box = [" << triple(fixture.box.min) << ", " << triple(fixture.box.max) << "]\n";
+    }
+}
+
 void write_stock_and_tools(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
     if (file.stock) {
         out << "\n[stock]\n" << remark(remarks.stock);
@@ -145,6 +157,8 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     if (file.dialect_assumed) assumed.emplace_back("dialect");
     write_list(out, "assumed", assumed);
     if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';
+    for (const ProjectSetting& setting : file.settings)
+        out << setting.option << " = " << quoted(setting.values.at(0)) << '\n';
     out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
         << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto)) << "\"\n";
@@ -158,6 +172,8 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     write_list(out, "accept", file.accept);
     write_list(out, "require", file.require);
     if (file.start) out << "start = " << triple(*file.start) << "  # in G54\n";
+    if (file.below_stock) out << "below_stock = " << number(*file.below_stock) << '\n';
+    if (file.fixtures_specified && file.fixtures.empty()) out << "fixture = []\n";
     if (!file.offsets.empty()) {
         out << "\n[offsets]\n";
         for (const auto& [system, origin] : file.offsets)
@@ -174,6 +190,7 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
             out << 'D' << d << " = " << number(radius) << '\n';
     }
     write_stock_and_tools(out, file, remarks);
+    write_fixtures(out, file.fixtures);
 }
 
 void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
