@@ -112,6 +112,11 @@ TEST(JobOfTwoSetUps, IsComparedWithAnotherJob) {
     EXPECT_NEAR(d["set_ups"][1]["only_in_old"]["volume_mm3"], 60 * 10 * 0.5, 1e-6);
     EXPECT_EQ(d["differs"], true);
     EXPECT_EQ(folder.run({"diff", "job.toml", "new.toml", "--setup", "top"}).exit_code, 0);
+    // Options of a job do not hold for the other job.
+    folder.change("version = 2\n", "version = 2\nmodel = \"cda-flat\"\n");
+    EXPECT_EQ(folder.run({"diff", "job.toml", "new.toml", "--setup", "top"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"diff", "new.toml", "job.toml", "--setup", "top"}).exit_code, 2);
+    folder.change("model = \"cda-flat\"\n", "");
     // A program replaces that of the selected set-up.
     EXPECT_EQ(folder.run({"diff", "job.toml", "deep.nc", "--setup", "back"}).exit_code, 1);
     EXPECT_EQ(folder.run({"diff", "job.toml", "back.nc", "--setup", "back"}).exit_code, 0);

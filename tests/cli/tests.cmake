@@ -39,10 +39,11 @@ if(TARGET ncsim)
       output_test.cpp
       parse_test.cpp
       project_test.cpp
-    provenance_test.cpp
+      provenance_test.cpp
+      rays_test.cpp
+      report_units_test.cpp
       rotary_test.cpp
       run_program.cpp
-      rays_test.cpp
       run_test.cpp
       samples_test.cpp
       set_ups_test.cpp

@@ -38,7 +38,7 @@ TEST(Tools, AreListedWithTheirSourceAndUse) {
               "T1        flat end mill D10 L30\n"
               "  source  line 1: (T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
               "  assumed length 30 mm\n"
-              "  used    from line 6, 60.0 mm cutting, 113.6 mm in rapid moves\n"
+              "  used    from line 6, 60.0 mm cutting, 113.6 mm rapid\n"
               "stock     40 x 30 x 10 mm, X -20 to 20, Y -15 to 15, Z -10 to 0\n"
               "  source  line 2: (STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n");
 }

@@ -3,6 +3,7 @@ ncsim_add_test(report
   LIBRARIES ncsim::report nlohmann_json::nlohmann_json
   SOURCES
     baseline_test.cpp
+    length_unit_test.cpp
     plain_text_test.cpp
     shard_test.cpp
     tile_file_test.cpp)

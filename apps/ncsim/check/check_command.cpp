@@ -245,7 +245,9 @@ int run(CheckOptions options) {
     const report::Entries all = report::remove_called(listed, scope.called);
     judgement.print_subprograms(all);
     reports.write(all, scope);
-    outputs.write(options.csv, [&](std::ostream& out) { report::write_ledger_csv(out, all); });
+    outputs.write(options.csv, [&](std::ostream& out) {
+        report::write_ledger_csv(out, all, options.report_unit);
+    });
     if (Interruption::signal() == 0) pages.write(all, scope);
     outputs.commit();
     if (Interruption::signal() != 0) {

@@ -61,6 +61,7 @@ report::EntryOptions entries_for(const CheckOptions& options, bool many) {
     entries.junit = all || !options.junit.empty();
     entries.github = all || options.github;
     entries.csv = !options.csv.empty();
+    entries.unit = options.report_unit;
     entries.known = all || !options.write_baseline.empty();
     return entries;
 }
@@ -251,6 +252,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     // With a single program, all specified tools are intended for this program.
     verification_options.tools_are_meant = !many_;
     made.entries = entries_for(options, many_);
+    made.entries.csv_unit = specified_.report_unit;
     made.key = key_of(options, read);
     if (!many_) made.key += "one\n";
     if (step) made.key += fmt::format("step {}\n", *step);

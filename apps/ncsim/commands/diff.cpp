@@ -10,7 +10,6 @@
 #include "ncsim/simulation/compare_parts.h"
 #include "ncsim/simulation/models.h"
 
-#include "commands/project.h"
 #include "options/job_steps.h"
 #include "options/plan_options.h"
 #include "system/console.h"
@@ -24,7 +23,6 @@
 #include <ostream>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace ncsim::app {
@@ -88,9 +86,7 @@ DiffOptions options_of_new(const DiffOptions& old) {
         if (!steps.empty()) options.job_step = steps[0].number;
         return options;
     }
-    std::vector<std::string> words = old.words;
-    words.insert(words.end(), {"--", old.new_program, old.new_program});
-    return std::get<DiffOptions>(options_with_project(words));
+    return old.of_new_job ? *old.of_new_job : old;
 }
 
 // Compares the parts of two programs, which are cut from the stock of the old one. Empty if a
@@ -148,6 +144,7 @@ cli::App* add_diff(cli::App& app, DiffOptions& o) {
     diff->add_flag("--process", o.process, "Compare feeds, speeds, coolant, tools and dwells, too");
     diff->add_option("--json", o.json, "Differences, JSON")->type_name("FILE");
     diff->add_flag("--quiet,-q", o.quiet, "Print nothing");
+    add_report_unit(*diff, o);
     return diff;
 }
 
@@ -181,7 +178,8 @@ int run(const DiffOptions& options) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         std::optional<report::Difference> d = difference_of(a[i], b[i], inputs);
         if (!d) return kFindings;
-        if (!options.quiet) put_text(report::text_of(*d), outputs.takes_standard_output());
+        if (!options.quiet)
+            put_text(report::text_of(*d, options.report_unit), outputs.takes_standard_output());
         differences.push_back(*std::move(d));
     }
     outputs.write(options.json,

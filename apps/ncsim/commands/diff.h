@@ -6,6 +6,7 @@
 
 #include "options/program_options.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct DiffOptions : ProgramOptions, SimulationOptions {
     std::string json;            ///< Output file; empty: none.
     bool quiet = false;
     std::vector<std::string> words;  ///< Options of the command line, without OLD and NEW.
+    /// Options of the new job; null if it is the old job, or no job.
+    std::shared_ptr<const DiffOptions> of_new_job;
 };
 
 cli::App* add_diff(cli::App& app, DiffOptions& options);

@@ -102,6 +102,7 @@ cli::App* add_measure(cli::App& app, MeasureOptions& o) {
                      "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
         ->type_name("FILE");
     measure->begin_group("Outputs");
+    add_report_unit(*measure, o);
     measure->add_option("--json", o.json, "Dimensions, JSON")->type_name("FILE");
     measure->add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
     return measure;
@@ -145,7 +146,8 @@ int run(const MeasureOptions& options) {
         simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kRefinements);
     report::MeasureSheet sheet = sheet_of(solid, *milled.boundary);
     sheet.program = plan.job.program.name;
-    if (!options.quiet) put_text(report::text_of(sheet), outputs.takes_standard_output());
+    if (!options.quiet)
+        put_text(report::text_of(sheet, options.report_unit), outputs.takes_standard_output());
     outputs.write(options.json, [&](std::ostream& out) { report::write_measures(out, sheet); });
     outputs.commit();
     const bool faulty =

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -148,6 +149,14 @@ void print_sources(const std::vector<std::string>& arguments, const JobValues& j
     print_error(text);
 }
 
+// Reads the options of the new job of a comparison. `words` are the options of the command line.
+void read_new_job(DiffOptions& options, std::vector<std::string> words) {
+    if (!setup::is_job_file(options.new_program) || options.new_program == options.job) return;
+    words.insert(words.end(), {"--", options.new_program, options.new_program});
+    options.of_new_job =
+        std::make_shared<DiffOptions>(std::get<DiffOptions>(options_with_project(words)));
+}
+
 // True if the command line has the option `name`.
 bool is_given(const std::vector<std::string>& words, const std::string& name) {
     const auto end = std::ranges::find(words, "--");
@@ -271,6 +280,9 @@ std::string line_of(const setup::ProjectSetting& setting) {
 
 Command options_with_project(const std::vector<std::string>& arguments) {
     Command command = parse_options(arguments);
+    auto* const comparison = std::get_if<DiffOptions>(&command);
+    const std::vector<std::string> own_words =
+        comparison ? comparison->words : std::vector<std::string>();
     std::visit(
         [&](auto& options) {
             using Of = std::remove_cvref_t<decltype(options)>;
@@ -312,6 +324,7 @@ Command options_with_project(const std::vector<std::string>& arguments) {
             }
         },
         command);
+    if (comparison) read_new_job(*comparison, own_words);
     return command;
 }
 

@@ -85,6 +85,7 @@ cli::App* add_sheet(cli::App& app, SheetOptions& o) {
                      "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
         ->type_name("FILE");
     sheet->begin_group("Outputs");
+    add_report_unit(*sheet, o);
     sheet->add_option("--html", o.html, "Sheet, HTML; a page on paper for each set-up")
         ->type_name("FILE");
     return sheet;
@@ -126,8 +127,9 @@ int run(const SheetOptions& options) {
         add(one, &step);
     }
     const std::string name = setup::name_of_input(steps.empty() ? options.program : options.job);
-    outputs.write(options.html,
-                  [&](std::ostream& out) { report::write_set_up_sheet(out, name, sheets); });
+    outputs.write(options.html, [&](std::ostream& out) {
+        report::write_set_up_sheet(out, name, sheets, options.report_unit);
+    });
     outputs.commit();
     return faulty ? kFindings : kClean;
 }

@@ -31,6 +31,7 @@ cli::App* add_tools(cli::App& app, ToolsOptions& options) {
     add_program_options(*tools, options);
     add_setup_options(*tools, options);
     tools->begin_group("Outputs");
+    add_report_unit(*tools, options);
     tools->add_flag("--json", options.json, "JSON");
     return tools;
 }
@@ -58,7 +59,8 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
             write_stdout(sheet);
         }
     } else {
-        put_text(report::tool_sheet(survey, job.tools, plunges), outputs.takes_standard_output());
+        put_text(report::tool_sheet(survey, job.tools, plunges, options.report_unit),
+                 outputs.takes_standard_output());
     }
     print_findings(job.program, survey.diagnostics);
     outputs.write(options.save_job,

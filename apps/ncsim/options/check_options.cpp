@@ -194,6 +194,7 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
         ->type_name("FILE");
     add_rule_options(*check, o);
     add_report_options(*check, o);
+    add_report_unit(*check, o);
     check->add_option("--csv", o.csv, "Volume and time of each block, CSV; slower")
         ->type_name("FILE");
     check->add_option("--html", o.html, "Page with the part; DIR/: pages with an index")

@@ -200,6 +200,20 @@ void complete(ProgramOptions& options) {
     }
 }
 
+void add_report_unit(cli::App& command, ProgramOptions& o) {
+    command
+        .add_option_function<std::string>(
+            "--report-units",
+            [&o](const std::string& unit) {
+                if (unit != "mm" && unit != "inch")
+                    throw Refusal{fmt::format("--report-units '{}': expected mm or inch", unit)};
+                o.report_unit =
+                    unit == "inch" ? report::LengthUnit::Inch : report::LengthUnit::Millimetre;
+            },
+            "Unit of lengths in texts, pictures and CSV: mm, inch [mm]")
+        ->type_name("UNIT");
+}
+
 std::vector<std::string> inputs_of(const ProgramOptions& o) {
     std::vector<std::string> paths = o.tool_tables;
     for (const std::string* path : {&o.program, &o.job, &o.holders}) {

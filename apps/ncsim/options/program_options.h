@@ -4,6 +4,7 @@
 // separate file.
 #pragma once
 
+#include "ncsim/report/length_unit.h"
 #include "ncsim/setup/job_options.h"
 #include "ncsim/setup/recorded_input.h"
 
@@ -59,6 +60,8 @@ struct ProgramOptions : setup::JobOptions {
     std::string project;      ///< The ncsim.toml with settings for the program; empty: none.
     std::string set_up;       ///< Number or name of a set-up of the job; empty: all set-ups.
     bool verbose = false;     ///< Print the source of each setting.
+    /// Unit of lengths in texts, pictures and CSV.
+    report::LengthUnit report_unit = report::LengthUnit::Millimetre;
     std::shared_ptr<LeftStocks> left_stocks = std::make_shared<LeftStocks>();
 };
 
@@ -81,6 +84,8 @@ void add_program_options(cli::App& command, ProgramOptions& options);
 void add_language_options(cli::App& command, ProgramOptions& options);
 /// Adds the stock and the assumed tool, for commands that cut.
 void add_setup_options(cli::App& command, ProgramOptions& options);
+/// Adds the unit of the texts, for commands that print lengths.
+void add_report_unit(cli::App& command, ProgramOptions& options);
 /// Returns the paths of all input files that are named; no path is empty.
 std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// Checks `options` after all options were read.

@@ -199,6 +199,7 @@ namespace {
 
 void add_outputs(cli::App& run, Options& o) {
     run.begin_group("Outputs");
+    add_report_unit(run, o);
     run.add_option("--png", o.png, "Picture of the part")->type_name("FILE");
     run.add_option("--gif", o.gif, "Animation of the cutting")->type_name("FILE");
     run.add_option("--frames", o.frames, "Numbered pictures of the cutting")->type_name("DIR");

@@ -171,6 +171,10 @@ exporter::Overlay overlay(const Outcome& outcome) {
     return result;
 }
 
+std::string depth_text(double z_mm, report::LengthUnit unit) {
+    return "Z " + report::in_unit(fmt::format("{:.4g} mm", z_mm), unit);
+}
+
 // Returns the meaning of the colours: the tools that cut, or the ends of the scale.
 void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
                 exporter::Marks& marks) {
@@ -183,7 +187,9 @@ void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
                     colour,
                     used == outcome.survey.tools.end()
                         ? fmt::format("T{}", number)
-                        : fmt::format("T{} {}", number, toolpath::describe(used->second.tool)));
+                        : fmt::format("T{} {}", number,
+                                      report::tool_in_unit(toolpath::describe(used->second.tool),
+                                                           outcome.options.report_unit)));
             }
             break;
         case exporter::Colouring::Line:
@@ -192,8 +198,8 @@ void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
             marks.scale_end = fmt::format("line {}", provenance.entries.back().nc_line);
             break;
         case exporter::Colouring::Depth:
-            marks.scale_begin = fmt::format("Z {:.4g} mm", options.depth_top);
-            marks.scale_end = fmt::format("Z {:.4g} mm", options.depth_bottom);
+            marks.scale_begin = depth_text(options.depth_top, outcome.options.report_unit);
+            marks.scale_end = depth_text(options.depth_bottom, outcome.options.report_unit);
             break;
     }
 }
@@ -204,7 +210,11 @@ exporter::Marks marks_of(const Outcome& outcome, const exporter::RenderOptions& 
     marks.axes = shown.axes;
     marks.zero = shown.zero;
     marks.scale = shown.scale;
-    marks.size_mm = outcome.survey.stock->box.size();
+    const report::LengthUnit unit = outcome.options.report_unit;
+    const cda::Vec3 size = outcome.survey.stock->box.size();
+    marks.size = report::in_unit(1.0, unit) * size;
+    marks.mm_per_unit = 1.0 / report::in_unit(1.0, unit);
+    marks.unit = report::name_of(unit);
     if (shown.legend) add_legend(outcome, options, marks);
     return marks;
 }
@@ -235,17 +245,21 @@ std::vector<std::string> caption(const Outcome& outcome) {
     const cda::Vec3 size = outcome.survey.stock->box.size();
     const double removed = s.stock_volume - s.part_volume;
     const verify::Distances& path = s.distances;
-    std::string travelled = fmt::format("{:.1f} mm at feed", path.feed_mm);
+    const auto shown = [&](const std::string& text) {
+        return report::in_unit(text, outcome.options.report_unit);
+    };
+    std::string travelled = shown(fmt::format("{:.1f} mm at feed", path.feed_mm));
     if (const auto total = report::time_of(path).total())
         travelled = report::time_text(*total) + ", " + travelled;
     std::vector<std::string> lines{
-        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm",
-                    report::base_name(outcome.plan.job.program.name), size.x, size.y, size.z),
+        report::base_name(outcome.plan.job.program.name) + ": " +
+            shown(fmt::format("{:.6g} x {:.6g} x {:.6g} mm", size.x, size.y, size.z)),
         s.stock_volume > 0.0
-            ? fmt::format("{} of {} removed ({:.1f} %)", report::volume_text(removed),
-                          report::volume_text(s.stock_volume), 100.0 * removed / s.stock_volume)
+            ? fmt::format("{} of {} removed ({:.1f} %)", shown(report::volume_text(removed)),
+                          shown(report::volume_text(s.stock_volume)),
+                          100.0 * removed / s.stock_volume)
             : std::string("nothing is cut"),
-        fmt::format("{}, {:.1f} mm rapid", travelled, path.rapid_mm)};
+        travelled + shown(fmt::format(", {:.1f} mm rapid", path.rapid_mm))};
     const Options& o = outcome.options;
     if (o.at_line || !o.gif.empty() || !o.frames.empty()) {
         lines.push_back(s.line == 0 ? std::string("before the first move")
@@ -259,10 +273,13 @@ void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
     const simulation::Survey& survey = outcome.survey;
     for (const auto& [number, used] : survey.tools) {
         if (used.specified_by == toolpath::ValueSource::Assumption && !survey.only_rapid)
-            lines.push_back(fmt::format("guessed: T{} {}", number, describe(used.tool)));
+            lines.push_back(fmt::format(
+                "guessed: T{} {}", number,
+                report::tool_in_unit(describe(used.tool), outcome.options.report_unit)));
     }
     if (survey.stock->specified_by == toolpath::ValueSource::Assumption && !survey.only_rapid)
-        lines.push_back("guessed: stock " + report::describe(*survey.stock));
+        lines.push_back("guessed: stock " + report::in_unit(report::describe(*survey.stock),
+                                                            outcome.options.report_unit));
     if (survey.units_assumed) {
         lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"
                                                              : "guessed: millimetres");

@@ -261,9 +261,11 @@ int run(Options options) {
     simulation::coarsen(plan, survey, o.tolerance_specified, o.tool_tolerance_specified);
     simulation::choose_resolution(plan, survey);
     // For a program that was not read, there are no assumptions.
-    if (!o.quiet && !survey.interpretation.refused)
-        print_error(report::assumption_sheet(plan.job.program.name, survey,
-                                             simulation::cutting_facts(plan)));
+    if (!o.quiet && !survey.interpretation.refused) {
+        report::CuttingFacts cutting = simulation::cutting_facts(plan);
+        cutting.unit = o.report_unit;
+        print_error(report::assumption_sheet(plan.job.program.name, survey, cutting));
+    }
     if (!o.quiet && survey.is_ready() && !o.draft && !o.model_specified && is_long(survey, o)) {
         print_error(
             fmt::format("hint      {} moves: --model dexel shows them in a fraction of the time, "

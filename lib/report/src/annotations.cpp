@@ -41,7 +41,7 @@ const char* command_for(verify::Severity severity) {
 
 }  // namespace
 
-std::string github_annotations(const Checked& checked, bool notes) {
+std::string github_annotations(const Checked& checked, bool notes, LengthUnit unit) {
     std::string text;
     if (!checked.failure.empty()) {
         append(text, "::error file={}::{}not verified: {}\n",
@@ -68,7 +68,7 @@ std::string github_annotations(const Checked& checked, bool notes) {
             message += "\nassumed " + assumption;
         if (f.last_motion > 0) message += "\nhint: " + f.hint;
         append(text, ",title={}::{}\n", escaped_command(f.rule, true),
-               escaped_command(message, false));
+               escaped_command(in_unit(message, unit), false));
     }
     for (const verify::Doubt& d : checked.verdict.doubts) {
         if (d.accepted) continue;
@@ -78,7 +78,7 @@ std::string github_annotations(const Checked& checked, bool notes) {
         const std::string message =
             fmt::format("not proven: {}\nfix: {}", d.message, verify::find_reason(d.reason)->fix);
         append(text, ",title={}::{}\n", escaped_command(d.reason, true),
-               escaped_command(message, false));
+               escaped_command(in_unit(message, unit), false));
     }
     return text;
 }

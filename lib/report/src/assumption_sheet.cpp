@@ -26,6 +26,12 @@ public:
         append(text_, format, std::forward<Args>(args)...);
         text_ += '\n';
     }
+    // Does the same for a text of lengths.
+    template <typename... Args>
+    void lengths(const char* key, LengthUnit unit, fmt::format_string<Args...> format,
+                 Args&&... args) {
+        line(key, "{}", in_unit(fmt::format(format, std::forward<Args>(args)...), unit));
+    }
     template <typename... Args>
     void title(fmt::format_string<Args...> format, Args&&... args) {
         append(text_, format, std::forward<Args>(args)...);
@@ -75,8 +81,8 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
             sheet.line("", "assumed: {} 0, which the program never sets", "XYZ"[axis]);
     }
     if (program.uses_machine_coordinates) {
-        sheet.line(
-            "home",
+        sheet.lengths(
+            "home", cutting.unit,
             "assumed: machine zero {:g} mm above the program zero, tool lengths 0 (G28, G30, G53)",
             verify::kHomeHeight);
     }
@@ -84,13 +90,14 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
         sheet.line("rotation", "{}", program.rotation);
     }
     for (const auto& [number, used] : program.tools) {
-        sheet.line(fmt::format("tool T{}", number).c_str(), "{}; {}", toolpath::describe(used.tool),
+        sheet.line(fmt::format("tool T{}", number).c_str(), "{}; {}",
+                   tool_in_unit(toolpath::describe(used.tool), cutting.unit),
                    specified(used.specified_by, used.span, used.text, used.file, "--tool"));
         if (!used.assumed_values_text.empty())
-            sheet.line("", "assumed: {}", used.assumed_values_text);
+            sheet.line("", "assumed: {}", in_unit(used.assumed_values_text, cutting.unit));
     }
     if (program.stock) {
-        sheet.line("stock", "{}", describe(*program.stock));
+        sheet.line("stock", "{}", in_unit(describe(*program.stock), cutting.unit));
         sheet.line("", "{}",
                    specified(program.stock->specified_by, program.stock->span, program.stock->text,
                              program.stock->file, "--stock"));
@@ -108,20 +115,21 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
         if (cutting.is_model_chosen)
             sheet.line("", "rays, as a draft of {} moves; --model cda is exact", program.moves);
         if (cutting.resolution > 0.0) {
-            sheet.line("",
-                       "rays {:.3g} mm apart{}: what is thinner may be missing, nothing is exact",
-                       cutting.resolution, cutting.has_rays_along_z_alone ? ", along Z alone" : "");
+            sheet.lengths(
+                "", cutting.unit,
+                "rays {:.3g} mm apart{}: what is thinner may be missing, nothing is exact",
+                cutting.resolution, cutting.has_rays_along_z_alone ? ", along Z alone" : "");
         }
     }
-    sheet.line("tolerance",
-               "arcs {:g} mm; round tools {:g} mm; rotary moves {:g} mm missed, {:g} mm gained",
-               cutting.tolerance, cutting.tool_tolerance, cutting.tolerance,
-               10 * cutting.tolerance);
+    sheet.lengths("tolerance", cutting.unit,
+                  "arcs {:g} mm; round tools {:g} mm; rotary moves {:g} mm missed, {:g} mm gained",
+                  cutting.tolerance, cutting.tool_tolerance, cutting.tolerance,
+                  10 * cutting.tolerance);
     if (cutting.join_tolerance > 0.0) {
-        sheet.line("draft",
-                   "coarse: tolerances grow with the block; moves in a row within {:g} mm of "
-                   "a line are one",
-                   cutting.join_tolerance);
+        sheet.lengths("draft", cutting.unit,
+                      "coarse: tolerances grow with the block; moves in a row within {:g} mm of "
+                      "a line are one",
+                      cutting.join_tolerance);
     }
     if (cutting.is_draft_exact)
         sheet.line("draft", "exact: the program is short; only unspecified tools are guessed");

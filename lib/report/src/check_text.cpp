@@ -48,30 +48,30 @@ cda::Vec3 rounded(const cda::Vec3& v) {
 }
 
 // Appends the first point and the box, whose height is the depth.
-void put_place(std::string& text, const Finding& f) {
+void put_place(std::string& text, const Finding& f, LengthUnit unit) {
     if (!f.point) return;
     const cda::Vec3 at = rounded(*f.point);
-    append(text, "  at X{:.6g} Y{:.6g} Z{:.6g}", at.x, at.y, at.z);
+    text += in_unit(fmt::format("  at X{:.6g} Y{:.6g} Z{:.6g}", at.x, at.y, at.z), unit);
     if (!f.box.is_empty()) {
         cda::Box box;
         box.add(rounded(f.box.min));
         box.add(rounded(f.box.max));
-        append(text, ", within {}", describe(box));
+        append(text, ", within {}", in_unit(describe(box), unit));
     }
     text += '\n';
 }
 
 void put_finding(std::string& text, const Checked& checked, const Finding& f,
-                 const std::string& line) {
+                 const std::string& line, LengthUnit unit) {
     // The path is shown as specified, so a click in a terminal finds the file.
     text += printable_path(f.place.file == 0 ? checked.path : file_of(checked, f.place));
     if (f.place.span.line > 0) {
         append(text, ":{}:{}", f.place.span.line, f.place.span.column);
     }
-    append(text, ": {}: {}", verify::name_of(f.severity), one_line(headline(f)));
+    append(text, ": {}: {}", verify::name_of(f.severity), one_line(in_unit(headline(f), unit)));
     append(text, " [{}{}{}]\n", f.rule, f.code.empty() ? "" : ":", f.code);
     put_excerpt(text, line, f.place.span);
-    put_place(text, f);
+    put_place(text, f, unit);
     if (f.count > 1 && f.last_motion > 0 && f.rule != "air-cut") {
         if (f.goes_on) {
             append(text, "  in {} motions up to line {}, and there may be more\n", f.count,
@@ -85,14 +85,15 @@ void put_finding(std::string& text, const Checked& checked, const Finding& f,
         append(text, "  {} times, first here\n", f.count);
     }
     for (const std::string& assumption : f.assumptions)
-        append(text, "  assumed {}\n", one_line(assumption));
-    if (f.last_motion > 0) append(text, "  hint: {}\n", f.hint);
+        append(text, "  assumed {}\n", one_line(in_unit(assumption, unit)));
+    if (f.last_motion > 0) append(text, "  hint: {}\n", in_unit(f.hint, unit));
 }
 
-void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d) {
+void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d, LengthUnit unit) {
     text += printable_path(d.place.file == 0 ? checked.path : file_of(checked, d.place));
     if (d.place.span.line > 0) append(text, ":{}:{}", d.place.span.line, d.place.span.column);
-    append(text, ": {}: {}", d.accepted ? "accepted doubt" : "doubt", one_line(d.message));
+    append(text, ": {}: {}", d.accepted ? "accepted doubt" : "doubt",
+           one_line(in_unit(d.message, unit)));
     if (d.count > 1) append(text, ", {} times", d.count);
     append(text, " [{}]\n", d.reason);
 }
@@ -217,13 +218,13 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     for (std::size_t i = 0; i < v.findings.size(); ++i) {
         const Finding& f = v.findings[i];
         if (!f.counts() || (f.severity == Severity::Note && !options.notes)) continue;
-        put_finding(text, checked, f, checked.lines[i]);
+        put_finding(text, checked, f, checked.lines[i], options.unit);
     }
     for (const auto& [rule, more] : v.unlisted) {
         append(text, "{}: {} more findings of {} are not listed\n", path, more, rule);
     }
     for (const verify::Doubt& d : v.doubts) {
-        if (!d.accepted || options.notes) put_doubt(text, checked, d);
+        if (!d.accepted || options.notes) put_doubt(text, checked, d, options.unit);
     }
     if (options.quiet) return text;
     for (const ResolvedFinding& known : checked.resolved) {
@@ -237,9 +238,11 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     put_remedies(text, remedies_of(checked));
     put_settings(text, printable_path(checked.settings));
     put_baseline(text, printable_path(checked.baseline));
-    if (!checked.stock.empty()) append(text, "  stock    {}\n", one_line(checked.stock));
+    if (!checked.stock.empty())
+        append(text, "  stock    {}\n", one_line(in_unit(checked.stock, options.unit)));
     if (!checked.time.empty()) append(text, "  time     {}\n", checked.time);
-    if (checked.design) append(text, "  design   {}\n", one_line(text_of(*checked.design)));
+    if (checked.design)
+        append(text, "  design   {}\n", one_line(in_unit(text_of(*checked.design), options.unit)));
     return text;
 }
 

@@ -21,26 +21,30 @@ namespace ncsim::report {
 
 namespace {
 
+std::string volume(double mm3, LengthUnit unit) {
+    return in_unit(fmt::format("{:.6g} mm3", mm3), unit);
+}
+
 void put_side(std::string& text, const OneSidedMaterial& side, const std::string& has,
-              const std::string& cuts) {
+              const std::string& cuts, LengthUnit unit) {
     constexpr std::size_t kShown = 10;
-    append(text, "only in {}: {:.6g} mm3\n", has, side.volume_mm3);
+    append(text, "only in {}: {}\n", has, volume(side.volume_mm3, unit));
     for (std::size_t i = 0; i < side.regions.size() && i < kShown; ++i) {
         const verify::Region& r = side.regions[i];
-        append(text, "  {:.6g} mm3, cut by {}:{}\n    within {}\n", r.volume_mm3, cuts,
-               lines_text(r.lines), describe(r.box));
+        append(text, "  {}, cut by {}:{}\n    within {}\n", volume(r.volume_mm3, unit), cuts,
+               lines_text(r.lines), in_unit(describe(r.box), unit));
     }
     if (side.regions.size() > kShown) {
         append(text, "  and {} smaller regions\n", side.regions.size() - kShown);
     }
 }
 
-void put_runs(std::string& text, const char* sign,
-              const std::vector<ProcessDifference::Run>& runs) {
+void put_runs(std::string& text, const char* sign, const std::vector<ProcessDifference::Run>& runs,
+              LengthUnit unit) {
     constexpr std::size_t kShown = 5;
     for (std::size_t i = 0; i < runs.size() && i < kShown; ++i) {
         append(text, "  {} {}:{}: {}\n", sign, printable_path(runs[i].file), runs[i].line,
-               runs[i].condition);
+               in_unit(runs[i].condition, unit));
     }
     if (runs.size() > kShown) append(text, "  {} and {} more\n", sign, runs.size() - kShown);
 }
@@ -94,25 +98,25 @@ Json to_json(const Difference& d) {
 
 }  // namespace
 
-std::string text_of(const Difference& d) {
+std::string text_of(const Difference& d, LengthUnit unit) {
     std::string text;
     if (!d.set_up.empty()) append(text, "{}\n", one_line(d.set_up));
     const std::string old_name = printable_path(d.old_name);
     const std::string new_name = printable_path(d.new_name);
-    if (!d.stocks.empty()) append(text, "{}\n", one_line(d.stocks));
+    if (!d.stocks.empty()) append(text, "{}\n", one_line(in_unit(d.stocks, unit)));
     if (d.same_motions) {
         text += "both programs make the same motions with the same tools\n";
     } else {
-        put_side(text, d.only_old, old_name, new_name);
-        put_side(text, d.only_new, new_name, old_name);
+        put_side(text, d.only_old, old_name, new_name, unit);
+        put_side(text, d.only_new, new_name, old_name, unit);
     }
     if (d.process.differs()) {
         text += "feeds, speeds, coolant, tools or dwells differ\n";
-        put_runs(text, "-", d.process.only_old);
-        put_runs(text, "+", d.process.only_new);
+        put_runs(text, "-", d.process.only_old, unit);
+        put_runs(text, "+", d.process.only_new, unit);
     }
-    append(text, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", old_name, d.old_mm3, new_name, d.new_mm3,
-           d.differs ? "the parts differ" : "the same part");
+    append(text, "{}: {}; {}: {}: {}\n", old_name, volume(d.old_mm3, unit), new_name,
+           volume(d.new_mm3, unit), d.differs ? "the parts differ" : "the same part");
     return text;
 }
 

@@ -36,19 +36,24 @@ std::string csv_path(const std::string& path) {
 
 }  // namespace
 
-std::string ledger_csv_share(const Checked& checked) {
+std::string ledger_csv_share(const Checked& checked, LengthUnit unit) {
+    const double length = in_unit(1.0, unit), volume = length * length * length;
+    const auto scaled = [](std::optional<double> value, double factor) {
+        if (value) *value *= factor;
+        return number(value);
+    };
     std::string out;
     const std::string program = csv_path(relative_path(checked.path));
     for (const verify::LedgerRow& row : checked.verdict.ledger.rows) {
-        out +=
-            fmt::format("{},{},{},{},{},{},{},{},{},{},{}", program,
-                        csv_path(file_of(checked, {row.file, {}})), row.line, row.first_motion,
-                        row.last_motion, row.tool, name_of(row.kind), number(row.length_mm),
-                        number(row.removed_mm3), number(row.seconds), number(row.removal_rate()));
+        out += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", program,
+                           csv_path(file_of(checked, {row.file, {}})), row.line, row.first_motion,
+                           row.last_motion, row.tool, name_of(row.kind),
+                           scaled(row.length_mm, length), scaled(row.removed_mm3, volume),
+                           number(row.seconds), scaled(row.removal_rate(), volume));
         for (const cda::Vec3& corner : {row.contact.min, row.contact.max}) {
             for (int axis = 0; axis < 3; ++axis) {
                 out += ',';
-                if (!row.contact.is_empty()) out += number(corner[axis]);
+                if (!row.contact.is_empty()) out += scaled(corner[axis], length);
             }
         }
         out += '\n';
@@ -56,10 +61,13 @@ std::string ledger_csv_share(const Checked& checked) {
     return out;
 }
 
-void write_ledger_csv(std::ostream& out, const Entries& all) {
-    out << "program,file,line,first_motion,last_motion,tool,kind,length_mm,removed_mm3,seconds,"
-           "mm3_per_minute,contact_min_x,contact_min_y,contact_min_z,contact_max_x,contact_max_y,"
-           "contact_max_z\n";
+void write_ledger_csv(std::ostream& out, const Entries& all, LengthUnit unit) {
+    const std::string_view name = name_of(unit);
+    out << fmt::format(
+        "program,file,line,first_motion,last_motion,tool,kind,length_{0},removed_{0}3,seconds,"
+        "{0}3_per_minute,contact_min_x,contact_min_y,contact_min_z,contact_max_x,contact_max_y,"
+        "contact_max_z\n",
+        name);
     all([&](const Entry& entry) { out << entry.csv; });
 }
 

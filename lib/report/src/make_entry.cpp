@@ -17,7 +17,7 @@ Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
     entry.program = checked.program;
     entry.word = checked.word;
     entry.code = code;
-    entry.text = text_of(checked, {options.notes, options.quiet, options.many});
+    entry.text = text_of(checked, {options.notes, options.quiet, options.many, options.unit});
     entry.settings = checked.settings;
     entry.counts = counts_of(checked);
     entry.scope = scope_of(checked);
@@ -28,8 +28,8 @@ Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
     if (options.junit) entry.junit = to_line(junit_share(checked, options.warnings_as_errors));
     entry.baseline = checked.baseline;
     if (options.known) entry.known = to_line(baseline_share(checked));
-    if (options.github) entry.github = github_annotations(checked, options.notes);
-    if (options.csv) entry.csv = ledger_csv_share(checked);
+    if (options.github) entry.github = github_annotations(checked, options.notes, options.unit);
+    if (options.csv) entry.csv = ledger_csv_share(checked, options.csv_unit);
     return entry;
 }
 

@@ -22,9 +22,9 @@ namespace {
 
 constexpr std::size_t kMostRows = 40, kMostNumbers = 6;
 
-// Returns a length as on a drawing: three decimals, without trailing zeros.
-std::string length_text(double mm) {
-    std::string text = fmt::format("{:.3f}", mm);
+// Returns a number as on a drawing: a fixed number of decimals, without trailing zeros.
+std::string number_text(double value, int decimals = 3) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
     while (text.back() == '0')
         text.pop_back();
     if (text.back() == '.') text.pop_back();
@@ -50,51 +50,24 @@ bool is_upright(cda::Vec3 axis) {
     return std::abs(axis.z) > 1.0 - 1e-9;
 }
 
-std::string place_text(cda::Vec3 at, cda::Vec3 axis) {
-    if (is_upright(axis)) {
-        return fmt::format("X{} Y{}, {} Z{}", length_text(at.x), length_text(at.y),
-                           axis.z > 0.0 ? "from" : "from below,", length_text(at.z));
-    }
-    return fmt::format("X{} Y{} Z{}, axis {} {} {}", length_text(at.x), length_text(at.y),
-                       length_text(at.z), length_text(axis.x), length_text(axis.y),
-                       length_text(axis.z));
-}
-
 std::string degrees_text(double degrees) {
-    return fmt::format("{}°", length_text(std::round(degrees * 100.0) / 100.0));
-}
-
-std::string feature_text(const MeasuredBore& bore) {
-    std::string text = fmt::format("{} deep", length_text(bore.depth));
-    if (bore.end == "through") text = "through, " + text;
-    if (bore.tip_depth) {
-        append(text, ", {} to the tip", length_text(*bore.tip_depth));
-        if (bore.tip_angle_degrees) append(text, " of {}", degrees_text(*bore.tip_angle_degrees));
-        if (bore.end == "ball") text += " of a ball";
-    } else if (bore.end == "flat" || bore.end == "rounded") {
-        append(text, ", {} bottom", bore.end);
-    } else if (bore.end == "shoulder") {
-        text += ", to a shoulder";
-    }
-    if (bore.mouth_slants_by > 0.0)
-        append(text, ", its mouth {} lower at one side", length_text(bore.mouth_slants_by));
-    if (bore.covers_degrees < 360.0) append(text, ", {} of it", degrees_text(bore.covers_degrees));
-    return text;
+    return fmt::format("{}°", number_text(std::round(degrees * 100.0) / 100.0));
 }
 
 class Text {
 public:
-    explicit Text(const MeasureSheet& sheet) : sheet_(sheet) {}
+    Text(const MeasureSheet& sheet, LengthUnit unit) : sheet_(sheet), unit_(unit) {}
 
     std::string operator()() {
         append(text_, "part       {}; {}\n",
-               sheet_.extents.is_empty() ? "nothing is left" : describe(sheet_.extents),
-               volume_text(sheet_.volume_mm3));
-        rows("bores", sheet_.bores, [](const MeasuredBore& b) {
+               sheet_.extents.is_empty() ? "nothing is left"
+                                         : in_unit(describe(sheet_.extents), unit_),
+               in_unit(volume_text(sheet_.volume_mm3), unit_));
+        rows("bores", sheet_.bores, [this](const MeasuredBore& b) {
             return std::tuple("D" + length_text(b.diameter),
                               feature_text(b) + "; " + place_text(b.mouth, b.axis), b.by);
         });
-        rows("bosses", sheet_.bosses, [](const MeasuredBoss& b) {
+        rows("bosses", sheet_.bosses, [this](const MeasuredBoss& b) {
             std::string what = length_text(b.height) + " high";
             if (b.covers_degrees < 360.0) what += ", " + degrees_text(b.covers_degrees) + " of it";
             return std::tuple("D" + length_text(b.diameter),
@@ -107,14 +80,50 @@ public:
         if (sheet_.has_too_many_walls)
             text_ += "distances  not measured: there are too many walls\n";
         if (sheet_.facets > 0) {
-            append(text_, "not known  {} facet{} of round tools, {:.4g} mm2, not measured{}\n",
-                   sheet_.facets, sheet_.facets == 1 ? "" : "s", sheet_.facet_area_mm2,
+            append(text_, "not known  {} facet{} of round tools, {}, not measured{}\n",
+                   sheet_.facets, sheet_.facets == 1 ? "" : "s",
+                   in_unit(fmt::format("{:.4g} mm2", sheet_.facet_area_mm2), unit_),
                    list_text(": line ", sheet_.facet_lines));
         }
         return std::move(text_);
     }
 
 private:
+    // Returns a length with three decimals of a millimetre, or four of an inch.
+    std::string length_text(double mm) const {
+        return number_text(in_unit(mm, unit_), unit_ == LengthUnit::Inch ? 4 : 3);
+    }
+
+    std::string place_text(cda::Vec3 at, cda::Vec3 axis) const {
+        if (is_upright(axis)) {
+            return fmt::format("X{} Y{}, {} Z{}", length_text(at.x), length_text(at.y),
+                               axis.z > 0.0 ? "from" : "from below,", length_text(at.z));
+        }
+        return fmt::format("X{} Y{} Z{}, axis {} {} {}", length_text(at.x), length_text(at.y),
+                           length_text(at.z), number_text(axis.x), number_text(axis.y),
+                           number_text(axis.z));
+    }
+
+    std::string feature_text(const MeasuredBore& bore) const {
+        std::string text = fmt::format("{} deep", length_text(bore.depth));
+        if (bore.end == "through") text = "through, " + text;
+        if (bore.tip_depth) {
+            append(text, ", {} to the tip", length_text(*bore.tip_depth));
+            if (bore.tip_angle_degrees)
+                append(text, " of {}", degrees_text(*bore.tip_angle_degrees));
+            if (bore.end == "ball") text += " of a ball";
+        } else if (bore.end == "flat" || bore.end == "rounded") {
+            append(text, ", {} bottom", bore.end);
+        } else if (bore.end == "shoulder") {
+            text += ", to a shoulder";
+        }
+        if (bore.mouth_slants_by > 0.0)
+            append(text, ", its mouth {} lower at one side", length_text(bore.mouth_slants_by));
+        if (bore.covers_degrees < 360.0)
+            append(text, ", {} of it", degrees_text(bore.covers_degrees));
+        return text;
+    }
+
     template <typename Feature, typename Row>
     void rows(const char* title, const std::vector<Feature>& features, const Row& row) {
         for (std::size_t i = 0; i < std::min(features.size(), kMostRows); ++i) {
@@ -152,9 +161,10 @@ private:
                                         ? fmt::format("{} of them", floors.count)
                                         : length_text(size.x) + " x " + length_text(size.y);
             return std::tuple("Z" + length_text(f.z),
-                              fmt::format("{} below the top, {} above the bottom; {}, {:.6g} mm2{}",
+                              fmt::format("{} below the top, {} above the bottom; {}, {}{}",
                                           length_text(sheet_.extents.max.z - f.z),
-                                          length_text(f.z - sheet_.extents.min.z), how, f.area,
+                                          length_text(f.z - sheet_.extents.min.z), how,
+                                          in_unit(fmt::format("{:.6g} mm2", f.area), unit_),
                                           f.is_closed ? ", walls all round" : ""),
                               f.by);
         });
@@ -164,11 +174,11 @@ private:
         std::vector<MeasuredDistance> of;
         std::ranges::copy_if(sheet_.distances, std::back_inserter(of),
                              [&](const MeasuredDistance& d) { return d.is_void == is_void; });
-        rows(title, of, [](const MeasuredDistance& d) {
+        rows(title, of, [this](const MeasuredDistance& d) {
             const cda::Vec3 v = cda::normalized(d.to - d.from);
             const cda::Vec3 at = 0.5 * (d.from + d.to);
             std::string what =
-                fmt::format("along {} {} {}", length_text(v.x), length_text(v.y), length_text(v.z));
+                fmt::format("along {} {} {}", number_text(v.x), number_text(v.y), number_text(v.z));
             constexpr double kAlong = 1.0 - 1e-9;
             for (int axis = 0; axis < 3; ++axis) {
                 if (std::abs(v[axis]) > kAlong) what = fmt::format("along {}", "XYZ"[axis]);
@@ -207,6 +217,7 @@ private:
     }
 
     const MeasureSheet& sheet_;
+    LengthUnit unit_;
     std::string text_;
 };
 
@@ -287,8 +298,8 @@ Json list_json(const std::vector<Feature>& features, const More&... more) {
 
 }  // namespace
 
-std::string text_of(const MeasureSheet& sheet) {
-    return Text(sheet)();
+std::string text_of(const MeasureSheet& sheet, LengthUnit unit) {
+    return Text(sheet, unit)();
 }
 
 void write_measures(std::ostream& out, const MeasureSheet& sheet) {

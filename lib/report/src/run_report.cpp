@@ -261,7 +261,7 @@ std::string summary(const RunFacts& run) {
            distances.rapid_mm);
     const std::string on_machine = run.on_machine ? time_line(*run.on_machine) : "";
     append(text, "time      {}\n", on_machine.empty() ? time_line(distances) : on_machine);
-    return text;
+    return in_unit(text, run.cutting.unit);
 }
 
 void write_report(std::ostream& out, const RunFacts& run) {

@@ -61,24 +61,28 @@ std::string drawing_of(const toolpath::Tool& tool) {
     return text + "</svg>";
 }
 
-std::string mm(const std::optional<double>& value) {
-    return value ? fmt::format("{:g} mm", *value) : std::string("?");
+std::string length_text(const std::optional<double>& mm, LengthUnit unit) {
+    return mm ? in_unit(fmt::format("{:g} mm", *mm), unit) : std::string("?");
 }
 
-std::string holder_of(const toolpath::ToolSpec& spec) {
+std::string holder_of(const toolpath::ToolSpec& spec, LengthUnit unit) {
+    const auto number = [unit](double mm) {
+        const std::string text = in_unit(fmt::format("{:g} mm", mm), unit);
+        return text.substr(0, text.find(' '));
+    };
     if (spec.holder.empty()) return "?";
     std::string text;
     for (const toolpath::ToolSegment& s : spec.holder) {
         text += text.empty() ? "" : ", ";
-        text +=
-            s.lower_diameter == s.upper_diameter
-                ? fmt::format("D{:g} x {:g}", s.lower_diameter, s.height)
-                : fmt::format("D{:g}-{:g} x {:g}", s.lower_diameter, s.upper_diameter, s.height);
+        text += s.lower_diameter == s.upper_diameter
+                    ? fmt::format("D{} x {}", number(s.lower_diameter), number(s.height))
+                    : fmt::format("D{}-{} x {}", number(s.lower_diameter), number(s.upper_diameter),
+                                  number(s.height));
     }
     return text;
 }
 
-void write_tools(std::ostream& out, const SheetSetUp& set_up) {
+void write_tools(std::ostream& out, const SheetSetUp& set_up, LengthUnit unit) {
     out << "<h2>Tools</h2>\n<table>\n<tr><th>tool</th><th>picture</th><th>shape</th>"
            "<th>stick-out</th><th>holder</th><th>length offset</th><th>path</th><th>time</th>"
            "</tr>\n";
@@ -88,19 +92,22 @@ void write_tools(std::ostream& out, const SheetSetUp& set_up) {
         std::string path, time;
         if (const auto d = set_up.facts->distances.find(number);
             d != set_up.facts->distances.end()) {
-            path = fmt::format("{:.0f} mm feed, {:.0f} mm rapid", d->second.feed_mm,
-                               d->second.rapid_mm);
+            path = in_unit(fmt::format("{:.0f} mm feed, {:.0f} mm rapid", d->second.feed_mm,
+                                       d->second.rapid_mm),
+                           unit);
             const auto seconds = time_of(d->second).total();
             time = seconds ? time_text(*seconds) : "?";
         }
-        std::string shape = toolpath::describe(used.tool);
-        if (!used.assumed_values_text.empty()) shape += "; assumed: " + used.assumed_values_text;
+        std::string shape = tool_in_unit(toolpath::describe(used.tool), unit);
+        if (!used.assumed_values_text.empty())
+            shape += "; assumed: " + in_unit(used.assumed_values_text, unit);
         if (used.is_guess) shape += "; a guess";
         out << fmt::format(
             "<tr><td>T{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{}</td></tr>\n",
-            number, drawing_of(used.tool), escaped(shape), mm(used.spec.stick_out),
-            escaped(holder_of(used.spec)), offset != 0.0 ? mm(offset) : "?", path, time);
+            number, drawing_of(used.tool), escaped(shape), length_text(used.spec.stick_out, unit),
+            escaped(holder_of(used.spec, unit)), offset != 0.0 ? length_text(offset, unit) : "?",
+            path, time);
     }
     for (const auto& [number, first] : set_up.facts->unknown_tools) {
         out << fmt::format(
@@ -112,18 +119,18 @@ void write_tools(std::ostream& out, const SheetSetUp& set_up) {
 }
 
 void write_list(std::ostream& out, const char* title, const char* kind,
-                const std::vector<std::string>& lines) {
+                const std::vector<std::string>& lines, LengthUnit unit) {
     if (lines.empty()) return;
     out << "<div class=\"" << kind << "\"><h2>" << title << "</h2>\n<ul>\n";
     for (const std::string& line : lines)
-        out << "<li>" << escaped(line) << "</li>\n";
+        out << "<li>" << escaped(in_unit(line, unit)) << "</li>\n";
     out << "</ul></div>\n";
 }
 
 }  // namespace
 
 void write_set_up_sheet(std::ostream& out, const std::string& job,
-                        const std::vector<SheetSetUp>& set_ups) {
+                        const std::vector<SheetSetUp>& set_ups, LengthUnit unit) {
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>"
         << escaped(job) << "</title>\n<style>\n"
         << kStyle << "</style></head>\n<body>\n";
@@ -133,18 +140,20 @@ void write_set_up_sheet(std::ostream& out, const std::string& job,
         out << "</h1>\n<table class=\"values\">\n<tr><th>program</th><td>"
             << escaped(set_up.program) << "</td></tr>\n";
         if (set_up.facts->stock) {
-            out << "<tr><th>stock</th><td>" << escaped(describe(*set_up.facts->stock))
-                << "</td></tr>\n";
+            out << "<tr><th>stock</th><td>"
+                << escaped(in_unit(describe(*set_up.facts->stock), unit)) << "</td></tr>\n";
         }
         for (const auto& [name, value] : set_up.values)
-            out << "<tr><th>" << escaped(name) << "</th><td>" << escaped(value) << "</td></tr>\n";
+            out << "<tr><th>" << escaped(name) << "</th><td>" << escaped(in_unit(value, unit))
+                << "</td></tr>\n";
         out << "<tr><th>time</th><td>" << escaped(time_line(verify::total(set_up.facts->distances)))
             << "</td></tr>\n"
             << "</table>\n";
-        write_tools(out, set_up);
-        write_list(out, "Fixtures", "fixtures", set_up.fixtures);
-        write_list(out, "To measure at the machine", "open", set_up.assumed);
-        out << "<footer>ncsim " << kVersion << "; lengths in mm</footer>\n</section>\n";
+        write_tools(out, set_up, unit);
+        write_list(out, "Fixtures", "fixtures", set_up.fixtures, unit);
+        write_list(out, "To measure at the machine", "open", set_up.assumed, unit);
+        out << "<footer>ncsim " << kVersion << "; lengths in " << name_of(unit)
+            << "</footer>\n</section>\n";
     }
     out << "</body>\n</html>\n";
 }

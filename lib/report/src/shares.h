@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
+#include "ncsim/report/length_unit.h"
 
 #include "json.h"
 
@@ -15,6 +16,7 @@ Json check_json_share(const Checked& checked);
 Json sarif_share(const Checked& checked, bool notes);
 Json junit_share(const Checked& checked, bool warnings_as_errors);
 Json baseline_share(const Checked& checked);
-std::string ledger_csv_share(const Checked& checked);
+/// Lengths and volumes are in `unit`.
+std::string ledger_csv_share(const Checked& checked, LengthUnit unit);
 
 }  // namespace ncsim::report

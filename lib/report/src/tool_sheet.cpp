@@ -65,8 +65,8 @@ std::string shape_of(const std::vector<toolpath::ToolEntry>& described, const Pr
 class ToolSheet {
 public:
     ToolSheet(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program,
-              const Plunges& plunges)
-        : described_(described), program_(program), plunges_(plunges) {}
+              const Plunges& plunges, LengthUnit unit)
+        : described_(described), program_(program), plunges_(plunges), unit_(unit) {}
 
     std::string text() {
         for (const int number : numbers_of(described_, program_))
@@ -74,7 +74,7 @@ public:
         if (text_.empty()) add("no tool", "none is called, and none is described");
         if (program_.stock) {
             const toolpath::StockEntry& stock = *program_.stock;
-            add("stock", describe(stock.box));
+            add("stock", in_unit(describe(stock.box), unit_));
             add("  source",
                 specified(stock.specified_by, stock.span, stock.text, stock.file, "--stock"));
         } else {
@@ -91,13 +91,14 @@ private:
 
     void add_tool(int number) {
         add(number == 0 ? "no T" : fmt::format("T{}", number),
-            shape_of(described_, program_, number));
+            tool_in_unit(shape_of(described_, program_, number), unit_));
         const auto used = program_.tools.find(number);
         if (used != program_.tools.end()) {
             const UsedTool& tool = used->second;
             add("  source",
                 specified(tool.specified_by, tool.span, tool.text, tool.file, "--tool"));
-            if (!tool.assumed_values_text.empty()) add("  assumed", tool.assumed_values_text);
+            if (!tool.assumed_values_text.empty())
+                add("  assumed", in_unit(tool.assumed_values_text, unit_));
         } else if (const auto* entry = toolpath::find_tool(described_, number)) {
             add("  source",
                 specified(entry->specified_by, entry->span, entry->text, entry->file, "--tool"));
@@ -112,8 +113,9 @@ private:
                                            ? unknown->second.line
                                            : 0;
             const std::string from = line > 0 ? fmt::format("from line {}, ", line) : "";
-            add("  used", fmt::format("{}{:.1f} mm cutting, {:.1f} mm in rapid moves", from,
-                                      distances->feed_mm, distances->rapid_mm));
+            add("  used", in_unit(fmt::format("{}{:.1f} mm cutting, {:.1f} mm rapid", from,
+                                              distances->feed_mm, distances->rapid_mm),
+                                  unit_));
         }
     }
 
@@ -134,6 +136,7 @@ private:
     const std::vector<toolpath::ToolEntry>& described_;
     const ProgramFacts& program_;
     const Plunges& plunges_;
+    LengthUnit unit_;
     std::string text_;
 };
 
@@ -163,8 +166,9 @@ Json source_json(toolpath::ValueSource by, gcode::SourceSpan span, const std::st
 }  // namespace
 
 std::string tool_sheet(const ProgramFacts& program,
-                       const std::vector<toolpath::ToolEntry>& described, const Plunges& plunges) {
-    return ToolSheet(described, program, plunges).text();
+                       const std::vector<toolpath::ToolEntry>& described, const Plunges& plunges,
+                       LengthUnit unit) {
+    return ToolSheet(described, program, plunges, unit).text();
 }
 
 std::string tool_sheet_json(const std::string& name, const std::string& set_up,

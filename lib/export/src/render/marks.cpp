@@ -100,26 +100,27 @@ public:
         circle(at, radius, line_, text_);
     }
 
-    void scale(const Vec3& size_mm) {
+    void scale(const Marks& marks) {
         const double right = image_.width - kStripMargin * strip_;
         const double base = image_.height - kStripMargin * strip_;
         const bool is_parallel =
             std::ranges::any_of(std::array{camera_.back.x, camera_.back.y, camera_.back.z},
                                 [](double d) { return std::abs(d) > 1.0 - 1e-12; });
-        const std::string size =
-            fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size_mm.x, size_mm.y, size_mm.z);
+        const std::string size = fmt::format("{:.4g} x {:.4g} x {:.4g} {}", marks.size.x,
+                                             marks.size.y, marks.size.z, marks.unit);
         const double top = base - 2.0 * letter_;
         write_to_the_left(right, is_parallel ? top - 1.2 * letter_ : base, size);
         if (!is_parallel) return;
-        const double mm = round_length(kBar * camera_.height * image_.width / image_.height);
-        const double length = mm * image_.height / camera_.height;
+        const double shown =
+            round_length(kBar * camera_.height * image_.width / image_.height / marks.mm_per_unit);
+        const double length = shown * marks.mm_per_unit * image_.height / camera_.height;
         const PixelPoint a{right - length, base};
         const PixelPoint b{right, base};
         draw_stroke(image_, a, b, line_, text_);
         for (const PixelPoint& end : {a, b})
             draw_stroke(image_, {end.x, end.y - 0.4 * letter_}, {end.x, end.y + 0.4 * letter_},
                         line_, text_);
-        write_to_the_left(right, base - 0.8 * letter_, fmt::format("{:g} mm", mm));
+        write_to_the_left(right, base - 0.8 * letter_, fmt::format("{:g} {}", shown, marks.unit));
     }
 
     // Writes the entries in columns of three rows.
@@ -250,7 +251,7 @@ void draw_marks(Image& image, const Camera& camera, Background background, const
     MarkPainter painter(image, camera, background);
     if (marks.zero) painter.zero();
     if (marks.axes) painter.axes();
-    if (marks.scale) painter.scale(marks.size_mm);
+    if (marks.scale) painter.scale(marks);
     if (!marks.legend.empty()) painter.legend(marks);
     if (!marks.scale_begin.empty() || !marks.scale_end.empty()) painter.colour_scale(marks);
 }

@@ -36,9 +36,10 @@ namespace {
 // Options of commands that a job file may contain. A key is the name of the option, with '_'
 // instead of '-'.
 constexpr std::string_view kSettings[] = {
-    "machine",  "tool_table", "subprograms", "tolerance", "tool_tolerance", "model",
-    "rapid",    "design",     "design_tol",  "select",    "ignore",         "severity",
-    "baseline", "cut_free",   "air_cuts",    "max_time",  "max_memory",     "warnings_as_errors"};
+    "machine",     "tool_table", "subprograms", "tolerance", "tool_tolerance", "model",
+    "rapid",       "design",     "design_tol",  "select",    "ignore",         "severity",
+    "baseline",    "cut_free",   "air_cuts",    "max_time",  "max_memory",     "warnings_as_errors",
+    "report_units"};
 
 // Formats of outputs in a job file, with the endings of their files.
 constexpr std::pair<std::string_view, std::string_view> kOutputs[] = {

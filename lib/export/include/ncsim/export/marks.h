@@ -23,10 +23,12 @@ inline constexpr std::uint32_t kLeastMarkedSide = 240;
 struct Marks {
     bool axes = false;  ///< Directions of x, y and z of W, in the lower left corner.
     bool zero = false;  ///< Program zero: a circle with two filled quarters, also behind the part.
-    /// Scale: a bar, if an axis of W is parallel to the picture; otherwise `size_mm` as text, lower
+    /// Scale: a bar, if an axis of W is parallel to the picture; otherwise `size` as text, lower
     /// right.
     bool scale = false;
-    cda::Vec3 size_mm;  ///< Size of the stock in mm, in W.
+    cda::Vec3 size;            ///< Size of the stock in the unit of the scale, in W.
+    double mm_per_unit = 1.0;  ///< Unit of the scale: 1 or 25.4.
+    std::string unit = "mm";   ///< Its name.
     /// Colours with their meanings, in the order of the list; empty: none.
     std::vector<std::pair<Rgba8, std::string>> legend;
     /// Meanings of the ends of the colour scale; both empty: none.

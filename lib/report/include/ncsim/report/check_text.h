@@ -5,6 +5,7 @@
 
 #include "ncsim/report/checked.h"
 #include "ncsim/report/entry.h"
+#include "ncsim/report/length_unit.h"
 #include "ncsim/report/scope.h"
 
 #include <string>
@@ -17,6 +18,7 @@ struct TextOptions {
     bool quiet = false;  ///< Only findings and doubts.
     /// Only findings, doubts and findings that are no longer found; summary_of() gives the rest.
     bool many = false;
+    LengthUnit unit = LengthUnit::Millimetre;
 };
 
 /// Returns the text about one program, ending in a newline; may be empty.

@@ -3,6 +3,7 @@
 // Comparison of two programs: the parts, and the process.
 #pragma once
 
+#include "ncsim/report/length_unit.h"
 #include "ncsim/verify/region.h"
 
 #include <cstdint>
@@ -50,7 +51,7 @@ struct Difference {
 };
 
 /// Returns the difference as text.
-std::string text_of(const Difference& difference);
+std::string text_of(const Difference& difference, LengthUnit unit = LengthUnit::Millimetre);
 /// Writes the difference as JSON; a list under "set_ups" if there are several. Lengths are in mm,
 /// volumes in mm³.
 /// Requires: at least one difference.

@@ -8,6 +8,7 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpreter.h"
+#include "ncsim/report/length_unit.h"
 #include "ncsim/report/used_tool.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool_table.h"
@@ -67,7 +68,8 @@ struct CuttingFacts {
     /// Consecutive moves within this distance of a line are joined, mm; 0: no moves are joined.
     double join_tolerance = 0.0;
     bool is_draft_exact = false;  ///< True for a draft of a short program, which is cut exactly.
-    std::optional<std::uint32_t> at_line;  ///< Line after which the simulation was stopped.
+    std::optional<std::uint32_t> at_line;      ///< Line after which the simulation was stopped.
+    LengthUnit unit = LengthUnit::Millimetre;  ///< Of texts; all values here are in mm.
 };
 
 /// Polytope that replaced a round tool.

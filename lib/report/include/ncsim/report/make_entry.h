@@ -5,6 +5,7 @@
 
 #include "ncsim/report/checked.h"
 #include "ncsim/report/entry.h"
+#include "ncsim/report/length_unit.h"
 
 namespace ncsim::report {
 
@@ -15,7 +16,9 @@ struct EntryOptions {
     bool many = false;   ///< There are several programs; the summary has their common text.
     bool warnings_as_errors = false;
     bool json = true, sarif = true, junit = true, github = true, csv = false;
-    bool known = false;  ///< Adds findings for a baseline.
+    bool known = false;                            ///< Adds findings for a baseline.
+    LengthUnit unit = LengthUnit::Millimetre;      ///< Of text and annotations.
+    LengthUnit csv_unit = LengthUnit::Millimetre;  ///< The same for all programs.
 };
 
 /// Returns the shares of `checked`. `code` is the exit status.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/vec.h"
+#include "ncsim/report/length_unit.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -74,7 +75,7 @@ struct MeasureSheet {
 };
 
 /// Returns the measures as text, with lengths to a micrometre and at most 40 rows of a kind.
-std::string text_of(const MeasureSheet& sheet);
+std::string text_of(const MeasureSheet& sheet, LengthUnit unit = LengthUnit::Millimetre);
 
 /// Writes all measures as JSON, UTF-8, to a millionth of a mm. Keys are only added.
 void write_measures(std::ostream& out, const MeasureSheet& sheet);

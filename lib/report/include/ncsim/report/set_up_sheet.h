@@ -28,6 +28,7 @@ struct SheetSetUp {
 
 /// Writes the sheet. `job` is the name in the heading. The same values give the same bytes.
 void write_set_up_sheet(std::ostream& out, const std::string& job,
-                        const std::vector<SheetSetUp>& set_ups);
+                        const std::vector<SheetSetUp>& set_ups,
+                        LengthUnit unit = LengthUnit::Millimetre);
 
 }  // namespace ncsim::report

@@ -33,10 +33,10 @@ struct Plunges {
 /// Returns the sheet as text. `described` are all described tools, used or not.
 std::string tool_sheet(const ProgramFacts& program,
                        const std::vector<toolpath::ToolEntry>& described,
-                       const Plunges& plunges = {});
+                       const Plunges& plunges = {}, LengthUnit unit = LengthUnit::Millimetre);
 
-/// Returns the sheet as JSON, with the diagnostics. `name` is the name of the program, `set_up` that
-/// of its set-up; empty outside a job.
+/// Returns the sheet as JSON, with the diagnostics. `name` is the name of the program, `set_up`
+/// that of its set-up; empty outside a job.
 std::string tool_sheet_json(const std::string& name, const std::string& set_up,
                             const ProgramFacts& program,
                             const std::vector<toolpath::ToolEntry>& described,
