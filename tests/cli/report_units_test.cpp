@@ -70,6 +70,10 @@ TEST(ReportUnits, AreInFindings) {
     // JSON has the unit in its keys, and stays in mm.
     folder.run({"check", "a.nc", "-q", "--json", "mm.json"});
     folder.run({"check", "a.nc", "-q", "--json", "inch.json", "--report-units", "inch"});
+    const json program = json::parse(folder.read("mm.json"))["programs"][0];
+    EXPECT_EQ(program["stock_mm"],
+              json::parse(R"({"min": [-38.1, -25.4, -25.4], "max": [38.1, 25.4, 0]})"));
+    EXPECT_GT(program["seconds"], 0.5) << program["time"];
     EXPECT_EQ(folder.read("mm.json"), folder.read("inch.json"));
 }
 

@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -117,6 +119,41 @@ TEST(Samples, TwoSidesIsCleanInOneCommand) {
     const Ran back = folder.run({"check", sample("two-sides/back.nc")});
     EXPECT_EQ(back.exit_code, 0) << back.out << back.err;
     EXPECT_TRUE(contains(back.out, "the part of set-up 1, top")) << back.out;
+}
+
+TEST(Samples, JobsAreReadByEveryCommand) {
+    namespace fs = std::filesystem;
+    const Folder folder;
+    std::size_t jobs = 0;
+    for (const auto& file : fs::recursive_directory_iterator(sample(""))) {
+        if (!file.is_regular_file()) continue;
+        const std::string path = file.path().string();
+        std::ifstream in(path);
+        const std::string text((std::istreambuf_iterator<char>(in)), {});
+        if (!path.ends_with(".toml") || path.ends_with("ncsim.toml") ||
+            !contains(text, "version = 2"))
+            continue;
+        ++jobs;
+        for (const std::vector<std::string>& words :
+             std::vector<std::vector<std::string>>{{"run", path},
+                                                   {"check", path},
+                                                   {"measure", path},
+                                                   {"tools", path},
+                                                   {"machine", path},
+                                                   {"diff", path, path},
+                                                   {"sheet", path, "--html", "sheet.html"}}) {
+            const Ran ran = folder.run(words);
+            EXPECT_EQ(ran.exit_code, 0) << words.front() << ' ' << path << '\n'
+                                        << ran.err << ran.out;
+        }
+        // All commands see the same stock.
+        const std::string sheet = folder.read("sheet.html");
+        const auto program =
+            json::parse(folder.run({"check", path, "-q", "--json", "-"}).out)["programs"].back();
+        EXPECT_TRUE(contains(sheet, program["stock"])) << program["stock"];
+        EXPECT_TRUE(contains(folder.run({"run", path}).err, program["stock"])) << program["stock"];
+    }
+    EXPECT_EQ(jobs, 2U);
 }
 
 TEST(Samples, PicturesShowTheViseAndTheClamps) {

@@ -6,6 +6,7 @@
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/tool_sheet.h"
 #include "ncsim/setup/job.h"
+#include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/plunges.h"
 #include "ncsim/simulation/survey.h"
@@ -30,6 +31,11 @@ cli::App* add_tools(cli::App& app, ToolsOptions& options) {
         app.add_subcommand("tools", "List the tools of a program: shape, source, use, conflicts");
     add_program_options(*tools, options);
     add_setup_options(*tools, options);
+    tools->begin_group("Machine");
+    tools
+        ->add_option("--machine", options.machine,
+                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
+        ->type_name("FILE");
     tools->begin_group("Outputs");
     add_report_unit(*tools, options);
     tools->add_flag("--json", options.json, "JSON");
@@ -43,10 +49,13 @@ namespace {
 int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::InputSet& inputs,
                 OutputSet& outputs, std::string* json) {
     const SimulationOptions usual;
-    simulation::Plan plan = plan_for(options, usual, {}, inputs);
+    simulation::Plan plan = plan_for(options, usual, options.machine, inputs);
+    // What the program shows without the machine.
+    const report::Plunges plunges = simulation::plunges_of(plan);
+    if (const auto machine = machine_for(options.machine, plan.job, inputs))
+        (void)simulation::apply_machine(plan, *machine);
     outputs.reserve(options.save_job);
     const simulation::Survey survey = simulation::survey(plan);
-    const report::Plunges plunges = simulation::plunges_of(plan);
     const setup::Job& job = plan.job;
     if (options.json) {
         std::string sheet =
@@ -63,8 +72,9 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
                  outputs.takes_standard_output());
     }
     print_findings(job.program, survey.diagnostics);
-    outputs.write(options.save_job,
-                  [&](std::ostream& out) { save_job(out, job, survey, {}, options.save_job); });
+    outputs.write(options.save_job, [&](std::ostream& out) {
+        save_job(out, job, survey, options.machine, options.save_job);
+    });
     return gcode::has_errors(survey.diagnostics) ? kFindings : kClean;
 }
 
@@ -76,6 +86,7 @@ int run(const ToolsOptions& options) {
     if (options.json) outputs.claim_standard_output("--json");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
+    if (!options.machine.empty()) inputs.expect(options.machine);
     const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
     if (steps.size() < 2) {
         ToolsOptions one = options;

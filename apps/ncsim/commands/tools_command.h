@@ -5,9 +5,12 @@
 
 #include "options/program_options.h"
 
+#include <string>
+
 namespace ncsim::app {
 
 struct ToolsOptions : ProgramOptions {
+    std::string machine;  ///< Offsets and kinematics.
     bool json = false;
 };
 

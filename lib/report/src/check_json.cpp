@@ -131,7 +131,11 @@ Json to_json(const Checked& checked) {
     if (!checked.settings.empty()) json["settings"] = relative_path(checked.settings);
     if (!checked.baseline.empty()) json["baseline"] = baseline_json(checked);
     if (!checked.stock.empty()) json["stock"] = checked.stock;
+    if (!checked.stock_box.is_empty())
+        json["stock_mm"] = {{"min", vector_json(checked.stock_box.min)},
+                            {"max", vector_json(checked.stock_box.max)}};
     if (!checked.time.empty()) json["time"] = checked.time;
+    if (checked.seconds) json["seconds"] = round_value(*checked.seconds);
     json["moves"] = checked.moves;
     json["counts"] = {{"error", v.count(Severity::Error)},
                       {"warning", v.count(Severity::Warning)},

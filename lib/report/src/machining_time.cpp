@@ -43,11 +43,16 @@ std::string time_line(const verify::Distances& distances) {
     return text + "; without acceleration";
 }
 
-std::string time_line(const verify::Ledger& ledger) {
+std::optional<double> seconds_of(const verify::Ledger& ledger) {
     if (!ledger.feed_seconds || !ledger.rapid_seconds || !ledger.other_seconds) return {};
-    const double total = *ledger.feed_seconds + *ledger.rapid_seconds + *ledger.other_seconds;
+    return *ledger.feed_seconds + *ledger.rapid_seconds + *ledger.other_seconds;
+}
+
+std::string time_line(const verify::Ledger& ledger) {
+    const std::optional<double> total = seconds_of(ledger);
+    if (!total) return {};
     return fmt::format("{}: feed {}, rapid {}, the rest {}; as the machine is described",
-                       time_text(total), time_text(*ledger.feed_seconds),
+                       time_text(*total), time_text(*ledger.feed_seconds),
                        time_text(*ledger.rapid_seconds), time_text(*ledger.other_seconds));
 }
 

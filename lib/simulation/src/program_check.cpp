@@ -519,6 +519,7 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     checked.simulated = all.is_simulated();
     if (specified.not_simulated) checked.not_simulated = *specified.not_simulated;
     if (survey.is_ready()) {
+        checked.stock_box = survey.stock->box;
         checked.stock = report::describe(*survey.stock) +
                         (specified.stock_assumption.empty() ? "" : ", assumed");
     }
@@ -581,8 +582,12 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         checked.verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
     }
     checked.time = report::time_line(checked.verdict.ledger);
-    if (checked.time.empty() && survey.moves > 0)
-        checked.time = report::time_line(verify::total(survey.distances));
+    checked.seconds = report::seconds_of(checked.verdict.ledger);
+    if (checked.time.empty() && survey.moves > 0) {
+        const verify::Distances distances = verify::total(survey.distances);
+        checked.time = report::time_line(distances);
+        checked.seconds = report::time_of(distances).total();
+    }
     if (verification_options.wants_page) {
         if (!checked.page_data) checked.page_data.emplace();
         checked.page_data->source = plan.job.program.text;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/vec.h"
 #include "ncsim/report/design_facts.h"
 #include "ncsim/verify/finding.h"
 #include "ncsim/verify/verdict.h"
@@ -88,7 +89,9 @@ struct Checked {
     std::string baseline;  ///< File of known findings; empty: none.
     std::vector<ResolvedFinding> resolved;  ///< Findings of the baseline that were not found.
     std::string stock;                      ///< Stock, as text.
+    cda::Box stock_box;                     ///< Its box, mm; empty: not known.
     std::string time;                       ///< Machining time, as text; empty: no motion.
+    std::optional<double> seconds;          ///< Machining time; empty: not known.
     std::uint64_t moves = 0;
     std::optional<DesignFacts> design;  ///< Only if the part was compared with a design.
     std::optional<PageData> page_data;  ///< Only if a page is written.

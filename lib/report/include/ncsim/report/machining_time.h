@@ -30,6 +30,8 @@ MachiningTime time_of(const verify::Distances& distances);
 
 /// Returns "33:12 min: feed 22:38 min, rapid 1:56 min at 10 m/min, …", with the assumptions.
 std::string time_line(const verify::Distances& distances);
+/// Returns the sum of the times, s; empty if one of them is not known.
+std::optional<double> seconds_of(const verify::Ledger& ledger);
 /// Returns a line with the times on a described machine; empty if some rate is not specified.
 std::string time_line(const verify::Ledger& ledger);
 
