@@ -113,6 +113,7 @@ TEST_P(Provenance, OfAStockFileIsADoubtOfTheNextProgram) {
     for (const auto& [option, file] :
          std::vector<std::pair<std::string, std::string>>{{"--save-stock", "a.ncstock"},
                                                           {"--stl", "a.stl"},
+                                                          {"--vrml", "a.wrl"},
                                                           {"--gltf", "a.glb"},
                                                           {"--step", "a.step"}}) {
         run_first(option, file);

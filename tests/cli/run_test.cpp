@@ -484,11 +484,13 @@ TEST(Run, CutsARoundBarAndKeepsItInTheJob) {
 TEST(Run, GoesOnWithWhatAnotherProgramHasLeftTurnedOver) {
     Folder folder;
     folder.write("slot.nc", kSlot);
-    ASSERT_EQ(folder.run({"run", "slot.nc", "--save-stock", "first.ncstock", "--stl", "first.stl"})
+    ASSERT_EQ(folder
+                  .run({"run", "slot.nc", "--save-stock", "first.ncstock", "--stl", "first.stl",
+                        "--vrml", "first.wrl"})
                   .exit_code,
               0);
     // The same slot again from the opposite side; a surface is as good as cells.
-    for (const char* stock : {"first.ncstock", "first.stl"}) {
+    for (const char* stock : {"first.ncstock", "first.stl", "first.wrl"}) {
         SCOPED_TRACE(stock);
         const Ran ran =
             folder.run({"run", "slot.nc", "--stock", stock, "--stock-turn", "X180", "--stock-move",
@@ -506,6 +508,17 @@ TEST(Run, GoesOnWithWhatAnotherProgramHasLeftTurnedOver) {
     const Ran flat =
         folder.run({"run", "slot.nc", "--stock", "first.ncstock", "--model", "cda-flat"});
     EXPECT_TRUE(contains(flat.out, "11.200 cm3 of 11.200 cm3; 0.000 cm3 removed")) << flat.out;
+}
+
+TEST(Run, TakesStockFromObj) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write("block.obj",
+                 "v -20 -15 -10\nv 20 -15 -10\nv 20 15 -10\nv -20 15 -10\nv -20 -15 0\nv 20 -15 0\n"
+                 "v 20 15 0\nv -20 15 0\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n"
+                 "f 4 1 5 8\n");
+    const Ran ran = folder.run({"run", "slot.nc", "--stock", "block.obj"});
+    EXPECT_TRUE(contains(ran.out, "11.200 cm3 of 12.000 cm3; 0.800 cm3 removed")) << ran.err;
 }
 
 TEST(Run, ChecksAndComparesWithStockFromAFile) {

@@ -301,7 +301,7 @@ void add_setup_options(cli::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--stock", [&o](Text text) { o.stock = read_stock(text); },
-            "LxWxH, DdxH (below), .stl, .glb, .step or .ncstock")
+            "LxWxH, DdxH (below), .stl, .obj, .glb, .wrl, .step, .ncstock")
         ->type_name("STOCK");
     command
         .add_option_function<std::string>(

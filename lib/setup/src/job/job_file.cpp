@@ -425,7 +425,7 @@ private:
                   [&](const auto& n, const auto& k) {
                       from.path = r_.text(n, k);
                       if (!is_stock_file(from.path))
-                          r_.fail(n, "expected a file .stl, .glb, .step or .ncstock");
+                          r_.fail(n, "expected a file .stl, .obj, .glb, .wrl, .step or .ncstock");
                   }},
                  {"turn",
                   [&](const auto& n, const auto& k) {

@@ -95,8 +95,10 @@ cda::Shape read_surface(const toolpath::StockFile& file, const Turn& turn, Input
 }  // namespace
 
 bool is_stock_file(const std::string& text) {
-    return text == "-" || ends_with(text, ".ncstock") || ends_with(text, ".stl") ||
-           ends_with(text, ".glb") || ends_with(text, ".step") || ends_with(text, ".stp");
+    constexpr std::string_view kEnds[] = {".ncstock", ".stl", ".glb", ".step",
+                                          ".stp",     ".obj", ".wrl"};
+    return text == "-" ||
+           std::ranges::any_of(kEnds, [&](std::string_view end) { return ends_with(text, end); });
 }
 
 namespace {

@@ -17,7 +17,8 @@
 
 namespace ncsim::setup {
 
-/// True if `text` names a stock file: by the end of its name, .stl, .glb, .step, .stp or .ncstock,
+/// True if `text` names a stock file: by the end of its name, .stl, .obj, .wrl, .glb, .step,
+/// .stp or .ncstock,
 /// or as "-", the standard input.
 bool is_stock_file(const std::string& text);
 
