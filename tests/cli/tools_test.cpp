@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace ncsim::cli_test {
 namespace {
@@ -250,6 +252,83 @@ TEST(Tools, SayWhatMovesAtTiltedAnglesTellOfXYZ) {
                  "plunges   none at tilted angles: no move decides what X, Y and Z mean\n"));
     folder.write("upright.nc", begin + "G0 X0 Y0 Z9 C30\nG1 Z-5\nM30\n");
     EXPECT_FALSE(contains(folder.run({"tools", "upright.nc"}).out, "plunges"));
+}
+
+constexpr const char* kLibrary = R"({"data": [
+ {"type": "flat end mill", "description": "6 mm", "unit": "millimeters", "post-process": {"number": 1},
+  "geometry": {"DC": 6, "LCF": 13, "SFDM": 6, "LB": 30}},
+ {"type": "ball end mill", "unit": "millimeters", "post-process": {"number": 2},
+  "geometry": {"DC": 4, "LCF": 11}},
+ {"type": "bull nose end mill", "unit": "millimeters", "post-process": {"number": 3},
+  "geometry": {"DC": 10, "RE": 1.5, "LCF": 22}},
+ {"type": "drill", "unit": "millimeters", "post-process": {"number": 4},
+  "geometry": {"DC": 8, "SIG": 140, "LCF": 40}},
+ {"type": "tap right hand", "unit": "millimeters", "post-process": {"number": 5},
+  "geometry": {"DC": 8, "TP": 1.25, "LCF": 20}},
+ {"type": "chamfer mill", "unit": "inches", "post-process": {"number": 6},
+  "geometry": {"DC": 0.5, "TA": 45, "tip-diameter": 0.1, "LCF": 0.25}},
+ {"type": "engrave", "unit": "millimeters", "post-process": {"number": 7},
+  "geometry": {"DC": 6, "SIG": 60, "tip-diameter": 0.2, "LCF": 8}},
+ {"type": "face mill", "unit": "millimeters", "post-process": {"number": 8},
+  "geometry": {"DC": 50, "LCF": 8}}]})";
+
+// Returns the tools that ncsim reads, as JSON without their sources; `without` are keys that a
+// format has no place for.
+json tools_read(const Folder& folder, const std::vector<std::string>& options,
+                const std::vector<std::string>& without) {
+    std::vector<std::string> words{"tools", "part.nc", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ran ran = folder.run(words);
+    json tools = json::parse(ran.out)["tools"];
+    for (json& tool : tools) {
+        tool.erase("source");
+        for (const std::string& key : without)
+            tool.erase(key);
+        tool["diameter_mm"] = std::round(1e6 * tool["diameter_mm"].get<double>()) / 1e6;
+    }
+    return tools;
+}
+
+TEST(Tools, OfALibraryAreConverted) {
+    Folder folder;
+    folder.write("part.nc", "G21 G90\nT99 M6\nG0 X0 Y0 Z5\nM30\n");
+    folder.write("lib.json", kLibrary);
+    const Ran job = folder.run({"tools", "--tool-table", "lib.json", "--convert", "tools.toml"});
+    EXPECT_EQ(job.exit_code, 0) << job.err;
+    EXPECT_EQ(job.out, "tools.toml: 8 tools\n");
+    EXPECT_EQ(tools_read(folder, {"--tool-table", "lib.json"}, {}),
+              tools_read(folder, {"--job", "tools.toml"}, {}));
+    // A table of LinuxCNC has no lengths.
+    EXPECT_EQ(folder.run({"tools", "--tool-table", "lib.json", "--convert", "tool.tbl"}).exit_code,
+              0);
+    const std::vector<std::string> lengths{"length_mm", "shank_diameter_mm"};
+    EXPECT_EQ(tools_read(folder, {"--tool-table", "lib.json"}, lengths),
+              tools_read(folder, {"--tool-table", "tool.tbl"}, lengths))
+        << folder.read("tool.tbl");
+    folder.run({"tools", "--tool-table", "lib.json", "--convert", "inch.tbl", "--units", "inch"});
+    EXPECT_TRUE(contains(folder.read("inch.tbl"), "T6 P6 Z0 D0.5 ;chamfer mill"))
+        << folder.read("inch.tbl");
+    EXPECT_EQ(tools_read(folder, {"--tool-table", "lib.json"}, lengths),
+              tools_read(folder, {"--tool-table", "inch.tbl", "--units", "inch"}, lengths));
+}
+
+TEST(Tools, AreConvertedOnlyFromTables) {
+    Folder folder;
+    folder.write("part.nc", kTwoTools);
+    folder.write("lib.json", kLibrary);
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& why) {
+        const Ran ran = folder.run(words);
+        EXPECT_EQ(ran.exit_code, 2) << ran.out;
+        EXPECT_TRUE(contains(ran.err, why)) << ran.err;
+    };
+    refused({"tools", "--convert", "a.tbl"}, "--convert: name the tools");
+    refused({"tools", "part.nc", "--tool-table", "lib.json", "--convert", "a.tbl"}, "--save-job");
+    refused({"tools", "--tool-table", "lib.json", "--convert", "a.csv"},
+            "expected a file .toml or .tbl");
+    refused({"tools", "--tool-table", "part.nc", "--convert", "a.tbl"}, "part.nc:1:1");
+    folder.run({"tools", "--tool-table", "lib.json", "--convert", "tool.tbl"});
+    refused({"tools", "--tool-table", "tool.tbl", "--convert", "tool.tbl"}, "tool.tbl");
+    EXPECT_FALSE(folder.has("a.tbl"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "support/messages.h"
 
 #include "ncsim/setup/job.h"
+#include "ncsim/setup/tool_library.h"
 
 #include "job/setup_messages.h"
 
@@ -46,8 +47,28 @@ std::vector<std::string> said_of_a_file_with_two_programs() {
     return out;
 }
 
+// Returns the messages of a library of FreeCAD with a bit of an unknown shape, and without a bit.
+std::vector<std::string> said_of_a_library() {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("ncsim_setup_" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    std::ofstream(folder / "own.fctb") << R"({"shape": "own.fcstd"})";
+    const std::string path = (folder / "a.fctl").string();
+    std::ofstream(path)
+        << R"({"tools": [{"nr": 1, "path": "gone.fctb"}, {"nr": 2, "path": "own.fctb"}]})";
+    InputSet inputs;
+    const toolpath::ToolFile file = read_tool_library(path, inputs);
+    std::filesystem::remove_all(folder);
+    std::vector<std::string> out;
+    for (const gcode::Diagnostic& d : file.diagnostics)
+        out.push_back(test::said(d));
+    return out;
+}
+
 const std::vector<std::string> kSaid = {
     "tool-conflict: this says tool 1 has a diameter of 6 mm, but tool.tbl says 8 mm, which is used",
+    "tool-unknown: tool 1: there is no tool bit 'gone.fctb'; it is left out",
+    "tool-unknown: tool 2: the shape 'own.fcstd' is not read; it is left out",
     "moves-after-end: this moves the tool, but stands behind the end of the program in line 3, and "
     "no O number heads it; it is not simulated",
     "never-called: the subprogram O3 is called by no program of this file; it is not simulated",
@@ -57,6 +78,8 @@ const std::vector<std::string> kSaid = {
 
 TEST(Messages, AreSaidInTheseWords) {
     std::vector<std::string> said = said_of_a_table_and_a_comment();
+    for (std::string& one : said_of_a_library())
+        said.push_back(std::move(one));
     for (std::string& one : said_of_a_file_with_two_programs())
         said.push_back(std::move(one));
     EXPECT_EQ(said, kSaid);

@@ -11,6 +11,7 @@ ncsim_add_test(setup
     project_file_test.cpp
     set_ups_test.cpp
     three_points_test.cpp
+    tool_library_test.cpp
     urdf_machine_test.cpp)
 # The table of messages is private to the library.
 target_include_directories(ncsim_setup_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/setup/src)

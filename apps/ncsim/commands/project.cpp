@@ -291,9 +291,9 @@ Command options_with_project(const std::vector<std::string>& arguments) {
                 setup::InputSet inputs;
                 std::optional<setup::ProjectFile> project;
                 std::vector<setup::ProjectSetting> settings;
-                if (!options.no_project && !kIsCheck) {
-                    const std::string& program =
-                        options.program.empty() ? options.job : options.program;
+                const std::string& program =
+                    options.program.empty() ? options.job : options.program;
+                if (!options.no_project && !kIsCheck && !program.empty()) {
                     if (const auto path = setup::find_project_file(program)) {
                         project = setup::read_project_file(*path, inputs);
                         settings = setup::settings_for(*project, program);

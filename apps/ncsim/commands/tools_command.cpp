@@ -6,6 +6,9 @@
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/tool_sheet.h"
 #include "ncsim/setup/job.h"
+#include "ncsim/setup/job_file.h"
+#include "ncsim/setup/job_writer.h"
+#include "ncsim/setup/tool_library.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/plunges.h"
@@ -22,6 +25,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::app {
@@ -39,10 +43,16 @@ cli::App* add_tools(cli::App& app, ToolsOptions& options) {
     tools->begin_group("Outputs");
     add_report_unit(*tools, options);
     tools->add_flag("--json", options.json, "JSON");
+    tools
+        ->add_option("--convert", options.convert,
+                     "Tools of --tool-table as a job (.toml) or for LinuxCNC (.tbl)")
+        ->type_name("FILE");
     return tools;
 }
 
 namespace {
+
+constexpr std::string_view kTableEnding = ".tbl";
 
 // Prints the sheet of one program. Returns the exit code; with `json`, adds the sheet to this text
 // instead.
@@ -78,9 +88,55 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
     return gcode::has_errors(survey.diagnostics) ? kFindings : kClean;
 }
 
+// Writes the tools of the tables to options.convert.
+int convert(const ToolsOptions& options) {
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    for (const std::string& path : options.tool_tables)
+        inputs.expect(path);
+    outputs.reserve(options.convert);
+    setup::JobFile file;
+    file.units_assumed = file.dialect_assumed = true;
+    setup::JobRemarks remarks;
+    for (const std::string& path : options.tool_tables) {
+        const toolpath::ToolFile table =
+            setup::read_tool_library(path, inputs, options.inches.value_or(false));
+        print_findings({setup::name_of_input(path), {}}, table.diagnostics);
+        if (gcode::has_errors(table.diagnostics)) return kEnvironment;
+        for (const toolpath::ToolEntry& entry : table.tools) {
+            if (toolpath::find_tool(file.tools, entry.spec.number)) continue;
+            file.tools.push_back(entry);
+            remarks.tools.push_back({fmt::format("{}, {}", table.format, entry.file)});
+        }
+    }
+    const bool is_table = options.convert.ends_with(kTableEnding);
+    outputs.write(options.convert, [&](std::ostream& out) {
+        if (is_table) {
+            setup::write_tool_table(out, file.tools, options.inches.value_or(false));
+        } else {
+            setup::write_job_file(out, file, remarks);
+        }
+    });
+    outputs.commit();
+    put_text(
+        fmt::format("{}: {} tools\n", report::printable_path(options.convert), file.tools.size()));
+    return kClean;
+}
+
 }  // namespace
 
+void complete(ToolsOptions& o) {
+    if (o.convert.empty()) return complete(static_cast<ProgramOptions&>(o));
+    if (!o.convert.ends_with(kTableEnding) && !setup::is_job_file(o.convert))
+        throw Refusal{fmt::format("--convert '{}': expected a file .toml or .tbl", o.convert)};
+    if (!o.program.empty() || !o.job.empty())
+        throw Refusal{
+            "--convert is about --tool-table alone; --save-job writes the tools of a program"};
+    if (o.tool_tables.empty()) throw Refusal{"--convert: name the tools: --tool-table FILE"};
+}
+
 int run(const ToolsOptions& options) {
+    if (!options.convert.empty()) return convert(options);
     setup::InputSet inputs;
     OutputSet outputs(inputs);
     if (options.json) outputs.claim_standard_output("--json");

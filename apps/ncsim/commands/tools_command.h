@@ -12,11 +12,15 @@ namespace ncsim::app {
 struct ToolsOptions : ProgramOptions {
     std::string machine;  ///< Offsets and kinematics.
     bool json = false;
+    std::string convert;  ///< Job file or table of LinuxCNC to write, instead of a sheet.
 };
 
 /// Adds the command `tools` to `app`, which reads into `options`.
 /// Requires: `options` outlives `app`.
 cli::App* add_tools(cli::App& app, ToolsOptions& options);
+
+/// Throws: Refusal if a program is missing, or specified with `convert`.
+void complete(ToolsOptions& options);
 
 /// Prints the sheet to the standard output: each tool that is called or described, with shape,
 /// source of the description and work. Prints findings to stderr.

@@ -9,7 +9,7 @@
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/stock_file.h"
-#include "ncsim/toolpath/tool_file.h"
+#include "ncsim/setup/tool_library.h"
 #include "ncsim/verify/machine_description.h"
 
 #include "job/holder_file.h"
@@ -198,9 +198,7 @@ JobFile take_job_file(JobOptions& options, InputSet& inputs) {
 std::vector<toolpath::ToolFile> read_tables(JobOptions& options, InputSet& inputs) {
     std::vector<toolpath::ToolFile> tables;
     for (const std::string& path : options.tool_tables) {
-        gcode::SourceFile file{report::base_name(name_of_input(path)),
-                               inputs.read(path, kMostSetUpBytes)};
-        tables.push_back(toolpath::read_tool_file(file, options.inches.value_or(false)));
+        tables.push_back(read_tool_library(path, inputs, options.inches.value_or(false)));
         for (const gcode::Diagnostic& d : tables.back().diagnostics) {
             if (d.severity != gcode::Severity::Error) continue;
             throw std::runtime_error(fmt::format("{}:{}:{}: {}", name_of_input(path), d.span.line,

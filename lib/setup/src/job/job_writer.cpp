@@ -193,6 +193,25 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     write_fixtures(out, file.fixtures);
 }
 
+void write_tool_table(std::ostream& out, const std::vector<toolpath::ToolEntry>& tools,
+                      bool inches) {
+    const double unit = inches ? 25.4 : 1.0;
+    for (const toolpath::ToolEntry& entry : tools) {
+        const ToolSpec& spec = entry.spec;
+        constexpr double kAnyLength = 50.0;
+        const double diameter =
+            toolpath::cutting_diameter_of(toolpath::make_tool(spec, kAnyLength));
+        std::string remark(toolpath::name_of(spec.kind.value_or(ToolKind::FlatEndMill)));
+        if (spec.corner_radius) remark += fmt::format(" R{:.6g}mm", *spec.corner_radius);
+        if (spec.angle) remark += fmt::format(" {:.6g} deg", *spec.angle);
+        if (spec.tip_diameter) remark += fmt::format(" tip {:.6g}mm", *spec.tip_diameter);
+        if (spec.pitch) remark += fmt::format(" pitch {:.6g}mm", *spec.pitch);
+        if (!spec.description.empty()) remark += ", " + report::one_line(spec.description);
+        out << fmt::format("T{0} P{0} Z{1:.9g} D{2:.9g} ;{3}\n", spec.number, entry.offset.z / unit,
+                           diameter / unit, remark);
+    }
+}
+
 void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
                      const std::vector<FirstSetUp>& set_ups) {
     out << "#:schema /usr/share/doc/ncsim/docs/schemas/job.schema.json\n"

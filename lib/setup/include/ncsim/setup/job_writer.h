@@ -37,6 +37,12 @@ struct FirstSetUp {
 void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
                      const std::vector<FirstSetUp>& set_ups);
 
+/// Writes a tool table for LinuxCNC with the length offset, the diameter, and kind and shape in the
+/// remark, from which toolpath::read_tool_file() reads them. Lengths are in inches if `inches`,
+/// otherwise in mm.
+void write_tool_table(std::ostream& out, const std::vector<toolpath::ToolEntry>& tools,
+                      bool inches);
+
 /// Writes a file for parse_job_file(). Paths are written as in `file`.
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks);
 

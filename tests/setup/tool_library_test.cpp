@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tool libraries of FreeCAD and HSMWorks.
+#include "ncsim/setup/tool_library.h"
+
+#include "support/messages.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace ncsim::setup {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ToolLibrary : public testing::Test {
+protected:
+    ToolLibrary()
+        : folder_(fs::temp_directory_path() / ("ncsim_library_" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~ToolLibrary() override { fs::remove_all(folder_); }
+
+    std::string write(const std::string& name, const std::string& text) const {
+        const fs::path path = folder_ / name;
+        fs::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << text;
+        return path.string();
+    }
+
+    static std::string tools_in(const std::string& path) {
+        InputSet inputs;
+        const toolpath::ToolFile file = read_tool_library(path, inputs);
+        std::string out = file.format + "\n";
+        for (const toolpath::ToolEntry& entry : file.tools) {
+            out +=
+                "T" + std::to_string(entry.spec.number) + " " + describe(make_tool(entry.spec, 50));
+            if (entry.spec.angle) out += " A" + std::to_string(std::lround(*entry.spec.angle));
+            if (entry.spec.pitch) out += " K" + std::to_string(*entry.spec.pitch).substr(0, 4);
+            out += "; " + entry.spec.description + "\n";
+        }
+        for (const gcode::Diagnostic& d : file.diagnostics)
+            out += test::said(d) + "\n";
+        return out;
+    }
+
+    static std::string refusal(const std::string& path) {
+        try {
+            (void)tools_in(path);
+        } catch (const std::runtime_error& e) {
+            const std::string text = e.what();
+            return text.substr(text.find(fs::path(path).filename().string()));
+        }
+        return "accepted";
+    }
+
+    fs::path folder_;
+};
+
+std::string bit(const std::string& name, const std::string& shape, const std::string& parameters) {
+    return R"({"version": 2, "name": ")" + name + R"(", "shape": ")" + shape +
+           R"(", "parameter": {)" + parameters + R"(}, "attribute": {}})";
+}
+
+TEST_F(ToolLibrary, OfFreeCadHasItsBitsInAFolderNextToIt) {
+    write(
+        "Bit/mill.fctb",
+        bit("5 mm", "endmill.fcstd",
+            R"("CuttingEdgeHeight": "30.0000 mm", "Diameter": "5.0000 mm", "ShankDiameter": "3 mm")"));
+    write("Bit/ball.fctb",
+          bit("1/4", "ballend.fcstd", R"("CuttingEdgeHeight": "1 in", "Diameter": "0.25 in")"));
+    write("Bit/old.fctb",
+          bit("bull", "bullnose.fcstd",
+              R"("CuttingEdgeHeight": "40 mm", "Diameter": "6 mm", "FlatRadius": "1 mm")"));
+    write("Bit/new.fctb",
+          bit("bull", "bullnose.fcstd",
+              R"("CuttingEdgeHeight": 40, "Diameter": 6, "CornerRadius": "1.5 mm")"));
+    write(
+        "Library/v.fctb",
+        bit("vee", "v-bit.fcstd",
+            R"("CuttingEdgeAngle": "60.0000 °", "Diameter": "10 mm", "CuttingEdgeHeight": "1 mm", "TipDiameter": "0.1 mm")"));
+    write("Library/Bit/drill.fctb",
+          bit("drill", "/home/me/Shape/drill.fcstd", R"("Diameter": "5 mm", "TipAngle": "119 °")"));
+    write("Bit/tap.fctb",
+          bit("M8", "tap.fcstd",
+              R"("CuttingEdgeLength": "24 mm", "Diameter": "8 mm", "Pitch": "1.25 mm")"));
+    write("Bit/saw.fctb",
+          bit("saw", "slittingsaw.fcstd",
+              R"("BladeThickness": "3 mm", "Diameter": "76.2 mm", "ShankDiameter": "19.05 mm")"));
+    write("Bit/probe.fctb", bit("probe", "probe.fcstd", R"("Diameter": "6 mm")"));
+    write("Bit/own.fctb", bit("own", "mine.fcstd", R"("Diameter": "6 mm")"));
+    const std::string path = write(
+        "Library/mine.fctl",
+        R"({"version": 1, "tools": [{"nr": 1, "path": "mill.fctb"}, {"nr": 2, "path": "ball.fctb"},
+            {"nr": 3, "path": "old.fctb"}, {"nr": 4, "path": "new.fctb"}, {"nr": 5, "path": "v.fctb"},
+            {"nr": 6, "path": "drill.fctb"}, {"nr": 7, "path": "tap.fctb"}, {"nr": 8, "path": "saw.fctb"},
+            {"nr": 9, "path": "probe.fctb"}, {"nr": 10, "path": "own.fctb"}, {"nr": 11, "path": "gone.fctb"}]})");
+    EXPECT_EQ(tools_in(path),
+              "FreeCAD tool library\n"
+              "T1 flat end mill D5 L30, D3 to 39; 5 mm\n"
+              "T2 ball end mill D6.35 L25.4; 1/4\n"
+              "T3 bull nose end mill D6 R2 L40; bull\n"
+              "T4 bull nose end mill D6 R1.5 L40; bull\n"
+              "T5 v-cutter D10 L50 A60; vee\n"
+              "T6 drill D5 L50 A119; drill\n"
+              "T7 tap D8 L24 K1.25; M8\n"
+              "T8 slot mill D76.2 L3, D19.05 to 60.15; saw\n"
+              "tool-unknown: tool 10: the shape 'mine.fcstd' is not read; it is left out\n"
+              "tool-unknown: tool 11: there is no tool bit 'gone.fctb'; it is left out\n");
+}
+
+TEST_F(ToolLibrary, OfHsmWorksMayBeUtf16AndInInches) {
+    const std::string text =
+        "<?xml version=\"1.0\" encoding=\"UTF-16\"?>\n"
+        "<tool-library xmlns=\"http://www.hsmworks.com/xml/2004/cnc/tool-library\" "
+        "version=\"14\">\n"
+        "<tool type=\"flat end mill\" unit=\"inches\"><description>3/16 mill</description>"
+        "<nc number=\"5\"/><body diameter=\"0.1875\" flute-length=\"0.94\" corner-radius=\"0\" "
+        "shaft-diameter=\"0.1875\" shoulder-length=\"0.94\" body-length=\"1.5\"/></tool>\n"
+        "<tool type=\"drill\" unit=\"millimeters\"><nc number=\"6\"/>"
+        "<body diameter=\"8\" flute-length=\"40\" tip-angle=\"140\"/></tool>\n"
+        "<tool type=\"turning\" unit=\"millimeters\"><nc number=\"7\"/><body "
+        "diameter=\"8\"/></tool>\n"
+        "</tool-library>\n";
+    std::string wide = "\xff\xfe";
+    for (const char c : text)
+        wide += {c, '\0'};
+    const std::string expected =
+        "HSMWorks tool library\n"
+        "T5 flat end mill D4.7625 L23.876, D4.7625 to 38.1; 3/16 mill\n"
+        "T6 drill D8 L40 A140; \n"
+        "tool-unknown: ";
+    EXPECT_EQ(tools_in(write("a.hsmlib", text)).substr(0, expected.size()), expected);
+    EXPECT_EQ(tools_in(write("b.hsmlib", wide)).substr(0, expected.size()), expected);
+}
+
+TEST_F(ToolLibrary, RefusesWhatIsNone) {
+    EXPECT_EQ(refusal(write("a.fctb", bit("a", "endmill.fcstd", ""))),
+              "a.fctb: a tool bit of FreeCAD has no number; expected its library, .fctl");
+    EXPECT_EQ(refusal(write("a.fctl", "{")), "a.fctl: this is no JSON that can be read");
+    EXPECT_EQ(refusal(write("b.fctl", R"({"tools": 5})")),
+              "b.fctl: expected a list 'tools' with 'nr' and 'path'");
+    EXPECT_EQ(refusal(write("a.hsmlib", "<tools/>")),
+              "a.hsmlib:1: expected <tool-library>, a library of HSMWorks");
+    EXPECT_EQ(refusal(write("b.hsmlib", "<tool-library><tool>")).substr(0, 10), "b.hsmlib:1");
+    EXPECT_EQ(refusal(write("c.hsmlib", std::string("\xff\xfe\x00\xd8\x00", 5))),
+              "c.hsmlib: this is no UTF-16");
+    // Hostile values are no tools.
+    write("wrong.fctb",
+          bit("x", "endmill.fcstd", R"("Diameter": "-5 mm", "CuttingEdgeHeight": 1e308)"));
+    EXPECT_EQ(
+        tools_in(write("c.fctl", R"({"tools": [{"nr": 1, "path": "wrong.fctb"}]})")).substr(0, 33),
+        "FreeCAD tool library\ntool-unknown");
+    write("broken.fctb", "{");
+    EXPECT_THROW(tools_in(write("e.fctl", R"({"tools": [{"nr": 1, "path": "broken.fctb"}]})")),
+                 std::runtime_error);
+    EXPECT_EQ(tools_in(write("d.fctl", R"({"tools": []})")), "FreeCAD tool library\n");
+}
+
+}  // namespace
+}  // namespace ncsim::setup
