@@ -449,6 +449,37 @@ TEST(Check, NeverOverwritesAProgram) {
     EXPECT_EQ(folder.read("slot.nc"), kSlot);
 }
 
+TEST(Check, OfAFolderWithAProjectNeedsNoName) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran bare = folder.run({"check"});
+    EXPECT_EQ(bare.exit_code, 2);
+    EXPECT_TRUE(contains(bare.err, "the folder has no ncsim.toml")) << bare.err;
+    folder.write("ncsim.toml", "version = 1\n");
+    const Ran ran = folder.run({"check"});
+    EXPECT_TRUE(contains(ran.out, "slot.nc")) << ran.out << ran.err;
+    EXPECT_EQ(ran.out, folder.run({"check", "."}).out);
+}
+
+TEST(Rules, AreExplainedOneByOne) {
+    const Folder folder;
+    const auto all = nlohmann::json::parse(folder.run({"rules", "--json"}).out);
+    for (const char* list : {"rules", "reasons"}) {
+        for (const auto& rule : all[list]) {
+            const std::string id = rule["id"];
+            const Ran ran = folder.run({"rules", id});
+            EXPECT_EQ(ran.exit_code, 0) << id;
+            EXPECT_TRUE(contains(ran.out, id + ": ")) << ran.out;
+            EXPECT_TRUE(contains(ran.out, rule["why"])) << ran.out;
+            EXPECT_TRUE(contains(ran.out, rule["fix"])) << ran.out;
+        }
+    }
+    EXPECT_GT(test::count(folder.run({"rules", "collision"}).out, "of the category collision"), 2U);
+    const Ran wrong = folder.run({"rules", "rapid-in-materal"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_TRUE(contains(wrong.err, "did you mean rapid-in-material?")) << wrong.err;
+}
+
 TEST(Rules, AreListedForPeopleAndForPrograms) {
     Folder folder;
     const Ran text = folder.run({"rules"});

@@ -9,6 +9,8 @@
 #include "ncsim/report/shard.h"
 #include "ncsim/setup/digest.h"
 #include "ncsim/setup/recorded_input.h"
+#include "ncsim/verify/doubt.h"
+#include "ncsim/verify/rule.h"
 
 #include "check/check_settings.h"
 #include "check/check_tile.h"
@@ -16,6 +18,7 @@
 #include "check/pages.h"
 #include "check/program_list.h"
 #include "check/reports.h"
+#include "options/suggestion.h"
 #include "run/tile.h"
 #include "system/console.h"
 #include "system/interruption.h"
@@ -262,9 +265,22 @@ int run(CheckOptions options) {
 int run(const RulesOptions& options) {
     if (options.json) {
         write_stdout(report::rules_json());
-    } else {
-        put_text(report::rules_text());
+        return kClean;
     }
+    const std::string text =
+        options.id.empty() ? report::rules_text() : report::rule_text(options.id);
+    if (text.empty()) {
+        std::vector<std::string> known;
+        for (const verify::RuleInfo& rule : verify::rules())
+            known.emplace_back(rule.id);
+        for (const verify::ReasonInfo& reason : verify::reasons())
+            known.emplace_back(reason.id);
+        const std::string meant = nearest(options.id, known);
+        throw std::runtime_error(
+            fmt::format("there is no rule, category or reason for doubt '{}'{}", options.id,
+                        meant.empty() ? "" : fmt::format("; did you mean {}?", meant)));
+    }
+    put_text(text);
     return kClean;
 }
 

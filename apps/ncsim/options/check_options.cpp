@@ -276,8 +276,13 @@ void complete(CheckOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     require_verifying(o);
     take_job_of_check(o);
+    std::error_code ignored;
+    const bool is_project = std::filesystem::is_regular_file("ncsim.toml", ignored);
+    if (o.programs.empty() && o.list.empty() && o.job.empty() && is_project) o.programs = {"."};
     if (o.programs.empty() && o.list.empty() && o.job.empty())
-        throw Refusal{"no program is named: on the command line, or in a --list"};
+        throw Refusal{
+            "no program is named, and the folder has no ncsim.toml; expected a program, a folder "
+            "or --list"};
     if (!o.html.empty() && o.isolate)
         throw Refusal{"--isolate: what a page shows does not come out of another process"};
     if (o.shard.empty() != o.out.empty())
@@ -341,7 +346,9 @@ std::optional<OptionKind> kind_of_check_option(const std::string& name) {
 }
 
 cli::App* add_rules(cli::App& app, RulesOptions& options) {
-    cli::App* rules = app.add_subcommand("rules", "List the rules of ncsim check");
+    cli::App* rules = app.add_subcommand("rules", "Explain the rules of ncsim check");
+    rules->add_option("id", options.id, "Rule, category or reason for doubt [all]")
+        ->type_name("NAME");
     rules->add_flag("--json", options.json, "As JSON");
     return rules;
 }

@@ -62,6 +62,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
 };
 
 struct RulesOptions {
+    std::string id;  ///< Rule, category or reason for doubt; empty: all.
     bool json = false;
 };
 

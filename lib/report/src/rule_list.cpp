@@ -33,6 +33,30 @@ std::string rules_text() {
     return text;
 }
 
+std::string rule_text(const std::string& id) {
+    std::string text;
+    for (const verify::RuleInfo& rule : verify::rules()) {
+        const std::string_view category = verify::name_of(rule.category);
+        if (id != rule.id && id != category) continue;
+        append(text,
+               "{}{}: {} of the category {}\n  what      {}\n  why       {}\n  fix       {}\n",
+               text.empty() ? "" : "\n", rule.id, verify::name_of(rule.severity), category,
+               rule.what, rule.why, rule.fix);
+        append(text,
+               "  off       --ignore {0}; for one block: the comment (ncsim: ignore {0})\n"
+               "  severity  --severity {0}=note\n",
+               rule.id);
+    }
+    for (const verify::ReasonInfo& reason : verify::reasons()) {
+        if (id != reason.id) continue;
+        append(
+            text,
+            "{}{}: a reason for doubt\n  why       {}\n  fix       {}\n  accept    --accept {}\n",
+            text.empty() ? "" : "\n", reason.id, reason.why, reason.fix, reason.id);
+    }
+    return text;
+}
+
 std::string rules_json() {
     auto rules = Json::array();
     for (const verify::RuleInfo& rule : verify::rules()) {
