@@ -28,6 +28,17 @@ std::string refusal(const std::vector<std::string>& arguments) {
     return farewell->text;
 }
 
+TEST(Options, RefusalsOfferOnlyWhatTheCommandAccepts) {
+    const auto message = [](std::vector<std::string> words) {
+        words.insert(words.end(), {"--model", "?"});
+        return refusal(words);
+    };
+    EXPECT_EQ(message({"check", "a.nc"}), "ncsim: --model '?': expected cda\n");
+    EXPECT_EQ(message({"diff", "a.nc", "b.nc"}), "ncsim: --model '?': expected cda\n");
+    EXPECT_EQ(message({"measure", "a.nc"}), "ncsim: --model '?': expected cda or cda-flat\n");
+    EXPECT_EQ(message({"run", "a.nc"}), "ncsim: --model '?': expected cda, cda-flat or dexel\n");
+}
+
 TEST(Options, OfAPlainRunAreTheDefaults) {
     const Options o = options({"run", "part.nc"});
     EXPECT_EQ(o.program, "part.nc");

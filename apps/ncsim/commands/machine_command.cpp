@@ -146,7 +146,10 @@ int run(const MachineOptions& options) {
     outputs.reserve(options.save);
     outputs.reserve(options.png);
     const auto view = exporter::parse_view(options.view);
-    if (!view) throw std::runtime_error(fmt::format("--view: '{}' is no view", options.view));
+    if (!view) {
+        throw std::runtime_error(fmt::format(
+            "--view '{}': expected iso, top, bottom, front, back, left or right", options.view));
+    }
     const MachineOfJob named = machine_of(options.machine, inputs);
     setup::MachineFile file = setup::read_machine(named.path, inputs);
     simulation::bodies_of(file);  // rejects a mesh that check cannot use

@@ -139,21 +139,16 @@ bool read_inches(const std::string& unit) {
     return unit == "inch";
 }
 
-void read_model(const std::string& model) {
-    if (!simulation::find_model(model)) {
-        throw Refusal{fmt::format("--model '{}': expected {}", model, simulation::model_names())};
-    }
-}
-
-// Returns "cda, cda-flat [cda]".
-std::string model_choice(Models models) {
+// Returns "cda or cda-flat".
+std::string names_of(Models models) {
     using Info = simulation::ModelInfo;
-    const std::string names =
-        models == Models::All ? simulation::model_names()
-        : models == Models::Exact
-            ? simulation::model_names([](const Info& model) { return model.exact; })
-            : simulation::model_names([](const Info& model) { return model.verifies; });
-    return fmt::format("{} [{}]", names, simulation::models()[0].name);
+    switch (models) {
+        case Models::All: return simulation::model_names();
+        case Models::Exact:
+            return simulation::model_names([](const Info& model) { return model.exact; });
+        case Models::Verifying: break;
+    }
+    return simulation::model_names([](const Info& model) { return model.verifies; });
 }
 
 }  // namespace
@@ -334,11 +329,14 @@ void add_simulation_options(cli::App& command, SimulationOptions& options, Model
     command
         .add_option_function<std::string>(
             "--model",
-            [&o](const std::string& model) {
-                read_model(model);
+            [&o, models](const std::string& model) {
+                if (!simulation::find_model(model)) {
+                    throw Refusal{
+                        fmt::format("--model '{}': expected {}", model, names_of(models))};
+                }
                 o.model = model;
             },
-            "Workpiece model: " + model_choice(models))
+            fmt::format("Workpiece model: {} [{}]", names_of(models), simulation::models()[0].name))
         ->type_name("NAME");
     command.begin_group("Advanced");
     command.add_option("--threads", o.threads, "Number of threads; no effect on results")
