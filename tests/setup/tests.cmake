@@ -1,5 +1,5 @@
 ncsim_add_test(setup
-  LIBRARIES ncsim::setup
+  LIBRARIES ncsim::setup zip
   SOURCES
     budget_test.cpp
     digest_test.cpp

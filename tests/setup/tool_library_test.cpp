@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zip.h>
 
 #include <cmath>
 #include <filesystem>
@@ -138,6 +139,47 @@ TEST_F(ToolLibrary, OfHsmWorksMayBeUtf16AndInInches) {
         "tool-unknown: ";
     EXPECT_EQ(tools_in(write("a.hsmlib", text)).substr(0, expected.size()), expected);
     EXPECT_EQ(tools_in(write("b.hsmlib", wide)).substr(0, expected.size()), expected);
+}
+
+// An archive with "notes.txt" and "tools.json".
+std::string archive(const std::string& json, zip_uint64_t least_files = 2) {
+    zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, nullptr);
+    zip_source_keep(target);
+    zip_t* const made = zip_open_from_source(target, ZIP_TRUNCATE, nullptr);
+    const std::string notes = "none";
+    const auto add = [&](const char* name, const std::string& text) {
+        zip_file_add(made, name, zip_source_buffer(made, text.data(), text.size(), 0), 0);
+    };
+    add("notes.txt", notes);
+    if (least_files > 1) add("tools.json", json);
+    EXPECT_EQ(zip_close(made), 0);
+    zip_source_open(target);
+    std::string bytes(1 << 20, '\0');
+    bytes.resize(static_cast<std::size_t>(zip_source_read(target, bytes.data(), bytes.size())));
+    zip_source_close(target);
+    zip_source_free(target);
+    return bytes;
+}
+
+TEST_F(ToolLibrary, OfFusionMayBeAnArchive) {
+    const std::string json =
+        R"({"data": [{"type": "drill", "unit": "millimeters", "description": "8 mm",
+            "post-process": {"number": 4}, "geometry": {"DC": 8, "SIG": 140, "LCF": 40}}]})";
+    const std::string bytes = archive(json);
+    EXPECT_EQ(tools_in(write("a.tools", bytes)),
+              "Fusion tool library\nT4 drill D8 L40 A140; 8 mm\n");
+    EXPECT_EQ(refusal(write("b.tools", archive(json, 1))), "b.tools: the archive has no JSON file");
+    EXPECT_EQ(refusal(write("c.tools", bytes.substr(0, bytes.size() / 2))),
+              "c.tools: this is no ZIP archive that can be read");
+    // Each broken byte gives tools, a message or a refusal.
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        std::string broken = bytes;
+        broken[i] = static_cast<char>(broken[i] ^ 0x55);
+        (void)refusal(write("d.tools", broken));
+    }
+    // 100 MB of blanks in 100 kB.
+    EXPECT_EQ(refusal(write("e.tools", archive(std::string(100'000'000, ' ')))),
+              "e.tools: its JSON file is larger than 64 MB");
 }
 
 TEST_F(ToolLibrary, RefusesWhatIsNone) {

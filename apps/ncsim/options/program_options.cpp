@@ -278,7 +278,7 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
         ->accept_one_value();
     command
         .add_option("--tool-table", o.tool_tables,
-                    "Tools: tool.tbl, .json, .fctl, .hsmlib, .camotics")
+                    "Tools: tool.tbl, .json, .tools, .fctl, .hsmlib, .camotics")
         ->type_name("FILE")
         ->accept_one_value();
     command.add_option("--holders", o.holders, "Tool holders (TOML)")->type_name("FILE");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads tool libraries of FreeCAD and HSMWorks as libraries of Fusion, whose values they share.
+// Unpacks tool libraries of Fusion, and reads those of FreeCAD and HSMWorks as libraries of Fusion,
+// whose values they share.
 #include "ncsim/setup/tool_library.h"
 
 #include "ncsim/report/file_names.h"
@@ -11,14 +12,17 @@
 
 #include <fmt/format.h>
 #include <iconv.h>
+#include <zip.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -237,6 +241,41 @@ Json tools_of_hsm(const std::string& path, const std::string& text) {
     return tools;
 }
 
+// --- Fusion ---
+
+// Returns the JSON file of a library .tools, which is a ZIP archive.
+std::string unpacked(const std::string& path, const std::string& bytes) {
+    const auto fail = [&](const char* what) {
+        throw std::runtime_error(fmt::format("{}: {}", name_of_input(path), what));
+    };
+    zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr);
+    zip_t* const opened = zip_open_from_source(source, ZIP_RDONLY, nullptr);
+    if (!opened) {
+        zip_source_free(source);
+        fail("this is no ZIP archive that can be read");
+    }
+    const std::unique_ptr<zip_t, void (*)(zip_t*)> archive(opened, zip_discard);
+    for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
+        const auto index = static_cast<zip_uint64_t>(i);
+        const char* const name = zip_get_name(archive.get(), index, 0);
+        if (!name || !lower(name).ends_with(".json")) continue;
+        const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+            zip_fopen_index(archive.get(), index, 0), zip_fclose);
+        if (!file) fail("its JSON file cannot be read");
+        std::string text;
+        std::array<char, 65536> part{};
+        for (zip_int64_t read = 1; read > 0;) {
+            read = zip_fread(file.get(), part.data(), part.size());
+            if (read < 0) fail("its JSON file cannot be read");
+            text.append(part.data(), static_cast<std::size_t>(read));
+            if (text.size() > kMostSetUpBytes) fail("its JSON file is larger than 64 MB");
+        }
+        return text;
+    }
+    fail("the archive has no JSON file");
+    return {};
+}
+
 // Reads tools of Fusion. An empty list is no error.
 toolpath::ToolFile read_as_fusion(const std::string& path, const Json& tools, const char* format) {
     toolpath::ToolFile file;
@@ -276,6 +315,10 @@ toolpath::ToolFile read_tool_library(const std::string& path, InputSet& inputs,
         toolpath::ToolFile file = read_as_fusion(path, tools, "FreeCAD tool library");
         std::ranges::move(diagnostics, std::back_inserter(file.diagnostics));
         return file;
+    }
+    if (bytes.starts_with("PK\x03\x04")) {
+        return toolpath::read_tool_file(
+            {report::base_name(name_of_input(path)), unpacked(path, bytes)});
     }
     const std::string text = as_utf8(path, std::move(bytes));
     const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
