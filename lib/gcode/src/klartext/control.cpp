@@ -336,7 +336,7 @@ bool Control::path(const Block& block, const Corner* corner) {
     if (!gather(block, words)) return false;
     if (block.verb == Verb::Straight || block.verb == Verb::StraightPolar) {
         if (!linear_move(block, words, corner)) return false;
-    } else if (!arc(block, words)) {
+    } else if (!arc(block, words, corner)) {
         return false;
     }
     return act_after(block, words);
@@ -397,11 +397,7 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
             put(command, kAxisNames[i], value);
         }
         command.axis_words = true;
-        if (corner) {
-            command.corner = corner->letter;
-            command.corner_size = corner->size;
-            command.corner_span = corner->span;
-        }
+        if (corner) put(command, with_feed(*corner));
         state.incremental = by_increments;
         const bool done = run(command);
         machine_.state().incremental = false;
@@ -452,7 +448,7 @@ bool Control::retract(const Block& block, const Words& words, Command command) {
     return done;
 }
 
-bool Control::arc(const Block& block, const Words& words_of_block) {
+bool Control::arc(const Block& block, const Words& words_of_block, const Corner* corner) {
     Words words = words_of_block;
     const SourceSpan span = block.whole();
     Command command = make(span);
@@ -461,6 +457,7 @@ bool Control::arc(const Block& block, const Words& words_of_block) {
     if (words.has(140)) return fail(Message::KlartextVerb, span, {"an arc with M140"});
     if (!act_before(block, words, command)) return false;
     if (words.is_rapid) log_.add(Message::KlartextArcRapid, span);
+    if (corner) put(command, with_feed(*corner));
     AxisMask mask = 0;
     ProgramArc arc;
     arc.end = ends(words, mask);
@@ -546,7 +543,7 @@ bool Control::continue_tangentially(const Block& block, const Words& words, cons
             return make_arc(words, arc, std::nullopt, command);
         case Tangent::Line: break;
     }
-    Command line = make(block.whole());
+    Command line = command;
     put(line, Code::G1);
     const PlaneAxes axes = axes_of(plane_);
     for (std::size_t i = 0; i < 3; ++i) {

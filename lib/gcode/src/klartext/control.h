@@ -94,7 +94,7 @@ private:
     bool act_after(const Block& block, const Words& words);
     bool linear_move(const Block& block, Words& words, const Corner* corner);
     bool retract(const Block& block, const Words& words, Command command);
-    bool arc(const Block& block, const Words& words);
+    bool arc(const Block& block, const Words& words, const Corner* corner);
     bool polar_end(const Block& block, const Words& words, Axes& end);
     bool continue_tangentially(const Block& block, const Words& words, const Axes& end,
                                const Command& command);
@@ -109,6 +109,11 @@ private:
     std::optional<double> radius_of_tool() const;
     double feed_of(double value) const {
         return inches_ && !per_revolution_ ? value / 10.0 : value;
+    }
+
+    Corner with_feed(Corner corner) const {
+        if (corner.feed) corner.feed = feed_of(*corner.feed);
+        return corner;
     }
 
     bool numbered_cycle(const Block& block, Scanner& scan, int number);

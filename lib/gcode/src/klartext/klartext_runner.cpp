@@ -201,6 +201,16 @@ bool Runner::begin_program() {
 
 // --- Paths ---
 
+/// Reads the feed of the RND or CHF block `next_`, which is the feed of the corner only.
+bool Runner::read_corner_feed(Corner& corner) {
+    const auto word = std::ranges::find(next_.words, Address::F, &Word::address);
+    if (word == next_.words.end()) return true;
+    corner.feed = parameters_.value_of(word->value, word->span);
+    if (corner.feed && *corner.feed < 0.0)
+        return fail(Message::NegativeValue, next_.whole(), {"F"});
+    return corner.feed.has_value();
+}
+
 /// Returns the corner of a RND or CHF block after the present block, which stays next.
 std::optional<Corner> Runner::corner_after(bool& is_refused) {
     is_refused = false;
@@ -224,14 +234,19 @@ std::optional<Corner> Runner::corner_after(bool& is_refused) {
                 is_refused = true;
                 break;
             }
-            corner = Corner{rounds ? 'R' : 'C', *size, span};
+            corner = Corner{rounds ? 'R' : 'C', *size, false, {}, span};
+            if (!read_corner_feed(*corner)) is_refused = true;
             continue;
         }
         const bool is_line = next_.verb == Verb::Straight || next_.verb == Verb::StraightPolar;
         const bool is_arc = next_.verb >= Verb::Arc && next_.verb <= Verb::ArcTangentPolar;
-        if (is_arc || (!is_line && next_.verb != Verb::Centre)) {
+        const bool rounds = corner->letter == 'R';
+        if (is_arc && !rounds) {
+            fail(Message::KlartextVerb, span, {"CHF next to an arc"});
+            is_refused = true;
+        } else if (!is_arc && !is_line && next_.verb != Verb::Centre) {
             fail(Message::KlartextVerb, span,
-                 {corner->letter == 'R' ? "RND next to an arc" : "CHF next to an arc"});
+                 {rounds ? "RND without a path block after it" : "CHF without a line after it"});
             is_refused = true;
         }
         if (next_.verb == Verb::Centre) continue;
@@ -247,8 +262,8 @@ bool Runner::path() {
     if (file().reader.is_corner_next()) corner = corner_after(is_refused);
     if (is_refused) return false;
     const bool is_line = block_.verb == Verb::Straight || block_.verb == Verb::StraightPolar;
-    if (corner && !is_line)
-        return fail(Message::KlartextVerb, corner->span, {"RND or CHF next to an arc"});
+    if (corner && !is_line && corner->letter != 'R')
+        return fail(Message::KlartextVerb, corner->span, {"CHF next to an arc"});
     return control_.path(block_, corner ? &*corner : nullptr);
 }
 

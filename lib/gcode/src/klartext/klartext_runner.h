@@ -63,6 +63,7 @@ private:
     void finish_subprogram();
     bool path();
     std::optional<Corner> corner_after(bool& is_refused);
+    bool read_corner_feed(Corner& corner);
     bool assignment();
     bool assign_text(Scanner& scan);
     bool fn();

@@ -53,6 +53,14 @@ void BlockControl::put(Command& command, MGroup group, int m) {
     command.m[static_cast<std::size_t>(group)] = static_cast<std::int16_t>(m);
 }
 
+void BlockControl::put(Command& command, const Corner& corner) {
+    command.corner = corner.letter;
+    command.corner_size = corner.size;
+    command.corner_is_modal = corner.is_modal;
+    command.corner_feed = corner.feed;
+    command.corner_span = corner.span;
+}
+
 bool BlockControl::run(const Command& command) {
     machine_.set_origin(command.span, file_);
     const bool done = machine_.execute(command);

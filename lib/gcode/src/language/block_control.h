@@ -25,10 +25,12 @@ inline constexpr std::string_view kAxisNames = "XYZABCUVW";
 /// Number of the first tool with a name; the next names follow.
 inline constexpr int kFirstNamedTool = 9001;
 
-/// Corner between a straight block and the next block.
+/// Corner between a path block and the next block.
 struct Corner {
-    char letter = 'R';  ///< 'R' (rounding) or 'C' (chamfer).
+    char letter = 'R';  ///< 'R' (rounding), 'C' (chamfer), 'L' (chamfer by its length).
     double size = 0.0;
+    bool is_modal = false;       ///< Without an error if the next block is no path.
+    std::optional<double> feed;  ///< Feed of the corner only.
     SourceSpan span;
 };
 
@@ -84,6 +86,7 @@ protected:
     static void put(Command& command, char letter, double value);
     static void put(Command& command, Code code);
     static void put(Command& command, MGroup group, int m);
+    static void put(Command& command, const Corner& corner);
     /// Executes `command`.
     /// Returns: false if the program stops.
     bool run(const Command& command);

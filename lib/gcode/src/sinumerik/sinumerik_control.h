@@ -101,6 +101,7 @@ private:
     bool is_increment(const Coordinate& word) const;
     std::optional<double> centre_of(const Words& words, std::size_t axis) const;
     double feed_of(double value) const;
+    std::optional<language::Corner> corner_of(const Words& words) const;
     bool act_at_end(const Words& words, SourceSpan span);
 
     bool apply_frame(std::string_view name, SourceSpan span);
@@ -136,6 +137,8 @@ private:
     int edge_ = 0;                     ///< D
     int system_ = 0;                   ///< Number of the last system: 54 …, 500.
     CutterSide side_ = CutterSide::Off;
+    double modal_rounding_ = 0.0;     ///< RNDM; 0: off.
+    double modal_corner_feed_ = 0.0;  ///< FRCM; 0: none.
     std::array<double, 2> pole_{};
     std::optional<double> polar_radius_, polar_angle_;  ///< Last words, while the tool is there.
     Frame chain_;                                       ///< TRANS, ROT, SCALE, MIRROR.

@@ -65,8 +65,8 @@ constexpr auto kLong = std::to_array<std::string_view>(
 
 /// Addresses that move no axis.
 constexpr auto kLongWithoutPath = std::to_array<std::string_view>(
-    {"OVR",     "OVRRAP",  "FAD",     "FRC",      "FRCM",     "LIMS", "ADIS", "ADISPOS",
-     "ACC",     "OVRA",    "FL",      "CTOL",     "OTOL",     "ATOL", "DISC", "FP",
+    {"OVR",     "OVRRAP",  "FAD",     "LIMS",     "ADIS",     "ADISPOS", "ACC",
+     "OVRA",    "FL",      "CTOL",    "OTOL",     "ATOL",     "DISC",    "FP",
      "JERKLIM", "VELOLIM", "ACCLIMA", "JERKLIMA", "VELOLIMA", "FA"});
 
 }  // namespace
@@ -303,6 +303,10 @@ WordReader::Found WordReader::take(std::string_view name, double value,
     if (name == "TURN") return put(words.turns, value);
     if (name == "RND") return put(words.rounding, value);
     if (name == "CHR") return put(words.chamfer, value);
+    if (name == "CHF") return put(words.chamfer_length, value);
+    if (name == "RNDM") return put(words.modal_rounding, value);
+    if (name == "FRC") return put(words.corner_feed, value);
+    if (name == "FRCM") return put(words.modal_corner_feed, value);
     if (name == "ANG") return put(words.line_angle, value);
     if (name == "RPL") return put(words.plane_angle, value);
     if (name == "S1") return put(words.speed, value);
@@ -325,9 +329,9 @@ WordReader::Found WordReader::take(std::string_view name, double value,
             return put(words.direction[i], value);
     }
     if (has_name(kLongWithoutPath, name)) return Found::Yes;
-    // "RNDM=0", "OFFN=0", "TCARR=0" switch off what is not read.
-    const bool ends = value == 0.0 && (name == "RNDM" || name == "OFFN" || name == "TCARR" ||
-                                       name == "TOFFL" || name == "TOFFR" || name == "CHF");
+    // "OFFN=0", "TCARR=0" switch off what is not read.
+    const bool ends =
+        value == 0.0 && (name == "OFFN" || name == "TCARR" || name == "TOFFL" || name == "TOFFR");
     if (ends) return Found::Yes;
     return fail(Message::NotRead, span, {std::string(name) + "="});
 }

@@ -60,7 +60,10 @@ struct Words {
     std::array<std::optional<double>, 3> direction;        ///< A3 B3 C3.
     std::optional<double> radius, opening, polar_radius, turns;
     std::optional<Coordinate> polar_angle;
-    std::optional<double> rounding, chamfer, line_angle, plane_angle;  ///< RND CHR ANG RPL.
+    std::optional<double> rounding, chamfer, chamfer_length;  ///< RND CHR CHF.
+    std::optional<double> modal_rounding;                     ///< RNDM
+    std::optional<double> corner_feed, modal_corner_feed;     ///< FRC FRCM.
+    std::optional<double> line_angle, plane_angle;            ///< ANG RPL.
     std::optional<double> feed, speed, edge, tool;
     std::optional<std::string> tool_name;
     std::vector<int> m;
