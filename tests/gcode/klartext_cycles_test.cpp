@@ -309,7 +309,7 @@ TEST(Klartext, PocketsAreRefusedByName) {
                    "4:1: TCH PROBE is not read; the program is stopped here [klartext-verb]");
     expect_refused("FL AN+45 LEN10",
                    "4:1: FL is not read; the program is stopped here [klartext-verb]");
-    expect_refused("APPR LT X+1 Y+1 LEN5 RL",
+    expect_refused("APPR X+1 Y+1 LEN5 RL",
                    "4:1: APPR is not read; the program is stopped here [klartext-verb]");
     expect_refused("FN 26: TABOPEN A.TAB",
                    "4:1: FN 26 is not read; the program is stopped here [klartext-verb]");

@@ -11,6 +11,7 @@ ncsim_add_test(gcode
     file_programs_test.cpp
     head_modes_test.cpp
     klartext_plane_test.cpp
+    klartext_approach_test.cpp
     klartext_cycles_test.cpp
     klartext_paths_test.cpp
     klartext_test.cpp

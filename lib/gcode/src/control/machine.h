@@ -61,6 +61,10 @@ public:
     std::shared_ptr<const SavedModes> save_modes() const;
     bool restore_modes(const SavedModes& saved, SourceSpan span);
 
+    /// Starts cutter compensation with the tool at the offset position of `contour`, a programmed
+    /// position; the next move begins at `contour`.
+    void begin_compensation_at(CutterSide side, double radius, const Axes& contour);
+
     // Outline of a G150: between begin_contour() and end_outline(), moves are recorded and not
     // made.
     bool begin_contour(const Command& command);

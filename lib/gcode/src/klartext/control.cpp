@@ -71,7 +71,8 @@ void Control::set_units(bool inches) {
 
 // --- Words ---
 
-bool Control::gather(const Block& block, Words& words) {
+/// Reads the words of `block`. `is_ahead`: of a block that is not executed yet.
+bool Control::gather(const Block& block, Words& words, bool is_ahead) {
     for (const Word& word : block.words) {
         double value = 0.0;
         if (word.value.kind != klartext::Value::Kind::None) {
@@ -106,13 +107,15 @@ bool Control::gather(const Block& block, Words& words) {
                 return fail(Message::KlartextVerb, word.span, {"a feed per tooth (FZ)"});
             case Address::S: words.speed = value; break;
             case Address::M:
-                if (!take_m(block, word, words)) return false;
+                if (!is_ahead && !take_m(block, word, words)) return false;
                 break;
             case Address::DrPlus: words.direction = 1; break;
             case Address::DrMinus: words.direction = -1; break;
             case Address::MB: words.mb = value; break;
             case Address::MBMax: words.is_retracted_fully = true; break;
             case Address::LA: break;
+            case Address::Len: words.length = value; break;
+            case Address::Cca: words.opening = value; break;
             default: {
                 const auto axis = static_cast<std::size_t>(word.address);
                 words.axis[axis] = value;
@@ -381,6 +384,7 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
     const bool is_of_machine = words.has(91) || words.has(92);
     if (mask != 0) {
         put(command, words.is_rapid ? Code::G0 : Code::G1);
+        was_rapid_ = words.is_rapid;
         if (is_of_machine) put(command, Code::G53);
         // Increments are known even if the position before the move is unknown.
         MachineState& state = machine_.state();

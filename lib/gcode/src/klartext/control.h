@@ -48,6 +48,10 @@ public:
     bool function(const Block& block);
     bool stop_block(const Block& block);
     bool centre(const Block& block);
+    /// APPR: approaches the contour that the block `next` begins. `centre`: the CC block between.
+    bool approach(const Block& block, const Block& next, const Block* centre);
+    /// DEP: departs from the contour.
+    bool depart(const Block& block);
 
     /// Ends cutter compensation, as CALL PGM does.
     bool end_compensation(SourceSpan span);
@@ -58,7 +62,7 @@ private:
         std::array<std::optional<double>, 9> axis;
         std::array<bool, 9> is_incremental{};
         std::array<SourceSpan, 9> span;
-        std::optional<double> pr, pa, radius, feed, speed, mb;
+        std::optional<double> pr, pa, radius, feed, speed, mb, length, opening;
         bool is_pr_incremental = false, is_pa_incremental = false;
         bool is_rapid = false, is_retracted_fully = false;
         bool is_radius_signed = false;
@@ -87,7 +91,7 @@ private:
         std::array<double, 3> centre{};
     };
 
-    bool gather(const Block& block, Words& words);
+    bool gather(const Block& block, Words& words, bool is_ahead = false);
     bool take_m(const Block& block, const Word& word, Words& words);
     bool act_before(const Block& block, Words& words, Command& command);
     bool set_side(Command& command, const Words& words, SourceSpan span);
@@ -101,6 +105,13 @@ private:
     bool make_arc(const Words& words, const ProgramArc& arc, std::optional<double> radius,
                   const Command& command);
     Axes ends(const Words& words, AxisMask& mask) const;
+    using Point = std::array<double, 2>;
+    std::optional<Point> start_direction(const Block& next, const Block* centre, const Axes& at);
+    std::optional<Point> tangent_point(Point from, Point centre, double radius, double turn) const;
+    Point in_plane() const;
+    bool go_to(Point to, bool is_rapid, SourceSpan span);
+    bool turn_to(Point to, Point centre, double turn, SourceSpan span);
+    bool move_height(const Words& words, SourceSpan span);
     double rotary_end(double value, double at) const;
     void arrive(const Axes& end) override;
     void refresh() override;
@@ -152,6 +163,7 @@ private:
     std::optional<std::array<double, 2>> centre_;
     std::optional<double> pr_, pa_;  ///< Last polar coordinates, if the tool is there.
     int last_direction_ = 0;
+    bool was_rapid_ = true;       ///< The last line was rapid.
     bool shortest_way_ = false;   ///< M126
     bool calls_at_each_ = false;  ///< M89
     Cycle cycle_;
