@@ -61,6 +61,29 @@ void Control::arrive(const Axes& end) {
     BlockControl::arrive(end);
 }
 
+std::vector<language::BlockControl::ActiveMode> Control::modes_left_on() const {
+    const MachineState& state = machine_.state();
+    std::vector<ActiveMode> modes;
+    const Transformation& t = transformation_;
+    const bool is_mirrored = std::ranges::find(t.is_mirrored, true) != t.is_mirrored.end();
+    if (state.plane_frame) modes.push_back({"a tilted plane", "PLANE RESET"});
+    if (state.coordinates == Coordinates::Tip) modes.push_back({"tip control", "M129"});
+    if (state.offset_92 != Axes{}) modes.push_back({"a datum shift", "CYCL DEF 7.1 X+0"});
+    if (is_mirrored) modes.push_back({"a mirror image", "CYCL DEF 8.1"});
+    if (t.angle != 0.0) modes.push_back({"a rotation", "CYCL DEF 10.1 ROT+0"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "R0"});
+    if (calls_at_each_) modes.push_back({"M89", "M99"});
+    return modes;
+}
+
+std::vector<language::BlockControl::ActiveMode> Control::modes_at_change() const {
+    std::vector<ActiveMode> modes;
+    if (machine_.state().coordinates == Coordinates::Tip) modes.push_back({"tip control", "M129"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "R0"});
+    if (calls_at_each_) modes.push_back({"M89", "M99"});
+    return modes;
+}
+
 void Control::set_units(bool inches) {
     inches_ = inches;
     Command command = make({});
@@ -282,10 +305,7 @@ bool Control::act_after(const Block& block, const Words& words) {
     } else if (calls_at_each_ && moves_in_plane) {
         if (!call_cycle(span)) return false;
     }
-    if (words.has(2) || words.has(30)) {
-        finish();
-        has_ended_ = true;
-    }
+    if (words.has(2) || words.has(30)) end_program(span);
     return true;
 }
 

@@ -115,6 +115,8 @@ private:
     double rotary_end(double value, double at) const;
     void arrive(const Axes& end) override;
     void refresh() override;
+    std::vector<ActiveMode> modes_left_on() const override;
+    std::vector<ActiveMode> modes_at_change() const override;
 
     std::optional<int> tool_number(Scanner& scan, const Block& block, bool& has_tool);
     std::optional<double> radius_of_tool() const;
@@ -166,6 +168,9 @@ private:
     bool was_rapid_ = true;       ///< The last line was rapid.
     bool shortest_way_ = false;   ///< M126
     bool calls_at_each_ = false;  ///< M89
+    bool has_preset_ = false;     ///< Cycle 247 selected a preset.
+    bool is_preset_reported_ = false;
+    double surface_shift_ = 0.0;  ///< Tool axis of CYCL CALL POS.
     Cycle cycle_;
     Cycle old_;  ///< Cycle with parts ("CYCL DEF 1.1 …") that is being defined.
     Transformation transformation_;

@@ -244,14 +244,24 @@ bool Control::cycle_call(const Block& block) {
         }
     }
     Command command = make(block.whole());
+    const double feed_before = feed_;
     if (!act_before(block, words, command)) return false;
     if (has_place) {
         const std::size_t tool_axis = axes_of(plane_).third;
-        if (place[tool_axis])
-            return fail(Message::KlartextVerb, block.whole(), {"CYCL CALL POS with the tool axis"});
+        // The coordinate of the tool axis shifts the surface of the cycle.
+        if (is_incremental[tool_axis])
+            return fail(Message::KlartextVerb, block.whole(),
+                        {"CYCL CALL POS with an increment of the tool axis"});
+        surface_shift_ = place[tool_axis].value_or(0.0);
+        const double surface = value(203, 0.0) + surface_shift_;
+        cycle_span_ = block.whole();
+        if (cycle_.number >= 200 && at_[tool_axis] < surface &&
+            !is_unknown(static_cast<AxisMask>(1U << tool_axis)) &&
+            !move_to(surface + value(200, 0.0), std::nullopt))
+            return false;
         Axes end = at_;
         for (std::size_t i = 0; i < 3; ++i) {
-            if (!place[i]) continue;
+            if (!place[i] || i == tool_axis) continue;
             end[i] = is_incremental[i] ? at_[i] + *place[i] : *place[i];
             put(command, kAxisNames[i], end[i]);
             command.axis_words = true;
@@ -262,7 +272,14 @@ bool Control::cycle_call(const Block& block) {
     } else if (!run(command)) {
         return false;
     }
-    if (!call_cycle(block.whole())) return false;
+    const bool done = call_cycle(block.whole());
+    surface_shift_ = 0.0;
+    if (!done) return false;
+    // The feed of the block acts up to the position.
+    if (has_place && words.feed) {
+        feed_ = feed_before;
+        machine_.state().feed = feed_of(feed_before);
+    }
     // A call by M99 or M89 in the same block is the same call.
     std::erase(words.m, 99);
     std::erase(words.m, 89);
@@ -333,7 +350,7 @@ bool Control::drill(SourceSpan span) {
     // The old cycles begin at the clearance above the surface.
     const bool is_old = number < 100;
     const double clearance = value(200, 0.0);
-    const double surface = is_old ? at_[axis] - clearance : value(203, 0.0);
+    const double surface = is_old ? at_[axis] - clearance : value(203, 0.0) + surface_shift_;
     const double clear = surface + clearance;
     const double bottom = surface + depth;
     if (!move_to(clear, std::nullopt)) return false;
@@ -427,7 +444,7 @@ bool Control::bore(double bottom, double clear) {
 /// oriented, aside by Q251.
 bool Control::back_bore(SourceSpan span) {
     if (!needs({200, 249, 250, 252, 253, 254, 203}, span)) return false;
-    const double surface = value(203, 0.0);
+    const double surface = value(203, 0.0) + surface_shift_;
     const double clear = surface + value(200, 0.0);
     const double lower_edge = surface - std::abs(value(250, 0.0));
     const double edge = std::abs(value(252, 0.0));  // Height of the cutting edge above the tip.

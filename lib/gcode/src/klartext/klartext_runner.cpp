@@ -92,7 +92,7 @@ bool Runner::act() {
                 finish_subprogram();
                 return true;
             }
-            control_.finish();
+            control_.end_program(block_.whole());
             end();
             return true;
         case Verb::ToolCall: return control_.tool_call(block_);

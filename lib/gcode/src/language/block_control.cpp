@@ -64,6 +64,11 @@ void BlockControl::put(Command& command, const Corner& corner) {
 bool BlockControl::run(const Command& command) {
     machine_.set_origin(command.span, file_);
     const bool done = machine_.execute(command);
+    const Code motion = command.group(Group::Motion);
+    if (command.axis_words && motion >= Code::G1 && motion <= Code::G3) {
+        const double height = machine_.state().position[axes_of(plane_).third];
+        lowest_feed_ = lowest_feed_ ? std::min(*lowest_feed_, height) : height;
+    }
     if (machine_.stopped()) return false;
     if (!done) refresh();
     return true;
@@ -77,7 +82,26 @@ bool BlockControl::is_unknown(AxisMask mask) const {
            (named(kZ) && (!state.known.z || state.relative.z));
 }
 
+void BlockControl::end_program(SourceSpan span) {
+    for (const ActiveMode& mode : modes_left_on())
+        log_.add(Message::LeftOnAtEnd, span, {mode.name, mode.end});
+    machine_.flush();
+    machine_.finish();
+    has_ended_ = true;
+}
+
+void BlockControl::check_tool_change(SourceSpan span) {
+    for (const ActiveMode& mode : modes_at_change())
+        log_.add(Message::LeftOnAtChange, span, {mode.name, mode.end});
+    constexpr double kAbove = 1e-6;
+    const double height = machine_.state().position[axes_of(plane_).third];
+    if (lowest_feed_ && height <= *lowest_feed_ + kAbove)
+        log_.add(Message::ChangeWithoutRetract, span);
+    lowest_feed_.reset();
+}
+
 void BlockControl::refresh() {
+    lowest_feed_.reset();
     at_ = machine_.programmed_position();
 }
 

@@ -76,8 +76,8 @@ public:
     void add_tool_names(const std::vector<std::string>& names);
     /// True after the end of the program.
     bool has_ended() const { return has_ended_; }
-    /// Ends the program, as M30 does.
-    void finish() { machine_.flush(), machine_.finish(); }
+    /// Ends the main program at the block `span`: reports modes that are still active.
+    void end_program(SourceSpan span);
 
 protected:
     bool fail(const MessageText& message, SourceSpan span,
@@ -90,6 +90,16 @@ protected:
     /// Executes `command`.
     /// Returns: false if the program stops.
     bool run(const Command& command);
+    /// Reports modes that must not be active at a tool change, and a tool that was not retracted.
+    void check_tool_change(SourceSpan span);
+    /// A mode of the language, and the block that ends the mode.
+    struct ActiveMode {
+        std::string_view name, end;
+    };
+    /// Returns the active modes that a program ends before its own end.
+    virtual std::vector<ActiveMode> modes_left_on() const = 0;
+    /// Returns the active modes that a program ends before a tool change.
+    virtual std::vector<ActiveMode> modes_at_change() const = 0;
     /// True if the position along an axis of `mask` is unknown, or relative to an unknown position.
     bool is_unknown(AxisMask mask) const;
     /// Reads the position from the machine.
@@ -126,6 +136,8 @@ protected:
     std::map<std::string, int> named_tools_;
     std::optional<std::array<double, 2>> tangent_;  ///< Direction at the end of the last element.
     SourceSpan cycle_span_;                         ///< Block of the moves of a cycle.
+    /// Lowest height of the feed moves since the last tool change, or since the frame changed.
+    std::optional<double> lowest_feed_;
     bool has_ended_ = false;
 };
 

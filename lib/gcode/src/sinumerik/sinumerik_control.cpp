@@ -29,6 +29,22 @@ Control::Control(const InterpreterOptions& options, const std::array<RotaryWay, 
 
 // --- Modes ---
 
+std::vector<language::BlockControl::ActiveMode> Control::modes_left_on() const {
+    std::vector<ActiveMode> modes;
+    if (machine_.state().coordinates == Coordinates::Tip) modes.push_back({"TRAORI", "TRAFOOF"});
+    if (!(swivel_ == Frame{})) modes.push_back({"CYCLE800", "CYCLE800()"});
+    if (!(chain_ == Frame{})) modes.push_back({"a programmable frame", "TRANS"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "G40"});
+    return modes;
+}
+
+std::vector<language::BlockControl::ActiveMode> Control::modes_at_change() const {
+    std::vector<ActiveMode> modes;
+    if (machine_.state().coordinates == Coordinates::Tip) modes.push_back({"TRAORI", "TRAFOOF"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "G40"});
+    return modes;
+}
+
 bool Control::block(const Words& words, SourceSpan span) {
     if (!set_modes(words, span)) return false;
     if (words.of(CodeGroup::OneShot)) {
@@ -133,6 +149,7 @@ bool Control::set_tool(const Words& words, Command& command, SourceSpan span) {
     }
     if (words.has_m(6) || by_word) {
         const int selected = number.value_or(machine_.state().selected_tool);
+        if (selected != machine_.state().tool) check_tool_change(span);
         put(command, MGroup::ToolChange, 6);
         if (command.present == 0 && selected >= 0) put(command, 'T', selected);
         if (selected >= 0) {

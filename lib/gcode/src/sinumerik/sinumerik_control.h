@@ -67,14 +67,14 @@ public:
     static bool is_hole_cycle(std::string_view name);
     static bool is_pattern(std::string_view name);
 
-    /// Ends the main program.
-    void end_program() { finish(), has_ended_ = true; }
     SavedModes save() const { return {motion_, plane_, is_incremental_, chain_}; }
     bool restore(const SavedModes& saved, SourceSpan span);
 
     std::optional<double> system_value(std::string_view name, std::string_view axis) const override;
 
 private:
+    std::vector<ActiveMode> modes_left_on() const override;
+    std::vector<ActiveMode> modes_at_change() const override;
     bool set_modes(const Words& words, SourceSpan span);
     bool set_tool(const Words& words, Command& command, SourceSpan span);
     bool set_edge(double edge, Command& command, SourceSpan span);

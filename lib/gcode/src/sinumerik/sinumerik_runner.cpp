@@ -186,7 +186,14 @@ bool Runner::return_statement(CodeScanner& scan, SourceSpan span) {
     if (scan.take('(')) return fail(Message::NotRead, span, {"RET with values"});
     if (!is_at_end(scan)) return false;
     if (is_in_subprogram()) return finish_program();
-    control_.end_program();
+    return end_main_program();
+}
+
+/// Ends the main program: reports a modal call that is still active.
+bool Runner::end_main_program() {
+    const SourceSpan span = line_.whole();
+    if (frame().modal.is_active) log_.add(Message::LeftOnAtEnd, span, {"MCALL", "MCALL alone"});
+    control_.end_program(span);
     end();
     return true;
 }
@@ -318,14 +325,14 @@ bool Runner::assign(CodeScanner& scan) {
 
 /// Executes the words of a block, then the end of the program and the modal call.
 bool Runner::finish_block(const Words& words, SourceSpan span) {
+    if (words.has_m(6) && frame().modal.is_active)
+        log_.add(Message::LeftOnAtChange, span, {"MCALL", "MCALL alone"});
     if (!control_.block(words, span)) return false;
     const bool ends = words.has_m(2) || words.has_m(30);
     const bool returns = words.has_m(17);
     if (ends || returns) {
         if (is_in_subprogram()) return finish_program();
-        control_.end_program();
-        end();
-        return true;
+        return end_main_program();
     }
     const std::optional<int> once = words.of(CodeGroup::OneShot);
     const bool moves = words.has_axes() && !once && !words.of(CodeGroup::Suppress);

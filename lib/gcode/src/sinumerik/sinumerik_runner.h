@@ -107,6 +107,7 @@ private:
     bool items(CodeScanner& scan);
     bool item(CodeScanner& scan, Words& words, bool& has_words);
     bool finish_block(const Words& words, SourceSpan span);
+    bool end_main_program();
     bool assign(CodeScanner& scan);
     bool skip_call(CodeScanner& scan);
     bool named_call(std::string_view raw, CodeScanner& scan, bool is_first);
