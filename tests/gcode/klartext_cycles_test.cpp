@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -137,6 +138,34 @@ TEST(Klartext, CyclCallAndM89) {
 TEST(Klartext, CyclCallPos) {
     EXPECT_EQ(run(klartext(kDrill + "CYCL CALL POS X+10 Y+5 FMAX")).texts,
               run(klartext(kDrill + "L X+10 Y+5 FMAX M99")).texts);
+}
+
+TEST(KlartextCycles, CallPosWithTheToolAxisShiftsTheSurface) {
+    // "Z-5" shifts the surface of the cycle, for this call only.
+    const Made r = run(klartext(kDrill + "CYCL CALL POS X+10 Y+5 Z-5 FMAX\nL X+20 FMAX M99"));
+    const Made plain = run(klartext(kDrill + "L X+10 Y+5 FMAX M99\nL X+20 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    const auto lowest = [](const Made& made, double x) {
+        double z = 1e9;
+        for (const Motion& move : made.moves) {
+            if (end_of(move)->x.mm() == x) z = std::min(z, end_of(move)->z.mm());
+        }
+        return z;
+    };
+    EXPECT_EQ(lowest(r, 10.0), lowest(plain, 10.0) - 5.0);
+    EXPECT_EQ(lowest(r, 20.0), lowest(plain, 20.0));
+    expect_refused(kDrill + "CYCL CALL POS X+10 Y+5 IZ-5 FMAX",
+                   std::to_string(5 + std::ranges::count(kDrill, '\n') - 1) +
+                       ":1: CYCL CALL POS with an increment of the tool axis is not read; the "
+                       "program is stopped here [klartext-verb]");
+}
+
+TEST(KlartextCycles, CallPosBelowTheSurfaceGoesUpFirst) {
+    const Made r = run(klartext(kDrill + "L Z-20 FMAX\nCYCL CALL POS X+10 Y+5 Z+0 FMAX"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_GT(r.moves.size(), 3U);
+    EXPECT_EQ(end_of(r.moves[2])->x.mm(), 0.0);
+    EXPECT_GT(end_of(r.moves[2])->z.mm(), 0.0);
 }
 
 TEST(Klartext, InfeedCountsFromTheSurface) {

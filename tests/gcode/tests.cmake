@@ -19,8 +19,10 @@ ncsim_add_test(gcode
     sinumerik_flow_test.cpp
     sinumerik_frames_test.cpp
     sinumerik_test.cpp
+    language_changes_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp
+    modes_left_on_test.cpp
     parser_test.cpp
     program_text_test.cpp
     redundant_words_test.cpp

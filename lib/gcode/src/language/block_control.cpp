@@ -65,9 +65,11 @@ bool BlockControl::run(const Command& command) {
     machine_.set_origin(command.span, file_);
     const bool done = machine_.execute(command);
     const Code motion = command.group(Group::Motion);
-    if (command.axis_words && motion >= Code::G1 && motion <= Code::G3) {
+    if (command.axis_words) {
         const double height = machine_.state().position[axes_of(plane_).third];
-        lowest_feed_ = lowest_feed_ ? std::min(*lowest_feed_, height) : height;
+        highest_ = std::max(highest_.value_or(height), height);
+        if (motion >= Code::G1 && motion <= Code::G3)
+            lowest_feed_ = std::min(lowest_feed_.value_or(height), height);
     }
     if (machine_.stopped()) return false;
     if (!done) refresh();
@@ -95,13 +97,15 @@ void BlockControl::check_tool_change(SourceSpan span) {
         log_.add(Message::LeftOnAtChange, span, {mode.name, mode.end});
     constexpr double kAbove = 1e-6;
     const double height = machine_.state().position[axes_of(plane_).third];
-    if (lowest_feed_ && height <= *lowest_feed_ + kAbove)
-        log_.add(Message::ChangeWithoutRetract, span);
+    const bool has_cut = lowest_feed_ && *lowest_feed_ < *highest_ - kAbove;
+    if (has_cut && height <= *lowest_feed_ + kAbove) log_.add(Message::ChangeWithoutRetract, span);
     lowest_feed_.reset();
+    highest_.reset();
 }
 
 void BlockControl::refresh() {
     lowest_feed_.reset();
+    highest_.reset();
     at_ = machine_.programmed_position();
 }
 

@@ -136,8 +136,9 @@ protected:
     std::map<std::string, int> named_tools_;
     std::optional<std::array<double, 2>> tangent_;  ///< Direction at the end of the last element.
     SourceSpan cycle_span_;                         ///< Block of the moves of a cycle.
-    /// Lowest height of the feed moves since the last tool change, or since the frame changed.
-    std::optional<double> lowest_feed_;
+    /// Lowest height of the feed moves, and highest of all moves, since the last tool change or
+    /// change of the frame.
+    std::optional<double> lowest_feed_, highest_;
     bool has_ended_ = false;
 };
 

@@ -73,6 +73,7 @@ bool Control::set_modes(const Words& words, SourceSpan span) {
     }
     if (const auto code = words.of(CodeGroup::Corner)) goes_around_corners_ = *code == 450;
     if (const auto code = words.of(CodeGroup::Motion)) motion_ = *code;
+    if (words.turns_by_vector) turns_by_vector_ = *words.turns_by_vector;
     if (words.modal_rounding) modal_rounding_ = *words.modal_rounding;
     if (words.modal_corner_feed) modal_corner_feed_ = *words.modal_corner_feed;
     if (const auto code = words.of(CodeGroup::Plane)) {
@@ -436,6 +437,23 @@ bool Control::move(const Words& words, const Command& command, SourceSpan span) 
     return arc(words, command, end, mask, span);
 }
 
+/// Reports the first large turn under ORIWKS or ORIVECT: the control turns the tool along a great
+/// circle, ncsim turns the axes linearly. Both ends are the same.
+void Control::check_turn(const Axes& end, SourceSpan span) {
+    constexpr double kLarge = 1.0;  // Degrees; CAM systems divide larger turns.
+    if (is_turn_reported_ || machine_.state().coordinates != Coordinates::Tip) return;
+    int turning = 0;
+    bool is_large = false;
+    for (std::size_t i = kA; i <= kC; ++i) {
+        const double way = std::abs(end[i] - at_[i]);
+        if (way > 0.0) ++turning;
+        is_large = is_large || way > kLarge;
+    }
+    if (turning < 2 || !is_large) return;
+    is_turn_reported_ = true;
+    log_.add(Message::TurnByVector, span);
+}
+
 bool Control::line(const Words& words, Command command, Axes end, AxisMask mask, SourceSpan span) {
     MachineState& state = machine_.state();
     const bool suppresses = words.of(CodeGroup::Suppress).has_value();
@@ -476,6 +494,7 @@ bool Control::line(const Words& words, Command command, Axes end, AxisMask mask,
         command.angle = *words.line_angle;
         command.angle_span = words.corner_span;
     }
+    if (turns_by_vector_ && motion_ == 1) check_turn(end, span);
     state.incremental = by_increments;
     state.by_vector = by_vector;
     const bool done = run(command);

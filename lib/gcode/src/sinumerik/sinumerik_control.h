@@ -87,6 +87,7 @@ private:
     bool seek_home(const Words& words, SourceSpan span);
     bool set_pole(int code, const Words& words, SourceSpan span);
     bool move(const Words& words, const Command& command, SourceSpan span);
+    void check_turn(const Axes& end, SourceSpan span);
     bool line(const Words& words, Command command, Axes end, AxisMask mask, SourceSpan span);
     bool arc(const Words& words, const Command& command, const Axes& end, AxisMask mask,
              SourceSpan span);
@@ -130,6 +131,8 @@ private:
     bool tool_word_changes_ = false;
     bool is_tool_change_reported_ = false;
     bool is_feed_reported_ = false;
+    bool turns_by_vector_ = false;  ///< ORIWKS, ORIVECT.
+    bool is_turn_reported_ = false;
     int motion_ = 0;  ///< 0 … 3, kCip or kCt.
     bool is_incremental_ = false;
     bool is_feed_in_inches_ = false;

@@ -164,6 +164,8 @@ WordReader::Found WordReader::keyword(std::string_view name, SourceSpan span, Wo
     if (name == "CT") return set(CodeGroup::Motion, kCt);
     if (name == "TRAORI") return set(CodeGroup::Transform, kTraori);
     if (name == "TRAFOOF") return set(CodeGroup::Transform, kTrafoof);
+    if (name == "ORIWKS" || name == "ORIVECT") words.turns_by_vector = true;
+    if (name == "ORIMKS" || name == "ORIAXES") words.turns_by_vector = false;
     if (has_name(kWithoutPath, name)) return Found::Yes;
     if (has_name(kRefused, name)) return fail(Message::NotRead, span, {name});
     return Found::No;

@@ -66,6 +66,7 @@ struct Words {
     std::optional<double> line_angle, plane_angle;            ///< ANG RPL.
     std::optional<double> feed, speed, edge, tool;
     std::optional<std::string> tool_name;
+    std::optional<bool> turns_by_vector;  ///< ORIWKS, ORIVECT: true; ORIMKS, ORIAXES: false.
     std::vector<int> m;
     std::array<std::optional<int>, kCodeGroups> code;
     SourceSpan corner_span;
