@@ -142,6 +142,8 @@ private:
     bool tilt(const FeatureFrame& frame, std::string_view name, SourceSpan span);
 
     bool call_cycle(SourceSpan span);
+    bool pattern(const Cycle& pattern, SourceSpan span);
+    std::vector<Point> places_of(const Cycle& pattern) const;
     std::optional<double> value(std::uint32_t q) const;
     double value(std::uint32_t q, double otherwise) const { return value(q).value_or(otherwise); }
     bool needs(std::initializer_list<std::uint32_t> parameters, SourceSpan span);
