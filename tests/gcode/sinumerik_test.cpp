@@ -287,6 +287,13 @@ TEST(Sinumerik, RoundingAtArcs) {
                    "here [not-read]");
 }
 
+TEST(Sinumerik, BlocksWithoutAMoveInACorner) {
+    expect_close("G1 X10 F100 RND=2\nF50\nM8\nY10", "G1 X10. F100 ,R2.\nY10. F50");
+    expect_close("G1 X10 F100 RNDM=2\nM8\nY10 RNDM=0", "G1 X10. F100 ,R2.\nY10.");
+    // A rapid move, a stop and a dwell end the contour.
+    expect_close("G1 X10 F100 RNDM=2\nG4 F1\nG1 Y10 RNDM=0", "G1 X10. F100\nG4 P1000\nY10.");
+}
+
 TEST(Sinumerik, FeedOfACorner) {
     const Made r = run(sinumerik("FRCM=30\nG1 X10 F100 RND=2 FRC=50\nY10 RND=2\nX0 FRCM=0"));
     EXPECT_EQ(r.errors(), "");

@@ -160,7 +160,7 @@ void SinumerikNotes::State::words(Block& block) {
             continue;
         }
         const std::string_view name = name_at(code.substr(at));
-        if (upper_of(name) == "SUPA") add(block, 'G', 53.0, line.span(at, name.size()));
+        if (name.size() == 4 && upper_of(name) == "SUPA") add(block, 'G', 53.0, line.span(at, name.size()));
         const bool is_word = name.size() == 1 || is_digit(name[1]);
         at = is_word ? std::max(word(block, at), at + 1) : at + name.size();
     }

@@ -33,6 +33,18 @@ bool has_tool_change(const SourceFile& file) {
     return false;
 }
 
+/// True for a letter and a number, "X10", "G1", "Z-3.5", that no assignment and no call begins.
+bool is_plain_word(std::string_view name, std::string_view rest) {
+    if (name.size() > 1 && !std::ranges::all_of(name.substr(1), is_digit)) return false;
+    if (name.size() == 1) {
+        return !rest.empty() &&
+               (is_digit(rest[0]) || rest[0] == '-' || rest[0] == '+' || rest[0] == '.');
+    }
+    while (!rest.empty() && is_blank(rest[0]))
+        rest.remove_prefix(1);
+    return rest.empty() || (rest[0] != '=' && rest[0] != '[' && rest[0] != '(');
+}
+
 constexpr auto kFrames = std::to_array<std::string_view>(
     {"TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR"});
 
@@ -130,19 +142,15 @@ bool Runner::step() {
 bool Runner::act() {
     CodeScanner scan(line_.code);
     scan.skip_blanks();
-    const std::string name = upper_of(name_at(scan.remaining()));
+    // "G1", "X10": most blocks begin with a word.
+    const std::string_view raw = name_at(scan.remaining());
+    if (raw.size() < 2 || is_digit(raw[1])) return items(scan);
     bool is_done = true;
-    if (!name.empty() && !statement(name, scan, is_done)) return false;
-    return (is_done && !name.empty()) || items(scan);
+    return statement(upper_of(raw), scan, is_done) && (is_done || items(scan));
 }
 
 /// Executes a block that begins with the keyword `name`. `is_done`: false for another block.
 bool Runner::statement(std::string_view name, CodeScanner& scan, bool& is_done) {
-    // "G1", "X10": most blocks begin with a word.
-    if (name.size() < 2 || is_digit(name[1])) {
-        is_done = false;
-        return true;
-    }
     const std::size_t begin = scan.at();
     scan.move_to(begin + name.size());
     bool is_flow = true;
@@ -276,6 +284,14 @@ bool Runner::item(CodeScanner& scan, Words& words, bool& has_words) {
     const std::size_t begin = scan.at();
     const std::string_view raw = name_at(scan.remaining());
     if (raw.empty()) return refuse_text(begin);
+    if (is_plain_word(raw, line_.code.substr(begin + raw.size()))) {
+        const WordReader::Found found = words_.word(scan, line_, words);
+        if (found == WordReader::Found::Error) return false;
+        if (found == WordReader::Found::Yes) {
+            has_words = true;
+            return true;
+        }
+    }
     const std::string name = upper_of(raw);
     const SourceSpan span = line_.span(begin, raw.size());
     CodeScanner behind(line_.code, begin + raw.size());

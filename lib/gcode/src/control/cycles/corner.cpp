@@ -56,7 +56,11 @@ bool Machine::continues_from_corner(const Command& command) const {
           Group::NotSimulated, Group::Unsupported}) {
         if (command.group(group) != Code::None) return false;
     }
-    const bool continues = control_.corner->angle ? is_line(command) : is_element(command);
+    // On these controls, blocks without a move may be between the two elements of a corner.
+    const bool is_neutral =
+        rules_.rounds_arcs && !command.axis_words && command.group(Group::OneShot) == Code::None;
+    const bool continues =
+        is_neutral || (control_.corner->angle ? is_line(command) : is_element(command));
     return continues && command.group(MGroup::Stop) == kNone &&
            command.group(MGroup::ToolChange) == kNone && command.group(MGroup::Kinematics) == kNone;
 }
