@@ -150,9 +150,8 @@ KlartextNotes::~KlartextNotes() = default;
 bool KlartextNotes::next(Block& block) {
     using klartext::Verb;
     State& s = *state_;
-    s.begin_block();
     if (!s.reader.next(s.read, nullptr)) return false;
-    block = {};
+    s.begin_block(block);
     block.line = s.read.line;
     block.text = s.read.code;
     block.block_delete = s.read.block_delete;

@@ -13,6 +13,17 @@
 
 namespace ncsim::gcode::language {
 
+void NoteWriter::begin_block(Block& block) {
+    texts_.clear();
+    std::vector<Word> words = std::move(block.words);
+    std::vector<Comment> comments = std::move(block.comments);
+    words.clear();
+    comments.clear();
+    block = {};
+    block.words = std::move(words);
+    block.comments = std::move(comments);
+}
+
 void NoteWriter::add(Block& block, std::string text, SourceSpan span) {
     texts_.push_back(std::move(text));
     Comment comment;

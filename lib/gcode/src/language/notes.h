@@ -19,8 +19,8 @@ class NoteWriter {
 public:
     explicit NoteWriter(std::vector<std::string> tool_names) : names_(std::move(tool_names)) {}
 
-    /// Begins the next block: the texts of the last block end.
-    void begin_block() { texts_.clear(); }
+    /// Begins the next block: clears `block` without its memory; the texts of the last block end.
+    void begin_block(Block& block);
     /// Adds a comment with a text of its own, valid until begin_block().
     void add(Block& block, std::string text, SourceSpan span);
     static void add(Block& block, char letter, double number, SourceSpan span);

@@ -172,9 +172,8 @@ SinumerikNotes::~SinumerikNotes() = default;
 
 bool SinumerikNotes::next(Block& block) {
     State& s = *state_;
-    s.begin_block();
     if (!s.reader.next(s.line)) return false;
-    block = {};
+    s.begin_block(block);
     block.line = s.line.line;
     block.text = s.line.code;
     block.block_delete = s.line.block_delete;
