@@ -160,7 +160,8 @@ void SinumerikNotes::State::words(Block& block) {
             continue;
         }
         const std::string_view name = name_at(code.substr(at));
-        if (name.size() == 4 && upper_of(name) == "SUPA") add(block, 'G', 53.0, line.span(at, name.size()));
+        if (name.size() == 4 && upper_of(name) == "SUPA")
+            add(block, 'G', 53.0, line.span(at, name.size()));
         const bool is_word = name.size() == 1 || is_digit(name[1]);
         at = is_word ? std::max(word(block, at), at + 1) : at + name.size();
     }
@@ -178,7 +179,8 @@ bool SinumerikNotes::next(Block& block) {
     block.text = s.line.code;
     block.block_delete = s.line.block_delete;
     block.comments = s.line.comments;
-    const std::string first = upper_of(name_at(s.line.code));
+    const std::string_view name = name_at(s.line.code);
+    const std::string first = name.size() > 2 ? upper_of(name) : std::string();
     if (s.line.is_head || first == "DEF" || first == "PROC" || first == "EXTERN") return true;
     if (first == "WORKPIECE") {
         s.blank(block);

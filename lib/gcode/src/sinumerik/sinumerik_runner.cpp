@@ -285,7 +285,7 @@ bool Runner::item(CodeScanner& scan, Words& words, bool& has_words) {
     const std::string_view raw = name_at(scan.remaining());
     if (raw.empty()) return refuse_text(begin);
     if (is_plain_word(raw, line_.code.substr(begin + raw.size()))) {
-        const WordReader::Found found = words_.word(scan, line_, words);
+        const WordReader::Found found = words_.plain_word(scan, line_, words);
         if (found == WordReader::Found::Error) return false;
         if (found == WordReader::Found::Yes) {
             has_words = true;

@@ -210,6 +210,17 @@ std::optional<Coordinate> WordReader::coordinate(CodeScanner& scan, const Line& 
     return found;
 }
 
+WordReader::Found WordReader::plain_word(CodeScanner& scan, const Line& line, Words& words) {
+    const std::size_t begin = scan.at();
+    const char letter = upper(line.code[begin]);
+    if (!is_letter(letter) || letter == 'R' || letter == 'L') return Found::No;
+    scan.move_to(begin + 1);
+    const std::optional<double> number = expressions_.literal(scan, line);
+    if (!number) return Found::Error;
+    const SourceSpan span = line.span(begin, scan.at() - begin);
+    return take({&letter, 1}, *number, {*number, Way::Modal, span}, span, words);
+}
+
 WordReader::Found WordReader::word(CodeScanner& scan, const Line& line, Words& words) {
     const std::size_t begin = scan.at();
     const std::string_view raw = name_at(scan.remaining());

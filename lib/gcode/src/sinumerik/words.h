@@ -88,6 +88,8 @@ public:
     enum class Found : std::uint8_t { Yes, No, Error };
     /// Reads the word at `scan`: "X10", "CR=5", "I=AC(3)", "G1", "T="DRILL"".
     Found word(CodeScanner& scan, const Line& line, Words& words);
+    /// Reads a word of a letter and a number: "X10", "G1", "Z-3.5". Requires: no '=' follows.
+    Found plain_word(CodeScanner& scan, const Line& line, Words& words);
     /// Reads a keyword without value: "SUPA", "CIP", "FFWON".
     Found keyword(std::string_view name, SourceSpan span, Words& words);
 
