@@ -55,6 +55,7 @@ if(TARGET ncsim)
       tiles_test.cpp
       tools_test.cpp
       tutorial_test.cpp
+      triples_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp
       ../support/set_up_blocks.cpp

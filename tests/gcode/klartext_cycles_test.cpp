@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -137,6 +138,82 @@ TEST(Klartext, CyclCallAndM89) {
 TEST(Klartext, CyclCallPos) {
     EXPECT_EQ(run(klartext(kDrill + "CYCL CALL POS X+10 Y+5 FMAX")).texts,
               run(klartext(kDrill + "L X+10 Y+5 FMAX M99")).texts);
+}
+
+TEST(KlartextCycles, CallPosWithTheToolAxisShiftsTheSurface) {
+    // "Z-5" shifts the surface of the cycle, for this call only.
+    const Made r = run(klartext(kDrill + "CYCL CALL POS X+10 Y+5 Z-5 FMAX\nL X+20 FMAX M99"));
+    const Made plain = run(klartext(kDrill + "L X+10 Y+5 FMAX M99\nL X+20 FMAX M99"));
+    EXPECT_EQ(r.errors(), "");
+    const auto lowest = [](const Made& made, double x) {
+        double z = 1e9;
+        for (const Motion& move : made.moves) {
+            if (end_of(move)->x.mm() == x) z = std::min(z, end_of(move)->z.mm());
+        }
+        return z;
+    };
+    EXPECT_EQ(lowest(r, 10.0), lowest(plain, 10.0) - 5.0);
+    EXPECT_EQ(lowest(r, 20.0), lowest(plain, 20.0));
+    expect_refused(kDrill + "CYCL CALL POS X+10 Y+5 IZ-5 FMAX",
+                   std::to_string(5 + std::ranges::count(kDrill, '\n') - 1) +
+                       ":1: CYCL CALL POS with an increment of the tool axis is not read; the "
+                       "program is stopped here [klartext-verb]");
+}
+
+TEST(KlartextCycles, PatternOnACircle) {
+    // The pattern runs when it is defined.
+    const std::string circle =
+        "CYCL DEF 220 POLAR PATTERN ~\n Q216=10 Q217=20 Q244=40 Q245=0 ~\n"
+        " Q246=360 Q247=0 Q241=4 ~\n Q200=2 Q203=0 Q204=50 Q301=1 Q365=0";
+    language_test::expect_close(
+        run(klartext(kDrill + circle)),
+        run(klartext(kDrill + "L X+30 Y+20 FMAX M99\nL X+10 Y+40 FMAX M99\n"
+                              "L X-10 Y+20 FMAX M99\nL X+10 Y+0 FMAX M99")));
+    // An angle between start and end: the last place is at the end.
+    language_test::expect_close(
+        run(klartext(kDrill + "CYCL DEF 220 Q216=0 Q217=0 Q244=40 Q245=0 Q246=90 Q247=0 Q241=2 "
+                              "Q200=2 Q203=0 Q204=50 Q301=1")),
+        run(klartext(kDrill + "L X+20 Y+0 FMAX M99\nL X+0 Y+20 FMAX M99")));
+    // A step.
+    language_test::expect_close(
+        run(klartext(kDrill + "CYCL DEF 220 Q216=0 Q217=0 Q244=40 Q245=90 Q246=360 Q247=90 Q241=2 "
+                              "Q200=2 Q203=0 Q204=50 Q301=1")),
+        run(klartext(kDrill + "L X+0 Y+20 FMAX M99\nL X-20 Y+0 FMAX M99")));
+}
+
+TEST(KlartextCycles, PatternOnLines) {
+    // Q301=0: the tool stays at the clearance; every second line runs back. The clearances of the
+    // pattern replace those of the cycle.
+    expect_close(kDrill +
+                     "CYCL DEF 221 Q225=5 Q226=6 Q237=10 Q238=20 Q242=3 Q243=2 Q224=0 Q200=4 "
+                     "Q203=1 Q204=30 Q301=0",
+                 "G99 G81 X5. Y6. Z-19. R5. F150\nX15.\nX25.\nY26.\nX15.\nX5.\nG80\n"
+                 "G0 Z31.");
+    // Rotated by 90 degrees about the start.
+    language_test::expect_close(
+        run(klartext(kDrill + "CYCL DEF 221 Q225=5 Q226=6 Q237=10 Q238=20 Q242=2 Q243=1 Q224=90 "
+                              "Q200=2 Q203=0 Q204=50 Q301=1")),
+        run(klartext(kDrill + "L X+5 Y+6 FMAX M99\nL X+5 Y+16 FMAX M99")));
+}
+
+TEST(KlartextCycles, PatternsRefused) {
+    expect_refused("CYCL DEF 220 Q216=0 Q217=0 Q244=40",
+                   "4:1: cycle 220 needs Q241; the program is stopped here [cycle-parameter]");
+    expect_refused(kDrill + "CYCL DEF 221 Q225=0 Q226=0 Q237=10 Q238=20 Q242=0 Q243=2",
+                   "13:1: cycle 221 needs a number of places from 1 to 10000; the program is "
+                   "stopped here [word-missing]");
+    expect_refused(kDrill + "CYCL DEF 220 Q216=0 Q217=0 Q244=40 Q241=4 Q365=1",
+                   "13:1: cycle 220 with arcs between (Q365=1) is not read; the program is stopped "
+                   "here [klartext-verb]");
+    EXPECT_TRUE(run(klartext("CYCL DEF 220 Q216=0 Q217=0 Q244=40 Q241=4")).says("cycle-undefined"));
+}
+
+TEST(KlartextCycles, CallPosBelowTheSurfaceGoesUpFirst) {
+    const Made r = run(klartext(kDrill + "L Z-20 FMAX\nCYCL CALL POS X+10 Y+5 Z+0 FMAX"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_GT(r.moves.size(), 3U);
+    EXPECT_EQ(end_of(r.moves[2])->x.mm(), 0.0);
+    EXPECT_GT(end_of(r.moves[2])->z.mm(), 0.0);
 }
 
 TEST(Klartext, InfeedCountsFromTheSurface) {
@@ -309,7 +386,7 @@ TEST(Klartext, PocketsAreRefusedByName) {
                    "4:1: TCH PROBE is not read; the program is stopped here [klartext-verb]");
     expect_refused("FL AN+45 LEN10",
                    "4:1: FL is not read; the program is stopped here [klartext-verb]");
-    expect_refused("APPR LT X+1 Y+1 LEN5 RL",
+    expect_refused("APPR X+1 Y+1 LEN5 RL",
                    "4:1: APPR is not read; the program is stopped here [klartext-verb]");
     expect_refused("FN 26: TABOPEN A.TAB",
                    "4:1: FN 26 is not read; the program is stopped here [klartext-verb]");

@@ -32,6 +32,11 @@ inline void expect_same(const std::string& of_klartext, const std::string& of_is
     EXPECT_EQ(a.texts, b.texts);
 }
 
+/// Compares the moves of both programs within rounding.
+inline void expect_close(const std::string& of_klartext, const std::string& of_iso) {
+    language_test::expect_close(run(klartext(of_klartext)), run(iso(of_iso), {}, Dialect::Fanuc));
+}
+
 inline void expect_refused(const std::string& blocks, const std::string& error) {
     const Made r = run(klartext(blocks));
     EXPECT_EQ(r.errors(), error + "\n");

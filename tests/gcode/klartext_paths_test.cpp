@@ -114,7 +114,7 @@ TEST(Klartext, PlaneOfTheToolAxis) {
 // --- Corners ---
 
 TEST(Klartext, Rounding) {
-    expect_same("L X+0 Y+0 F100\nL X+20\nRND R5\nL Y+20\nRND 2 F50\nL X+0",
+    expect_same("L X+0 Y+0 F100\nL X+20\nRND R5\nL Y+20\nRND 2\nL X+0",
                 "G1 X0. Y0. F100\nX20. ,R5.\nY20. ,R2.\nX0.");
 }
 
@@ -122,10 +122,70 @@ TEST(Klartext, Chamfer) {
     expect_same("L X+0 Y+0 F100\nL X+20\nCHF 5\nL Y+20", "G1 X0. Y0. F100\nX20. ,C5.\nY20.");
 }
 
-TEST(Klartext, RoundingNextToAnArcIsRefused) {
+TEST(Klartext, RoundingBetweenALineAndAnArc) {
+    // The centre of the rounding has the height 2 and the distance 8 from the centre of the arc.
+    expect_close("L X+20 F100\nRND R2\nCC X+10 Y+0\nC X+10 Y+10 DR+",
+                 "G1 X17.745966692 F100\nG3 X19.682458366 Y2.5 I0. J2.\n"
+                 "G3 X10. Y10. I-9.682458366 J-2.5");
+}
+
+TEST(Klartext, RoundingBetweenAnArcAndALine) {
+    expect_close("L X+10 Y+10 F100\nCC X+10 Y+0\nC X+20 Y+0 DR-\nRND R2\nL X+0",
+                 "G1 X10. Y10. F100\nG2 X19.682458366 Y2.5 I0. J-10.\n"
+                 "G2 X17.745966692 Y0. I-1.936491673 J-0.5\nG1 X0.");
+}
+
+TEST(Klartext, RoundingBetweenTwoArcs) {
+    // Two arcs of radius 10 about X0 and X12; the rounding is in the notch between them.
+    const Made r = run(
+        klartext("L X-10 F100\nCC X+0 Y+0\nC X+6 Y+8 DR-\nRND R3\nCC X+12 Y+0\nC X+22 Y+0 DR-"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 5U);
+    const Arc& round = std::get<Arc>(r.moves[3].action);
+    EXPECT_GT(round.turns, 0);
+    EXPECT_NEAR(round.centre_1.mm(), 6.0, 1e-9);
+    EXPECT_NEAR(round.centre_2.mm(), std::sqrt(13.0 * 13.0 - 36.0), 1e-9);
+    const Position begin = *end_of(r.moves[2]);
+    EXPECT_NEAR(begin.x.mm(), 6.0 * 10.0 / 13.0, 1e-9);
+    EXPECT_NEAR(begin.y.mm(), round.centre_2.mm() * 10.0 / 13.0, 1e-9);
+    EXPECT_NEAR(r.end().x.mm(), 22.0, 1e-9);
+}
+
+TEST(Klartext, RoundingOfATangentialArcIsNone) {
+    expect_same("L X+20 F100\nRND R2\nCC X+20 Y+10\nC X+30 Y+10 DR+",
+                "G1 X20. F100\nG3 X30. Y10. I0. J10.");
+}
+
+TEST(Klartext, RoundingUnderCompensation) {
+    const Made r =
+        run(klartext("L X-20 Y+0 F100\nL X+0 RR\nL X+20\nRND R4\nCC X+10 Y+0\n"
+                     "C X+10 Y+10 DR+\nL X+0 R0"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 7U);
+    EXPECT_NEAR(std::abs(end_of(r.moves[3])->y.mm()), 5.0, 1e-9);
+}
+
+TEST(Klartext, RoundingTooLargeForAnArc) {
+    EXPECT_EQ(run(klartext("L X+20 F100\nRND R9\nCC X+10 Y+0\nC X+10 Y+10 DR+")).errors(),
+              "5:1: RND needs elements that are long enough for it; the corner is left sharp "
+              "[corner-form]\n");
+}
+
+TEST(Klartext, ChamferNextToAnArcIsRefused) {
     expect_refused(
-        "L X+10 F100\nRND R1\nCR X+0 Y+10 R10 DR+",
-        "5:1: RND next to an arc is not read; the program is stopped here [klartext-verb]");
+        "L X+10 F100\nCHF 1\nCR X+0 Y+10 R10 DR+",
+        "5:1: CHF next to an arc is not read; the program is stopped here [klartext-verb]");
+    expect_refused("L X+10 F100\nRND 1\nTOOL CALL 2 Z",
+                   "5:1: RND without a path block after it is not read; the program is stopped "
+                   "here [klartext-verb]");
+}
+
+TEST(Klartext, FeedOfARoundingIsOfTheCornerOnly) {
+    const Made r = run(klartext("L X+20 F100\nRND R5 F40\nL Y+20"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 4U);
+    EXPECT_NE(r.texts[2].find("F40"), std::string::npos) << r.texts[2];
+    EXPECT_NE(r.texts[3].find("F100"), std::string::npos) << r.texts[3];
 }
 
 // --- Cutter compensation ---

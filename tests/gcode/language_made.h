@@ -78,6 +78,30 @@ inline std::string iso(const std::string& blocks) {
            "\nM30\n%\n";
 }
 
+/// Compares the moves of two programs: kinds, ends and centres within 1e-6 mm.
+inline void expect_close(const Made& a, const Made& b) {
+    EXPECT_EQ(a.errors(), "");
+    EXPECT_EQ(b.errors(), "");
+    ASSERT_EQ(a.moves.size(), b.moves.size());
+    EXPECT_GT(a.moves.size(), 1U);
+    const auto expect_near = [](const Position& p, const Position& q, std::size_t move) {
+        EXPECT_NEAR(p.x.mm(), q.x.mm(), 1e-6) << "move " << move;
+        EXPECT_NEAR(p.y.mm(), q.y.mm(), 1e-6) << "move " << move;
+        EXPECT_NEAR(p.z.mm(), q.z.mm(), 1e-6) << "move " << move;
+    };
+    for (std::size_t i = 0; i < a.moves.size(); ++i) {
+        expect_near(*end_of(a.moves[i]), *end_of(b.moves[i]), i);
+        const auto* const arc = std::get_if<Arc>(&a.moves[i].action);
+        const auto* const other = std::get_if<Arc>(&b.moves[i].action);
+        ASSERT_EQ(arc == nullptr, other == nullptr) << "move " << i;
+        EXPECT_EQ(a.moves[i].kind, b.moves[i].kind) << "move " << i;
+        if (!arc) continue;
+        EXPECT_EQ(arc->turns, other->turns) << "move " << i;
+        EXPECT_NEAR(arc->centre_1.mm(), other->centre_1.mm(), 1e-6) << "move " << i;
+        EXPECT_NEAR(arc->centre_2.mm(), other->centre_2.mm(), 1e-6) << "move " << i;
+    }
+}
+
 inline void expect_end(const Made& r, double x, double y, double z) {
     EXPECT_EQ(r.errors(), "");
     EXPECT_NEAR(r.end().x.mm(), x, 1e-9);

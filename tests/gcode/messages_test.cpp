@@ -34,7 +34,8 @@ enum class By : unsigned char {
     Tip,
     Turning,
     Klartext,
-    Sinumerik
+    Sinumerik,
+    SinumerikTurning
 };
 
 // Machine with rotary axes that reaches no orientation, and no tip position with X > 50 mm.
@@ -70,12 +71,13 @@ std::vector<std::string> said_of(const Case& c) {
         options.setting_errors = {{{1, {{1, 2, 3}, {}, {0, 0, 0.5}}}, {2, {{}, {}, {1, 0, 0}}}},
                                   true};
     }
-    options.dialect = c.by == By::Fanuc || c.by == By::Turning ? Dialect::Fanuc
-                      : c.by == By::Grbl                       ? Dialect::Grbl
-                      : c.by == By::Mach3                      ? Dialect::Mach3
-                      : c.by == By::Klartext                   ? Dialect::Heidenhain
-                      : c.by == By::Sinumerik                  ? Dialect::Sinumerik
-                                                               : Dialect::Rs274;
+    options.dialect = c.by == By::Fanuc || c.by == By::Turning                ? Dialect::Fanuc
+                      : c.by == By::Grbl                                      ? Dialect::Grbl
+                      : c.by == By::Mach3                                     ? Dialect::Mach3
+                      : c.by == By::Klartext                                  ? Dialect::Heidenhain
+                      : c.by == By::Sinumerik || c.by == By::SinumerikTurning ? Dialect::Sinumerik
+                                                                              : Dialect::Rs274;
+    if (c.by == By::SinumerikTurning) options.joints = std::make_shared<Stubborn>();
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
         std::string line = render(d, SourceFile{});
@@ -437,6 +439,22 @@ const std::vector<Case>& cases() {
          "taken [tool-edge]"},
         {By::Sinumerik, "T1~G0 X1",
          "1:1: warning: the program has no M6; T changes the tool at once [tool-change]"},
+        {By::Sinumerik, kSinumerik + "G0 Z5~G1 Z-5 F9~G1 X9~T2 M6",
+         "6:1: error: the tool changes at the lowest height of its cut; retract it before "
+         "[change-without-retract]"},
+        {By::Sinumerik, kSinumerik + "MCALL CYCLE81(5,0,1,-2)~T2 M6",
+         "4:1: warning: MCALL is active at the tool change; end it before with MCALL alone "
+         "[left-on]"},
+        {By::SinumerikTurning,
+         kSinumerik + "TRAORI~G0 X1 Y1 Z1 A0 C0~ORIWKS ORIVECT~G1 X2 A30 C20 F100",
+         "6:1: warning: the axes turn linearly here; ORIWKS and ORIVECT turn the tool along a "
+         "great circle (ORIAXES with ORIMKS: linearly) [turn-by-vector]"},
+        {By::Sinumerik, kSinumerik + "TRANS X1~M30",
+         "4:1: warning: a programmable frame is active at the end of the program; end it with "
+         "TRANS [left-on]"},
+        {By::Klartext, kKlartext + "CYCL DEF 7.0~CYCL DEF 7.1 X+1",
+         "4:1: warning: cycle 7 shifts a datum, and no cycle 247 selects the preset; program CYCL "
+         "DEF 247 before [preset-missing]"},
     };
     return kCases;
 }

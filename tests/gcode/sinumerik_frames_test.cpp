@@ -173,5 +173,21 @@ TEST(SinumerikFrames, TipControl) {
     EXPECT_EQ(run(sinumerik("TRAORI\nG0 X1\nTRAFOOF")).errors(), "");
 }
 
+TEST(SinumerikFrames, TurnAlongAGreatCircleIsReported) {
+    const auto cradle = std::make_shared<language_test::Cradle>();
+    const auto is_reported = [&](const std::string& blocks) {
+        return run(sinumerik("TRAORI\n" + blocks + "\nTRAFOOF"), {}, Dialect::Sinumerik, false,
+                   cradle)
+            .says("turn-by-vector");
+    };
+    EXPECT_TRUE(is_reported("ORIWKS ORIVECT\nG1 X1 A=30 C=20 F100"));
+    // Small turns, turns of one axis, rapid moves and linear axes.
+    EXPECT_FALSE(is_reported("ORIWKS ORIVECT\nG1 X1 A=0.5 C=0.5 F100"));
+    EXPECT_FALSE(is_reported("ORIWKS ORIVECT\nG1 X1 A=30 F100"));
+    EXPECT_FALSE(is_reported("ORIWKS ORIVECT\nG0 X1 A=30 C=20"));
+    EXPECT_FALSE(is_reported("ORIMKS ORIAXES\nG1 X1 A=30 C=20 F100"));
+    EXPECT_FALSE(is_reported("G1 X1 A=30 C=20 F100"));
+}
+
 }  // namespace
 }  // namespace ncsim::gcode::sinumerik_test

@@ -38,6 +38,12 @@ inline void expect_same(const std::string& of_sinumerik, const std::string& of_i
     EXPECT_EQ(a.texts, b.texts);
 }
 
+/// Compares the moves of both programs within rounding.
+inline void expect_close(const std::string& of_sinumerik, const std::string& of_iso) {
+    language_test::expect_close(run(sinumerik(of_sinumerik)),
+                                language_test::run(iso(of_iso), {}, Dialect::Fanuc));
+}
+
 /// Compares the motions of two SINUMERIK programs.
 inline void expect_equal(const std::string& one, const std::string& other,
                          const Files& files = {}) {

@@ -260,10 +260,47 @@ TEST(Sinumerik, PolarCoordinates) {
 TEST(Sinumerik, RoundingAndChamfer) {
     expect_same("G1 X10 F100 RND=2\nY10\nG1 X20 CHR=1\nY20",
                 "G1 X10. F100 ,R2.\nY10.\nG1 X20. ,C1.\nY20.");
-    expect_refused("G1 X10 F100 CHF=2",
-                   "5:13: CHF= is not read; the program is stopped here [not-read]");
-    expect_refused("G1 X10 F100 RNDM=2",
-                   "5:13: RNDM= is not read; the program is stopped here [not-read]");
+}
+
+TEST(Sinumerik, ChamferByItsLength) {
+    // The chamfer of a right angle is sqrt(2) times its legs.
+    expect_close("G1 X10 F100 CHF=2.8284271247\nY10", "G1 X10. F100 ,C2.\nY10.");
+    // Lines at 60 degrees: the chamfer is as long as its legs.
+    expect_close("G1 X10 F100 CHF=2\nX5 Y8.660254038", "G1 X10. F100 ,C2.\nX5. Y8.660254038");
+}
+
+TEST(Sinumerik, RoundingIsModal) {
+    expect_same("G1 X10 F100 RNDM=2\nY10\nX0\nG0 Z60\nG1 Z50\nG1 X10 RND=3\nY0\nX0 RNDM=0\nY-5",
+                "G1 X10. F100 ,R2.\nY10. ,R2.\nX0.\nG0 Z60.\nG1 Z50.\nG1 X10. ,R3.\n"
+                "Y0. ,R2.\nX0.\nY-5.");
+}
+
+TEST(Sinumerik, RoundingAtArcs) {
+    expect_close("G1 X20 F100 RND=2\nG3 X10 Y10 I-10 J0",
+                 "G1 X17.745966692 F100\nG3 X19.682458366 Y2.5 I0. J2.\n"
+                 "G3 X10. Y10. I-9.682458366 J-2.5");
+    expect_close("G1 X10 Y10 F100\nG2 X20 Y0 I0 J-10 RND=2\nG1 X0",
+                 "G1 X10. Y10. F100\nG2 X19.682458366 Y2.5 I0. J-10.\n"
+                 "G2 X17.745966692 Y0. I-1.936491673 J-0.5\nG1 X0.");
+    expect_refused("G1 X10 F100\nG2 X20 Y0 I0 J-10 CHR=2",
+                   "6:19: a chamfer at an arc (CHR, CHF, ANG) is not read; the program is stopped "
+                   "here [not-read]");
+}
+
+TEST(Sinumerik, BlocksWithoutAMoveInACorner) {
+    expect_close("G1 X10 F100 RND=2\nF50\nM8\nY10", "G1 X10. F100 ,R2.\nY10. F50");
+    expect_close("G1 X10 F100 RNDM=2\nM8\nY10 RNDM=0", "G1 X10. F100 ,R2.\nY10.");
+    // A rapid move, a stop and a dwell end the contour.
+    expect_close("G1 X10 F100 RNDM=2\nG4 F1\nG1 Y10 RNDM=0", "G1 X10. F100\nG4 P1000\nY10.");
+}
+
+TEST(Sinumerik, FeedOfACorner) {
+    const Made r = run(sinumerik("FRCM=30\nG1 X10 F100 RND=2 FRC=50\nY10 RND=2\nX0 FRCM=0"));
+    EXPECT_EQ(r.errors(), "");
+    ASSERT_EQ(r.moves.size(), 6U);
+    EXPECT_NE(r.texts[2].find("F50"), std::string::npos) << r.texts[2];
+    EXPECT_NE(r.texts[3].find("F100"), std::string::npos) << r.texts[3];
+    EXPECT_NE(r.texts[4].find("F30"), std::string::npos) << r.texts[4];
 }
 
 TEST(Sinumerik, LineByItsAngle) {

@@ -11,6 +11,7 @@ ncsim_add_test(gcode
     file_programs_test.cpp
     head_modes_test.cpp
     klartext_plane_test.cpp
+    klartext_approach_test.cpp
     klartext_cycles_test.cpp
     klartext_paths_test.cpp
     klartext_test.cpp
@@ -18,8 +19,10 @@ ncsim_add_test(gcode
     sinumerik_flow_test.cpp
     sinumerik_frames_test.cpp
     sinumerik_test.cpp
+    language_changes_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp
+    modes_left_on_test.cpp
     parser_test.cpp
     program_text_test.cpp
     redundant_words_test.cpp

@@ -30,8 +30,11 @@ struct Command {
     std::array<Code, kGroups> g;           ///< Code of each group.
     std::array<std::int16_t, kMGroups> m;  ///< M code of each group, or kNone.
     double next_tool = -1.0;  ///< Second T of "T1 T2 M6": the tool to prepare in the magazine.
-    char corner = 0;          ///< 'R' or 'C' of ",R2", ",C2": corner at the end of the line.
+    /// 'R' or 'C' of ",R2", ",C2": corner at the end of the line; 'L': a chamfer by its length.
+    char corner = 0;
     double corner_size = 0.0;
+    bool corner_is_modal = false;       ///< Without an error if the next block has no corner.
+    std::optional<double> corner_feed;  ///< Feed of the corner only.
     SourceSpan corner_span;
     bool has_angle = false;  ///< ",A30": direction of the line.
     double angle = 0.0;      ///< Degrees, from the first axis of the plane to the second.

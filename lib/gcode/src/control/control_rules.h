@@ -28,6 +28,8 @@ struct Rules {
     bool circular_pockets = false;
     /// ,R and ,C round and chamfer the corner to the next line (Fanuc, Haas, Mazak).
     bool corner_words = false;
+    /// RND rounds corners at arcs, too.
+    bool rounds_arcs = false;
     /// With `corner_words`: a C word may be a corner whose comma is missing, because no C word of
     /// the program looks like a position of a rotary axis.
     bool c_may_be_corner = false;
@@ -66,6 +68,7 @@ struct Rules {
         const bool has_language =
             !strict && (dialect == Dialect::Heidenhain || dialect == Dialect::Sinumerik);
         rules.corner_words = fanuc || has_language;
+        rules.rounds_arcs = has_language;
         if (fanuc || has_language) rules.compensation_start = CompensationStart::SquareToNext;
         rules.hole_patterns = fanuc;
         rules.circular_pockets = fanuc;

@@ -28,6 +28,9 @@ struct HeldCorner {
     Axes end{};          ///< The programmed corner.
     AxisMask mask = 0;
     char letter = 'R';
+    bool is_modal = false;          ///< See Command.
+    std::optional<ProgramArc> arc;  ///< The element, if it is an arc.
+    std::optional<double> feed;     ///< Feed of the corner.
     double size = 0.0;
     /// Direction of a line that ends where the line meets the next line.
     std::optional<double> angle;

@@ -61,6 +61,10 @@ public:
     std::shared_ptr<const SavedModes> save_modes() const;
     bool restore_modes(const SavedModes& saved, SourceSpan span);
 
+    /// Starts cutter compensation with the tool at the offset position of `contour`, a programmed
+    /// position; the next move begins at `contour`.
+    void begin_compensation_at(CutterSide side, double radius, const Axes& contour);
+
     // Outline of a G150: between begin_contour() and end_outline(), moves are recorded and not
     // made.
     bool begin_contour(const Command& command);
@@ -229,15 +233,19 @@ private:
     std::string_view corner_name(char letter) const {
         if (rules_.dialect == Dialect::Heidenhain) return letter == 'R' ? "RND" : "CHF";
         if (rules_.dialect == Dialect::Sinumerik)
-            return letter == 'R' ? "RND" : letter == 'C' ? "CHR" : "ANG";
+            return letter == 'R' ? "RND" : letter == 'C' ? "CHR" : letter == 'L' ? "CHF" : "ANG";
         return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
     }
     bool is_line(const Command& command) const;
+    bool is_element(const Command& command) const;
     bool ends_in_corner(const Command& command) const;
     bool continues_from_corner(const Command& command) const;
     bool stays_in_plane(const Axes& from, const Axes& to) const;
-    bool hold_corner(const Command& command, const Axes& end, AxisMask mask);
-    bool cut_corner(const Axes& next);
+    bool hold_corner(const Command& command, const Axes& end, AxisMask mask,
+                     const ProgramArc* arc = nullptr);
+    bool cut_corner(const Axes& next, const ProgramArc* arc = nullptr);
+    bool round_at_arc(const Axes& next, const ProgramArc* arc);
+    bool make_arc(const ProgramArc& arc, AxisMask mask);
     bool end_by_angle(const Command& command, Axes& end, AxisMask& mask);
     bool hold_angle(const Command& command, const Axes& end, AxisMask mask);
     bool find_corner(const Command& command, const Axes& next);

@@ -44,6 +44,8 @@ enum class Verb : std::uint8_t {
     ArcByRadius,
     ArcTangent,
     ArcTangentPolar,
+    Approach,  ///< APPR LT, LN, CT, LCT and their polar forms.
+    Depart,    ///< DEP LT, LN, CT, LCT.
     Rounding,
     Chamfer,
     Other,       ///< A verb that is known and not read; `name` of the block.
@@ -78,7 +80,9 @@ enum class Address : std::uint8_t {
     DrMinus,  ///< Clockwise
     MB,       ///< Distance of M140.
     MBMax,
-    LA,  ///< Number of blocks of M120.
+    LA,   ///< Number of blocks of M120.
+    Len,  ///< Length of APPR, DEP.
+    Cca,  ///< Centre angle of APPR, DEP.
 };
 
 /// A number, or a Q parameter with a sign.

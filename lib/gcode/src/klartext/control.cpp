@@ -61,6 +61,29 @@ void Control::arrive(const Axes& end) {
     BlockControl::arrive(end);
 }
 
+std::vector<language::BlockControl::ActiveMode> Control::modes_left_on() const {
+    const MachineState& state = machine_.state();
+    std::vector<ActiveMode> modes;
+    const Transformation& t = transformation_;
+    const bool is_mirrored = std::ranges::find(t.is_mirrored, true) != t.is_mirrored.end();
+    if (state.plane_frame) modes.push_back({"a tilted plane", "PLANE RESET"});
+    if (state.coordinates == Coordinates::Tip) modes.push_back({"tip control", "M129"});
+    if (state.offset_92 != Axes{}) modes.push_back({"a datum shift", "CYCL DEF 7.1 X+0"});
+    if (is_mirrored) modes.push_back({"a mirror image", "CYCL DEF 8.1"});
+    if (t.angle != 0.0) modes.push_back({"a rotation", "CYCL DEF 10.1 ROT+0"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "R0"});
+    if (calls_at_each_) modes.push_back({"M89", "M99"});
+    return modes;
+}
+
+std::vector<language::BlockControl::ActiveMode> Control::modes_at_change() const {
+    std::vector<ActiveMode> modes;
+    if (machine_.state().coordinates == Coordinates::Tip) modes.push_back({"tip control", "M129"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "R0"});
+    if (calls_at_each_) modes.push_back({"M89", "M99"});
+    return modes;
+}
+
 void Control::set_units(bool inches) {
     inches_ = inches;
     Command command = make({});
@@ -71,7 +94,8 @@ void Control::set_units(bool inches) {
 
 // --- Words ---
 
-bool Control::gather(const Block& block, Words& words) {
+/// Reads the words of `block`. `is_ahead`: of a block that is not executed yet.
+bool Control::gather(const Block& block, Words& words, bool is_ahead) {
     for (const Word& word : block.words) {
         double value = 0.0;
         if (word.value.kind != klartext::Value::Kind::None) {
@@ -106,13 +130,15 @@ bool Control::gather(const Block& block, Words& words) {
                 return fail(Message::KlartextVerb, word.span, {"a feed per tooth (FZ)"});
             case Address::S: words.speed = value; break;
             case Address::M:
-                if (!take_m(block, word, words)) return false;
+                if (!is_ahead && !take_m(block, word, words)) return false;
                 break;
             case Address::DrPlus: words.direction = 1; break;
             case Address::DrMinus: words.direction = -1; break;
             case Address::MB: words.mb = value; break;
             case Address::MBMax: words.is_retracted_fully = true; break;
             case Address::LA: break;
+            case Address::Len: words.length = value; break;
+            case Address::Cca: words.opening = value; break;
             default: {
                 const auto axis = static_cast<std::size_t>(word.address);
                 words.axis[axis] = value;
@@ -279,10 +305,7 @@ bool Control::act_after(const Block& block, const Words& words) {
     } else if (calls_at_each_ && moves_in_plane) {
         if (!call_cycle(span)) return false;
     }
-    if (words.has(2) || words.has(30)) {
-        finish();
-        has_ended_ = true;
-    }
+    if (words.has(2) || words.has(30)) end_program(span);
     return true;
 }
 
@@ -336,7 +359,7 @@ bool Control::path(const Block& block, const Corner* corner) {
     if (!gather(block, words)) return false;
     if (block.verb == Verb::Straight || block.verb == Verb::StraightPolar) {
         if (!linear_move(block, words, corner)) return false;
-    } else if (!arc(block, words)) {
+    } else if (!arc(block, words, corner)) {
         return false;
     }
     return act_after(block, words);
@@ -381,6 +404,7 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
     const bool is_of_machine = words.has(91) || words.has(92);
     if (mask != 0) {
         put(command, words.is_rapid ? Code::G0 : Code::G1);
+        was_rapid_ = words.is_rapid;
         if (is_of_machine) put(command, Code::G53);
         // Increments are known even if the position before the move is unknown.
         MachineState& state = machine_.state();
@@ -397,11 +421,7 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
             put(command, kAxisNames[i], value);
         }
         command.axis_words = true;
-        if (corner) {
-            command.corner = corner->letter;
-            command.corner_size = corner->size;
-            command.corner_span = corner->span;
-        }
+        if (corner) put(command, with_feed(*corner));
         state.incremental = by_increments;
         const bool done = run(command);
         machine_.state().incremental = false;
@@ -452,7 +472,7 @@ bool Control::retract(const Block& block, const Words& words, Command command) {
     return done;
 }
 
-bool Control::arc(const Block& block, const Words& words_of_block) {
+bool Control::arc(const Block& block, const Words& words_of_block, const Corner* corner) {
     Words words = words_of_block;
     const SourceSpan span = block.whole();
     Command command = make(span);
@@ -461,6 +481,7 @@ bool Control::arc(const Block& block, const Words& words_of_block) {
     if (words.has(140)) return fail(Message::KlartextVerb, span, {"an arc with M140"});
     if (!act_before(block, words, command)) return false;
     if (words.is_rapid) log_.add(Message::KlartextArcRapid, span);
+    if (corner) put(command, with_feed(*corner));
     AxisMask mask = 0;
     ProgramArc arc;
     arc.end = ends(words, mask);
@@ -546,7 +567,7 @@ bool Control::continue_tangentially(const Block& block, const Words& words, cons
             return make_arc(words, arc, std::nullopt, command);
         case Tangent::Line: break;
     }
-    Command line = make(block.whole());
+    Command line = command;
     put(line, Code::G1);
     const PlaneAxes axes = axes_of(plane_);
     for (std::size_t i = 0; i < 3; ++i) {

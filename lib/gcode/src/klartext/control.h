@@ -48,6 +48,10 @@ public:
     bool function(const Block& block);
     bool stop_block(const Block& block);
     bool centre(const Block& block);
+    /// APPR: approaches the contour that the block `next` begins. `centre`: the CC block between.
+    bool approach(const Block& block, const Block& next, const Block* centre);
+    /// DEP: departs from the contour.
+    bool depart(const Block& block);
 
     /// Ends cutter compensation, as CALL PGM does.
     bool end_compensation(SourceSpan span);
@@ -58,7 +62,7 @@ private:
         std::array<std::optional<double>, 9> axis;
         std::array<bool, 9> is_incremental{};
         std::array<SourceSpan, 9> span;
-        std::optional<double> pr, pa, radius, feed, speed, mb;
+        std::optional<double> pr, pa, radius, feed, speed, mb, length, opening;
         bool is_pr_incremental = false, is_pa_incremental = false;
         bool is_rapid = false, is_retracted_fully = false;
         bool is_radius_signed = false;
@@ -87,28 +91,42 @@ private:
         std::array<double, 3> centre{};
     };
 
-    bool gather(const Block& block, Words& words);
+    bool gather(const Block& block, Words& words, bool is_ahead = false);
     bool take_m(const Block& block, const Word& word, Words& words);
     bool act_before(const Block& block, Words& words, Command& command);
     bool set_side(Command& command, const Words& words, SourceSpan span);
     bool act_after(const Block& block, const Words& words);
     bool linear_move(const Block& block, Words& words, const Corner* corner);
     bool retract(const Block& block, const Words& words, Command command);
-    bool arc(const Block& block, const Words& words);
+    bool arc(const Block& block, const Words& words, const Corner* corner);
     bool polar_end(const Block& block, const Words& words, Axes& end);
     bool continue_tangentially(const Block& block, const Words& words, const Axes& end,
                                const Command& command);
     bool make_arc(const Words& words, const ProgramArc& arc, std::optional<double> radius,
                   const Command& command);
     Axes ends(const Words& words, AxisMask& mask) const;
+    using Point = std::array<double, 2>;
+    std::optional<Point> start_direction(const Block& next, const Block* centre, const Axes& at);
+    std::optional<Point> tangent_point(Point from, Point centre, double radius, double turn) const;
+    Point in_plane() const;
+    bool go_to(Point to, bool is_rapid, SourceSpan span);
+    bool turn_to(Point to, Point centre, double turn, SourceSpan span);
+    bool move_height(const Words& words, SourceSpan span);
     double rotary_end(double value, double at) const;
     void arrive(const Axes& end) override;
     void refresh() override;
+    std::vector<ActiveMode> modes_left_on() const override;
+    std::vector<ActiveMode> modes_at_change() const override;
 
     std::optional<int> tool_number(Scanner& scan, const Block& block, bool& has_tool);
     std::optional<double> radius_of_tool() const;
     double feed_of(double value) const {
         return inches_ && !per_revolution_ ? value / 10.0 : value;
+    }
+
+    Corner with_feed(Corner corner) const {
+        if (corner.feed) corner.feed = feed_of(*corner.feed);
+        return corner;
     }
 
     bool numbered_cycle(const Block& block, Scanner& scan, int number);
@@ -124,6 +142,8 @@ private:
     bool tilt(const FeatureFrame& frame, std::string_view name, SourceSpan span);
 
     bool call_cycle(SourceSpan span);
+    bool pattern(const Cycle& pattern, SourceSpan span);
+    std::vector<Point> places_of(const Cycle& pattern) const;
     std::optional<double> value(std::uint32_t q) const;
     double value(std::uint32_t q, double otherwise) const { return value(q).value_or(otherwise); }
     bool needs(std::initializer_list<std::uint32_t> parameters, SourceSpan span);
@@ -147,8 +167,12 @@ private:
     std::optional<std::array<double, 2>> centre_;
     std::optional<double> pr_, pa_;  ///< Last polar coordinates, if the tool is there.
     int last_direction_ = 0;
+    bool was_rapid_ = true;       ///< The last line was rapid.
     bool shortest_way_ = false;   ///< M126
     bool calls_at_each_ = false;  ///< M89
+    bool has_preset_ = false;     ///< Cycle 247 selected a preset.
+    bool is_preset_reported_ = false;
+    double surface_shift_ = 0.0;  ///< Tool axis of CYCL CALL POS.
     Cycle cycle_;
     Cycle old_;  ///< Cycle with parts ("CYCL DEF 1.1 …") that is being defined.
     Transformation transformation_;

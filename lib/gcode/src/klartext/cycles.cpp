@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CYCL DEF and the hole cycles: drilling, reaming, boring, tapping, bore milling, centring.
-// Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903.
+// CYCL DEF and the hole cycles: drilling, reaming, boring, tapping, bore milling, centring;
+// patterns of holes. Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903.
 #include "ncsim/trig/angles.h"
 
 #include "klartext/control.h"
@@ -133,7 +133,8 @@ bool Control::read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle)
 
 bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
     if (has_no_path(number)) return true;
-    const bool is_known = (is_hole_cycle(number) && number >= 200) || number == 247;
+    const bool is_pattern = number == 220 || number == 221;
+    const bool is_known = (is_hole_cycle(number) && number >= 200) || number == 247 || is_pattern;
     if (!is_known) return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
     Cycle cycle;
     cycle.number = number;
@@ -144,6 +145,7 @@ bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
             return fail(Message::KlartextCycleParameter, block.whole(), {"247", "Q339"});
         return preset(block, found->second.number);
     }
+    if (is_pattern) return pattern(cycle, block.whole());
     cycle_ = std::move(cycle);
     return true;
 }
@@ -244,14 +246,24 @@ bool Control::cycle_call(const Block& block) {
         }
     }
     Command command = make(block.whole());
+    const double feed_before = feed_;
     if (!act_before(block, words, command)) return false;
     if (has_place) {
         const std::size_t tool_axis = axes_of(plane_).third;
-        if (place[tool_axis])
-            return fail(Message::KlartextVerb, block.whole(), {"CYCL CALL POS with the tool axis"});
+        // The coordinate of the tool axis shifts the surface of the cycle.
+        if (is_incremental[tool_axis])
+            return fail(Message::KlartextVerb, block.whole(),
+                        {"CYCL CALL POS with an increment of the tool axis"});
+        surface_shift_ = place[tool_axis].value_or(0.0);
+        const double surface = value(203, 0.0) + surface_shift_;
+        cycle_span_ = block.whole();
+        if (cycle_.number >= 200 && at_[tool_axis] < surface &&
+            !is_unknown(static_cast<AxisMask>(1U << tool_axis)) &&
+            !move_to(surface + value(200, 0.0), std::nullopt))
+            return false;
         Axes end = at_;
         for (std::size_t i = 0; i < 3; ++i) {
-            if (!place[i]) continue;
+            if (!place[i] || i == tool_axis) continue;
             end[i] = is_incremental[i] ? at_[i] + *place[i] : *place[i];
             put(command, kAxisNames[i], end[i]);
             command.axis_words = true;
@@ -262,11 +274,104 @@ bool Control::cycle_call(const Block& block) {
     } else if (!run(command)) {
         return false;
     }
-    if (!call_cycle(block.whole())) return false;
+    const bool done = call_cycle(block.whole());
+    surface_shift_ = 0.0;
+    if (!done) return false;
+    // The feed of the block acts up to the position.
+    if (has_place && words.feed) {
+        feed_ = feed_before;
+        machine_.state().feed = feed_of(feed_before);
+    }
     // A call by M99 or M89 in the same block is the same call.
     std::erase(words.m, 99);
     std::erase(words.m, 89);
     return act_after(block, words);
+}
+
+// --- Patterns ---
+
+/// Returns the places of cycle 220 (on a circle) or 221 (on lines).
+std::vector<Control::Point> Control::places_of(const Cycle& pattern) const {
+    const auto q = [&](std::uint32_t index) {
+        const auto found = pattern.values.find(index);
+        return found == pattern.values.end() ? 0.0 : found->second.number;
+    };
+    std::vector<Point> places;
+    if (pattern.number == 220) {
+        const double count = std::round(q(241));
+        // Without a step the angle between start and end is divided; a full circle has one place
+        // less than divisions.
+        const double range = q(246) - q(245);
+        const bool is_full = std::abs(range) == 360.0;
+        const double divisions = is_full ? count : std::max(1.0, count - 1.0);
+        const double step = q(247) != 0.0 ? q(247) : range / divisions;
+        for (double i = 0.0; i < count; ++i) {
+            const trig::SinCos direction = trig::sin_cos(q(245) + i * step);
+            const double radius = q(244) / 2.0;
+            places.push_back({q(216) + radius * direction.cos, q(217) + radius * direction.sin});
+        }
+        return places;
+    }
+    const double columns = std::round(q(242));
+    const double rows = std::round(q(243));
+    const trig::SinCos direction = trig::sin_cos(q(224));
+    for (double row = 0.0; row < rows; ++row) {
+        for (double i = 0.0; i < columns; ++i) {
+            // Every second line runs back.
+            const double column = std::fmod(row, 2.0) == 0.0 ? i : columns - 1.0 - i;
+            const double x = column * q(237);
+            const double y = row * q(238);
+            places.push_back({q(225) + x * direction.cos - y * direction.sin,
+                              q(226) + x * direction.sin + y * direction.cos});
+        }
+    }
+    return places;
+}
+
+/// 220, 221: runs the defined cycle at the places of a pattern. Q200, Q203 and Q204 of the pattern
+/// replace those of the cycle.
+bool Control::pattern(const Cycle& pattern, SourceSpan span) {
+    constexpr double kMostPlaces = 10'000.0;
+    const std::string name = std::to_string(pattern.number);
+    const auto required = pattern.number == 220 ? std::array{216U, 217U, 244U, 241U}
+                                                : std::array{225U, 226U, 242U, 243U};
+    for (const std::uint32_t q : required) {
+        if (!pattern.values.contains(q))
+            return fail(Message::KlartextCycleParameter, span, {name, "Q" + std::to_string(q)});
+    }
+    const auto q = [&](std::uint32_t index, double otherwise) {
+        const auto found = pattern.values.find(index);
+        return found == pattern.values.end() ? otherwise : found->second.number;
+    };
+    const double count = pattern.number == 220 ? q(241, 0.0) : q(242, 0.0) * q(243, 0.0);
+    if (!(count >= 1.0 && count <= kMostPlaces))
+        return fail(Message::BlockNeeds, span,
+                    {"cycle " + name, "a number of places from 1 to 10000"});
+    if (q(365, 0.0) != 0.0)
+        return fail(Message::KlartextVerb, span, {"cycle 220 with arcs between (Q365=1)"});
+    if (cycle_.number < 200) {
+        log_.add(Message::KlartextCycleUndefined, span);
+        return true;
+    }
+    for (const std::uint32_t index : {200U, 203U, 204U}) {
+        const auto found = pattern.values.find(index);
+        if (found != pattern.values.end()) cycle_.values[index] = found->second;
+    }
+    const double second = value(204, 0.0);
+    const bool stays_low = q(301, 1.0) == 0.0;
+    const std::vector<Point> places = places_of(pattern);
+    cycle_span_ = span;
+    const double safe = value(203, 0.0) + std::max(second, value(200, 0.0));
+    const std::size_t axis = axes_of(plane_).third;
+    const bool is_lower = at_[axis] < safe || is_unknown(static_cast<AxisMask>(1U << axis));
+    if (is_lower && !move_to(safe, std::nullopt)) return false;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!go_to(places[i], true, span)) return false;
+        const bool is_last = i + 1 == places.size();
+        cycle_.values[204].number = stays_low && !is_last ? 0.0 : second;
+        if (!call_cycle(span)) return false;
+    }
+    return true;
 }
 
 std::optional<double> Control::value(std::uint32_t q) const {
@@ -333,7 +438,7 @@ bool Control::drill(SourceSpan span) {
     // The old cycles begin at the clearance above the surface.
     const bool is_old = number < 100;
     const double clearance = value(200, 0.0);
-    const double surface = is_old ? at_[axis] - clearance : value(203, 0.0);
+    const double surface = is_old ? at_[axis] - clearance : value(203, 0.0) + surface_shift_;
     const double clear = surface + clearance;
     const double bottom = surface + depth;
     if (!move_to(clear, std::nullopt)) return false;
@@ -427,7 +532,7 @@ bool Control::bore(double bottom, double clear) {
 /// oriented, aside by Q251.
 bool Control::back_bore(SourceSpan span) {
     if (!needs({200, 249, 250, 252, 253, 254, 203}, span)) return false;
-    const double surface = value(203, 0.0);
+    const double surface = value(203, 0.0) + surface_shift_;
     const double clear = surface + value(200, 0.0);
     const double lower_edge = surface - std::abs(value(250, 0.0));
     const double edge = std::abs(value(252, 0.0));  // Height of the cutting edge above the tip.

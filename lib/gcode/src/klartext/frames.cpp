@@ -29,6 +29,7 @@ bool Control::preset(const Block& block, double number) {
                     {std::to_string(static_cast<long long>(std::clamp(number, -1e9, 1e9)))});
     }
     if (!end_compensation(block.whole())) return false;
+    has_preset_ = true;
     constexpr std::array kSystems{Code::G54, Code::G55,   Code::G56,   Code::G57,  Code::G58,
                                   Code::G59, Code::G59_1, Code::G59_2, Code::G59_3};
     Command command = make(block.whole());
@@ -70,6 +71,10 @@ bool Control::datum_shift(const Block& block, Scanner& scan) {
         put(command, kAxisNames[axis], *value + (is_incremental ? state.offset_92[axis] : 0.0));
     }
     if (command.present == 0) return true;
+    if (!has_preset_ && !is_preset_reported_) {
+        is_preset_reported_ = true;
+        log_.add(Message::PresetMissing, block.whole());
+    }
     command.axis_words = true;
     machine_.flush();
     if (!run(command)) return false;

@@ -9,11 +9,11 @@
 #include "klartext/control.h"
 #include "klartext/reader.h"
 #include "klartext/scanner.h"
+#include "language/notes.h"
 #include "text/message.h"
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +34,7 @@ struct KlartextCorner {
     std::array<std::optional<double>, 3> value;
     std::array<bool, 3> is_incremental{};
     bool is_complete() const { return value[0] && value[1] && value[2]; }
+    std::array<double, 3> values() const { return {*value[0], *value[1], *value[2]}; }
 };
 
 namespace {
@@ -54,38 +55,12 @@ std::optional<KlartextCorner> read_corner(klartext::Scanner& scan) {
     return corner;
 }
 
-std::string text_of_corner(std::string_view head, const KlartextCorner& corner) {
-    std::string text(head);
-    for (std::size_t i = 0; i < 3; ++i) {
-        text += ' ';
-        text += "XYZ"[i];
-        if (*corner.value[i] >= 0.0) text += '+';
-        print_number(text, *corner.value[i]);
-    }
-    return text;
-}
-
 }  // namespace
 
-struct KlartextNotes::State {
+struct KlartextNotes::State : language::NoteWriter {
     explicit State(const SourceFile& program)
-        : reader(program), names(klartext::tool_names(program)) {}
+        : NoteWriter(klartext::tool_names(program)), reader(program) {}
 
-    /// Adds a comment with a text of its own.
-    void add(Block& block, std::string text, SourceSpan span) {
-        texts.push_back(std::move(text));
-        Comment comment;
-        comment.text = texts.back();
-        comment.span = span;
-        block.comments.push_back(comment);
-    }
-    void add(Block& block, char letter, double number, SourceSpan span) {
-        gcode::Word word;
-        word.letter = letter;
-        word.number = number;
-        word.span = span;
-        block.words.push_back(word);
-    }
     void tool_call(Block& block);
     void tool_def(Block& block);
     void blk_form(Block& block);
@@ -93,22 +68,13 @@ struct KlartextNotes::State {
 
     klartext::Reader reader;
     klartext::Block read;
-    std::vector<std::string> names;
-    std::deque<std::string> texts;  // Texts of comments of the present block.
     std::optional<KlartextCorner> least;
 };
 
 void KlartextNotes::State::tool_call(Block& block) {
     klartext::Scanner scan(read.code, read.rest);
     const SourceSpan span = read.whole();
-    if (const auto name = scan.quoted()) {
-        const auto at = std::ranges::find(names, *name);
-        const int number = klartext::kFirstNamedTool + static_cast<int>(at - names.begin());
-        std::string words(*name);
-        std::ranges::replace(words, '_', ' ');
-        add(block, std::move(words), span);
-        return add(block, 'T', number, span);
-    }
+    if (const auto name = scan.quoted()) return add_tool(block, *name, span);
     const klartext::Value number = scan.value();
     if (number.kind == klartext::Value::Kind::Number && number.number >= 1.0)
         add(block, 'T', number.number, span);
@@ -151,12 +117,12 @@ void KlartextNotes::State::blk_form(Block& block) {
     if (!corner || !corner->is_complete()) return;
     if (is_least) {
         least = corner;
-        return add(block, text_of_corner("BLK FORM 0.1 Z", *corner), read.whole());
+        return add_corner(block, "BLK FORM 0.1 Z", corner->values(), read.whole());
     }
     for (std::size_t i = 0; i < 3 && least; ++i) {
         if (corner->is_incremental[i]) *corner->value[i] += *least->value[i];
     }
-    add(block, text_of_corner("BLK FORM 0.2", *corner), read.whole());
+    add_corner(block, "BLK FORM 0.2", corner->values(), read.whole());
 }
 
 void KlartextNotes::State::path(Block& block) {
@@ -184,9 +150,8 @@ KlartextNotes::~KlartextNotes() = default;
 bool KlartextNotes::next(Block& block) {
     using klartext::Verb;
     State& s = *state_;
-    s.texts.clear();
     if (!s.reader.next(s.read, nullptr)) return false;
-    block = {};
+    s.begin_block(block);
     block.line = s.read.line;
     block.text = s.read.code;
     block.block_delete = s.read.block_delete;
@@ -289,11 +254,7 @@ bool KlartextListing::next(ListedBlock& line, DiagnosticLog& log) {
     line.line = s.block.line;
     line.is_readable = s.block.verb != klartext::Verb::Unreadable;
     line.text.clear();
-    for (const char c : s.block.code) {
-        const bool blank = is_blank(c);
-        if (blank && (line.text.empty() || line.text.back() == ' ')) continue;
-        line.text += blank ? ' ' : c;
-    }
+    language::append_with_single_blanks(line.text, s.block.code);
     return true;
 }
 

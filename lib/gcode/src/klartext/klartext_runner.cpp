@@ -30,15 +30,9 @@ bool has_begin_pgm(const SourceFile& file) {
 Runner::Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
                ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log,
                Interpretation& result)
-    : options_(options),
-      log_(log),
-      result_(result),
+    : ProgramRunner(program, options, rules, centres, sink, log, result),
       parameters_(log),
-      path_(options, sink, log, result),
-      machine_(options, rules, centres, log, path_, registers_),
       control_(options, machine_, parameters_, log) {
-    registers_.set_rules(rules);
-    most_blocks_ = options.limits.repeated_blocks + line_count(program.text);
     files_.push_back({&program, nullptr, Reader(program), false, {}});
     control_.add_tool_names(tool_names(program));
     has_begin_ = has_begin_pgm(program);
@@ -47,22 +41,6 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
         const std::optional<klartext::Value> parameter = scan.parameter();
         if (parameter && scan.is_at_end()) (void)parameters_.set(*parameter, value);
     }
-}
-
-void Runner::run() {
-    while (!ended_ && step()) {
-    }
-    machine_.flush();
-    path_.finish();
-    machine_.report_to(result_);
-    result_.stopped = ended_ && !result_.ended;
-    if (!result_.ended && !ended_) log_.add(Message::ProgramEndMissing, {block_.line, 1, 0});
-}
-
-bool Runner::fail(const MessageText& message, SourceSpan span,
-                  std::initializer_list<std::string_view> arguments) {
-    log_.add(message, span, arguments);
-    return false;
 }
 
 bool Runner::refuse(std::string_view what) {
@@ -76,38 +54,20 @@ bool Runner::step() {
     if (!file().reader.next(block_, &log_)) {
         if (frames_.empty()) return false;
         if (!frames_.back().is_program) {
-            fail(Message::KlartextLabelEnd, {block_.line, 1, 0}, {frames_.back().label});
             ended_ = true;
-            return false;
+            return fail(Message::KlartextLabelEnd, {block_.line, 1, 0}, {frames_.back().label});
         }
         finish_subprogram();
         return true;
     }
     ++result_.lines;
-    if ((!frames_.empty() || repeated_ > 0) && ++repeated_ > most_blocks_) {
-        fail(Message::StepLimit, block_.whole());
-        ended_ = true;
-        return false;
-    }
+    if (!count_block(!frames_.empty(), block_.whole())) return false;
     if (block_.verb == Verb::Empty) return true;
-    if (block_.block_delete) {
-        if (!result_.deletable)
-            result_.deletable = {static_cast<std::uint32_t>(current_), block_.whole()};
-        if (options_.block_delete) return true;
-    }
+    if (block_.block_delete && skips_deletable(current_, block_.whole())) return true;
     const bool is_readable = block_.verb != Verb::Unreadable || log_.errors() == faults;
-    if (!is_readable || !act()) {
-        result_.refused = true;
-        ended_ = true;
-        return false;
-    }
-    if (control_.has_ended()) end_program();
+    if (!is_readable || !act()) return stop();
+    if (control_.has_ended()) end();
     return !ended_;
-}
-
-void Runner::end_program() {
-    result_.ended = true;
-    ended_ = true;
 }
 
 /// Executes the block.
@@ -132,8 +92,8 @@ bool Runner::act() {
                 finish_subprogram();
                 return true;
             }
-            control_.finish();
-            end_program();
+            control_.end_program(block_.whole());
+            end();
             return true;
         case Verb::ToolCall: return control_.tool_call(block_);
         case Verb::ToolDef: return control_.tool_def(block_);
@@ -153,6 +113,8 @@ bool Runner::act() {
         case Verb::Stop: return control_.stop_block(block_);
         case Verb::Error: return fail(Message::KlartextControlError, block_.whole());
         case Verb::Centre: return control_.centre(block_);
+        case Verb::Approach: return approach();
+        case Verb::Depart: return control_.depart(block_);
         case Verb::Rounding:
         case Verb::Chamfer: return true;  // Part of the block before.
         case Verb::Other: return refuse(block_.name);
@@ -201,6 +163,16 @@ bool Runner::begin_program() {
 
 // --- Paths ---
 
+/// Reads the feed of the RND or CHF block `next_`, which is the feed of the corner only.
+bool Runner::read_corner_feed(Corner& corner) {
+    const auto word = std::ranges::find(next_.words, Address::F, &Word::address);
+    if (word == next_.words.end()) return true;
+    corner.feed = parameters_.value_of(word->value, word->span);
+    if (corner.feed && *corner.feed < 0.0)
+        return fail(Message::NegativeValue, next_.whole(), {"F"});
+    return corner.feed.has_value();
+}
+
 /// Returns the corner of a RND or CHF block after the present block, which stays next.
 std::optional<Corner> Runner::corner_after(bool& is_refused) {
     is_refused = false;
@@ -224,14 +196,19 @@ std::optional<Corner> Runner::corner_after(bool& is_refused) {
                 is_refused = true;
                 break;
             }
-            corner = Corner{rounds ? 'R' : 'C', *size, span};
+            corner = Corner{rounds ? 'R' : 'C', *size, false, {}, span};
+            if (!read_corner_feed(*corner)) is_refused = true;
             continue;
         }
         const bool is_line = next_.verb == Verb::Straight || next_.verb == Verb::StraightPolar;
         const bool is_arc = next_.verb >= Verb::Arc && next_.verb <= Verb::ArcTangentPolar;
-        if (is_arc || (!is_line && next_.verb != Verb::Centre)) {
+        const bool rounds = corner->letter == 'R';
+        if (is_arc && !rounds) {
+            fail(Message::KlartextVerb, span, {"CHF next to an arc"});
+            is_refused = true;
+        } else if (!is_arc && !is_line && next_.verb != Verb::Centre) {
             fail(Message::KlartextVerb, span,
-                 {corner->letter == 'R' ? "RND next to an arc" : "CHF next to an arc"});
+                 {rounds ? "RND without a path block after it" : "CHF without a line after it"});
             is_refused = true;
         }
         if (next_.verb == Verb::Centre) continue;
@@ -241,14 +218,33 @@ std::optional<Corner> Runner::corner_after(bool& is_refused) {
     return corner;
 }
 
+/// APPR: the first element of the contour is the next path block.
+bool Runner::approach() {
+    const Reader::Place place = file().reader.place();
+    std::optional<Block> centre;
+    bool is_found = false;
+    while (!is_found && file().reader.next(next_, nullptr)) {
+        if (next_.verb == Verb::Empty || next_.verb == Verb::Lbl) continue;
+        if (next_.verb == Verb::Centre) {
+            centre = next_;
+            continue;
+        }
+        if (next_.verb < Verb::Straight || next_.verb > Verb::ArcTangentPolar) break;
+        is_found = true;
+    }
+    file().reader.seek(place);
+    if (!is_found) return refuse("APPR without a path block after it");
+    return control_.approach(block_, next_, centre ? &*centre : nullptr);
+}
+
 bool Runner::path() {
     bool is_refused = false;
     std::optional<Corner> corner;
     if (file().reader.is_corner_next()) corner = corner_after(is_refused);
     if (is_refused) return false;
     const bool is_line = block_.verb == Verb::Straight || block_.verb == Verb::StraightPolar;
-    if (corner && !is_line)
-        return fail(Message::KlartextVerb, corner->span, {"RND or CHF next to an arc"});
+    if (corner && !is_line && corner->letter != 'R')
+        return fail(Message::KlartextVerb, corner->span, {"CHF next to an arc"});
     return control_.path(block_, corner ? &*corner : nullptr);
 }
 
@@ -479,8 +475,7 @@ std::optional<Reader::Place> Runner::find_label(const std::string& label) {
 }
 
 void Runner::go(std::size_t file_number, Reader::Place place) {
-    if (file_number == current_ && place.line <= file().reader.place().line)
-        repeated_ = std::max<std::uint64_t>(repeated_, 1);  // Starts the count of repeated blocks.
+    if (file_number == current_ && place.line <= file().reader.place().line) count_repeats();
     current_ = file_number;
     file().reader.seek(place);
     control_.set_file(static_cast<std::uint32_t>(current_));
@@ -503,7 +498,7 @@ bool Runner::enter(Frame frame, std::size_t file_number, Reader::Place place, So
     frame.back = file().reader.place();
     frame.repeats = repeats_.size();
     frames_.push_back(std::move(frame));
-    repeated_ = std::max<std::uint64_t>(repeated_, 1);
+    count_repeats();
     go(file_number, place);
     return true;
 }

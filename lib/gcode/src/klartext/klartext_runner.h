@@ -6,10 +6,10 @@
 
 #include "ncsim/gcode/interpretation.h"
 
-#include "control/machine.h"
 #include "klartext/control.h"
 #include "klartext/q_parameters.h"
 #include "klartext/reader.h"
+#include "language/program_runner.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,12 +24,10 @@
 namespace ncsim::gcode::klartext {
 
 /// Runs a program.
-class Runner {
+class Runner final : public language::ProgramRunner {
 public:
     Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
            ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
-
-    void run();
 
 private:
     struct OpenFile {
@@ -56,13 +54,15 @@ private:
         std::uint64_t remaining = 0;
     };
 
-    bool step();
+    bool step() override;
+    std::uint32_t last_line() const override { return block_.line; }
     bool act();
     bool begin_program();
-    void end_program();
     void finish_subprogram();
     bool path();
+    bool approach();
     std::optional<Corner> corner_after(bool& is_refused);
+    bool read_corner_feed(Corner& corner);
     bool assignment();
     bool assign_text(Scanner& scan);
     bool fn();
@@ -79,29 +79,18 @@ private:
     std::optional<std::size_t> open_file(const std::string& name);
     bool refuse(std::string_view what);
     bool refuse_text();
-    bool fail(const MessageText& message, SourceSpan span,
-              std::initializer_list<std::string_view> arguments = {});
 
     OpenFile& file() { return files_[current_]; }
 
-    const InterpreterOptions& options_;
-    DiagnosticLog& log_;
-    Interpretation& result_;
-    gcode::Parameters registers_;  // Required by Machine; Klartext does not read them.
     Parameters parameters_;
-    Path path_;
-    Machine machine_;
     Control control_;
     std::deque<OpenFile> files_;
     std::size_t current_ = 0;
     std::vector<Frame> frames_;
     std::vector<Repeat> repeats_;
     Block block_, next_;
-    std::uint64_t repeated_ = 0;
-    std::uint64_t most_blocks_ = 0;
     bool has_begun_ = false;  // After BEGIN PGM, or a block without BEGIN PGM.
     bool has_begin_ = false;  // The main program has BEGIN PGM.
-    bool ended_ = false;
 };
 
 }  // namespace ncsim::gcode::klartext

@@ -125,6 +125,19 @@ constexpr auto kVerbs = std::to_array<VerbName>({
     {"POLARKIN", "", Verb::Other},
     {"SECTION", "MONITORING", Verb::Other},
     {"PRESET", "", Verb::Other},
+    {"APPR", "LT", Verb::Approach},
+    {"APPR", "LN", Verb::Approach},
+    {"APPR", "CT", Verb::Approach},
+    {"APPR", "LCT", Verb::Approach},
+    {"APPR", "PLT", Verb::Approach},
+    {"APPR", "PLN", Verb::Approach},
+    {"APPR", "PCT", Verb::Approach},
+    {"APPR", "PLCT", Verb::Approach},
+    {"DEP", "LT", Verb::Depart},
+    {"DEP", "LN", Verb::Depart},
+    {"DEP", "CT", Verb::Depart},
+    {"DEP", "LCT", Verb::Depart},
+    {"DEP", "PLCT", Verb::Depart},
     {"APPR", "", Verb::Other},
     {"DEP", "", Verb::Other},
     {"LN", "", Verb::Other},
@@ -226,6 +239,7 @@ constexpr auto kAddresses = std::to_array<AddressName>({
     {"FMAX", Address::FMax, false}, {"FAUTO", Address::FAuto, false}, {"FU", Address::FU, true},
     {"FZ", Address::FZ, true},      {"S", Address::S, true},          {"M", Address::M, true},
     {"DR", Address::DrPlus, false}, {"MB", Address::MB, true},        {"LA", Address::LA, true},
+    {"LEN", Address::Len, true},    {"CCA", Address::Cca, true},
 });
 
 const AddressName* find_address(std::string_view name) {
@@ -364,14 +378,15 @@ private:
 
     /// R0, the radius R5 of arcs and roundings, or R without a value, which changes nothing.
     bool radius(std::size_t begin) {
-        const bool is_radius = block_.verb == Verb::ArcByRadius || block_.verb == Verb::Rounding ||
-                               block_.verb == Verb::Chamfer;
+        const bool approaches = block_.verb == Verb::Approach || block_.verb == Verb::Depart;
+        const bool is_radius = approaches || block_.verb == Verb::ArcByRadius ||
+                               block_.verb == Verb::Rounding || block_.verb == Verb::Chamfer;
         const bool has_radius =
             is_radius &&
             std::ranges::find(block_.words, Address::Radius, &Word::address) != block_.words.end();
         const bool is_zero = scan_.peek() == '0' && !is_digit(scan_.peek(1)) &&
                              scan_.peek(1) != '.' && scan_.peek(1) != ',';
-        if (is_zero && (!is_radius || has_radius)) {
+        if (is_zero && (!is_radius || has_radius || approaches)) {
             scan_.move_to(scan_.at() + 1);
             add(Address::R0, false, {}, begin);
             return true;

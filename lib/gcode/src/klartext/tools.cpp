@@ -139,6 +139,7 @@ bool Control::tool_call(const Block& block) {
     if (has_tool) {
         radius_oversize_ = oversize;
         if (*number != tool_ || machine_.state().tool != *number) {
+            check_tool_change(block.whole());
             put(command, 'T', *number);
             command.m[static_cast<std::size_t>(MGroup::ToolChange)] = 6;
             tool_ = *number;

@@ -53,9 +53,24 @@ void BlockControl::put(Command& command, MGroup group, int m) {
     command.m[static_cast<std::size_t>(group)] = static_cast<std::int16_t>(m);
 }
 
+void BlockControl::put(Command& command, const Corner& corner) {
+    command.corner = corner.letter;
+    command.corner_size = corner.size;
+    command.corner_is_modal = corner.is_modal;
+    command.corner_feed = corner.feed;
+    command.corner_span = corner.span;
+}
+
 bool BlockControl::run(const Command& command) {
     machine_.set_origin(command.span, file_);
     const bool done = machine_.execute(command);
+    const Code motion = command.group(Group::Motion);
+    if (command.axis_words) {
+        const double height = machine_.state().position[axes_of(plane_).third];
+        highest_ = std::max(highest_.value_or(height), height);
+        if (motion >= Code::G1 && motion <= Code::G3)
+            lowest_feed_ = std::min(lowest_feed_.value_or(height), height);
+    }
     if (machine_.stopped()) return false;
     if (!done) refresh();
     return true;
@@ -69,7 +84,28 @@ bool BlockControl::is_unknown(AxisMask mask) const {
            (named(kZ) && (!state.known.z || state.relative.z));
 }
 
+void BlockControl::end_program(SourceSpan span) {
+    for (const ActiveMode& mode : modes_left_on())
+        log_.add(Message::LeftOnAtEnd, span, {mode.name, mode.end});
+    machine_.flush();
+    machine_.finish();
+    has_ended_ = true;
+}
+
+void BlockControl::check_tool_change(SourceSpan span) {
+    for (const ActiveMode& mode : modes_at_change())
+        log_.add(Message::LeftOnAtChange, span, {mode.name, mode.end});
+    constexpr double kAbove = 1e-6;
+    const double height = machine_.state().position[axes_of(plane_).third];
+    const bool has_cut = lowest_feed_ && *lowest_feed_ < *highest_ - kAbove;
+    if (has_cut && height <= *lowest_feed_ + kAbove) log_.add(Message::ChangeWithoutRetract, span);
+    lowest_feed_.reset();
+    highest_.reset();
+}
+
 void BlockControl::refresh() {
+    lowest_feed_.reset();
+    highest_.reset();
     at_ = machine_.programmed_position();
 }
 

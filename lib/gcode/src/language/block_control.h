@@ -25,10 +25,12 @@ inline constexpr std::string_view kAxisNames = "XYZABCUVW";
 /// Number of the first tool with a name; the next names follow.
 inline constexpr int kFirstNamedTool = 9001;
 
-/// Corner between a straight block and the next block.
+/// Corner between a path block and the next block.
 struct Corner {
-    char letter = 'R';  ///< 'R' (rounding) or 'C' (chamfer).
+    char letter = 'R';  ///< 'R' (rounding), 'C' (chamfer), 'L' (chamfer by its length).
     double size = 0.0;
+    bool is_modal = false;       ///< Without an error if the next block is no path.
+    std::optional<double> feed;  ///< Feed of the corner only.
     SourceSpan span;
 };
 
@@ -74,8 +76,8 @@ public:
     void add_tool_names(const std::vector<std::string>& names);
     /// True after the end of the program.
     bool has_ended() const { return has_ended_; }
-    /// Ends the program, as M30 does.
-    void finish() { machine_.flush(), machine_.finish(); }
+    /// Ends the main program at the block `span`: reports modes that are still active.
+    void end_program(SourceSpan span);
 
 protected:
     bool fail(const MessageText& message, SourceSpan span,
@@ -84,9 +86,20 @@ protected:
     static void put(Command& command, char letter, double value);
     static void put(Command& command, Code code);
     static void put(Command& command, MGroup group, int m);
+    static void put(Command& command, const Corner& corner);
     /// Executes `command`.
     /// Returns: false if the program stops.
     bool run(const Command& command);
+    /// Reports modes that must not be active at a tool change, and a tool that was not retracted.
+    void check_tool_change(SourceSpan span);
+    /// A mode of the language, and the block that ends the mode.
+    struct ActiveMode {
+        std::string_view name, end;
+    };
+    /// Returns the active modes that a program ends before its own end.
+    virtual std::vector<ActiveMode> modes_left_on() const = 0;
+    /// Returns the active modes that a program ends before a tool change.
+    virtual std::vector<ActiveMode> modes_at_change() const = 0;
     /// True if the position along an axis of `mask` is unknown, or relative to an unknown position.
     bool is_unknown(AxisMask mask) const;
     /// Reads the position from the machine.
@@ -123,6 +136,9 @@ protected:
     std::map<std::string, int> named_tools_;
     std::optional<std::array<double, 2>> tangent_;  ///< Direction at the end of the last element.
     SourceSpan cycle_span_;                         ///< Block of the moves of a cycle.
+    /// Lowest height of the feed moves, and highest of all moves, since the last tool change or
+    /// change of the frame.
+    std::optional<double> lowest_feed_, highest_;
     bool has_ended_ = false;
 };
 

@@ -21,9 +21,11 @@ std::optional<double> Control::centre_of(const Words& words, std::size_t axis) c
     return word->way == Way::Absolute ? word->value : at_[axis] + word->value;
 }
 
-bool Control::arc(const Words& words, const Command& command, const Axes& end, AxisMask mask,
-                  SourceSpan span) {
+bool Control::arc(const Words& words, const Command& command_of_block, const Axes& end,
+                  AxisMask mask, SourceSpan span) {
     const PlaneAxes axes = axes_of(plane_);
+    Command command = command_of_block;
+    if (const std::optional<language::Corner> corner = corner_of(words)) put(command, *corner);
     if (motion_ == kCt) return tangential(command, end, mask, span);
     ProgramArc arc;
     arc.end = end;

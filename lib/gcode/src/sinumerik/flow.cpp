@@ -371,7 +371,7 @@ bool Runner::repeat_section(std::string_view name, CodeScanner& scan) {
         return fail(Message::LabelMissing, line_.whole(), {*first, " before this block"});
     if (*runs < 1.0) return true;
     section.remaining = static_cast<std::uint64_t>(std::min(*runs, 1e9)) - 1;
-    repeated_ = std::max<std::uint64_t>(repeated_, 1);
+    count_repeats();
     const Place start = section.begin;
     frame().repeats.push_back(section);
     reader_->seek(start);

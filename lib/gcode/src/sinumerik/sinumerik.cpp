@@ -4,9 +4,8 @@
 #include "ncsim/gcode/sinumerik.h"
 
 #include "ncsim/gcode/dialect.h"
-#include "ncsim/gcode/print.h"
 
-#include "language/block_control.h"
+#include "language/notes.h"
 #include "sinumerik/line_reader.h"
 #include "sinumerik/sinumerik_runner.h"
 #include "text/code_scanner.h"
@@ -16,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,17 +64,6 @@ std::optional<std::array<double, 2>> heights_of(const std::vector<Field>& fields
     return std::array{std::min(first, second), std::max(first, second)};
 }
 
-std::string corner(std::string_view head, const std::array<double, 3>& place) {
-    std::string text(head);
-    for (std::size_t i = 0; i < 3; ++i) {
-        text += ' ';
-        text += "XYZ"[i];
-        if (place[i] >= 0.0) text += '+';
-        print_number(text, place[i]);
-    }
-    return text;
-}
-
 }  // namespace
 
 bool is_sinumerik(const SourceFile& program) {
@@ -96,33 +83,16 @@ bool is_sinumerik(const SourceFile& program) {
     return detect_dialect({program.name, std::string(head)}).kind == Kind::Siemens;
 }
 
-struct SinumerikNotes::State {
+struct SinumerikNotes::State : language::NoteWriter {
     explicit State(const SourceFile& program)
-        : reader(program), names(sinumerik::tool_names(program)) {}
+        : NoteWriter(sinumerik::tool_names(program)), reader(program) {}
 
-    /// Adds a comment with a text of its own.
-    void add(Block& block, std::string text, SourceSpan span) {
-        texts.push_back(std::move(text));
-        Comment comment;
-        comment.text = texts.back();
-        comment.span = span;
-        block.comments.push_back(comment);
-    }
-    static void add(Block& block, char letter, double number, SourceSpan span) {
-        gcode::Word word;
-        word.letter = letter;
-        word.number = number;
-        word.span = span;
-        block.words.push_back(word);
-    }
     void blank(Block& block);
     void words(Block& block);
     std::size_t word(Block& block, std::size_t at);
 
     sinumerik::Reader reader;
     Line line;
-    std::vector<std::string> names;
-    std::deque<std::string> texts;  // Texts of comments of the present block.
 };
 
 /// WORKPIECE(,,,"BOX",mode,ZA,ZI,ZB,X0,Y0,X1,Y1). Bits 16 and 32: X1 and Y1 are absolute.
@@ -142,8 +112,8 @@ void SinumerikNotes::State::blank(Block& block) {
         least[i] = std::min(first, second);
         most[i] = std::max(first, second);
     }
-    add(block, corner("BLK FORM 0.1 Z", least), line.whole());
-    add(block, corner("BLK FORM 0.2", most), line.whole());
+    add_corner(block, "BLK FORM 0.1 Z", least, line.whole());
+    add_corner(block, "BLK FORM 0.2", most, line.whole());
 }
 
 /// Reads the word at `at`, if any. Returns the offset behind it.
@@ -154,12 +124,7 @@ std::size_t SinumerikNotes::State::word(Block& block, std::size_t at) {
     const SourceSpan span = line.span(at, 1);
     if (letter == 'T' && has_sign) {
         if (const auto name = scan.quoted()) {
-            const auto known = std::ranges::find(names, *name);
-            std::string words(*name);
-            std::ranges::replace(words, '_', ' ');
-            add(block, std::move(words), span);
-            add(block, 'T', language::kFirstNamedTool + static_cast<double>(known - names.begin()),
-                span);
+            add_tool(block, *name, span);
             return scan.at();
         }
     }
@@ -195,7 +160,8 @@ void SinumerikNotes::State::words(Block& block) {
             continue;
         }
         const std::string_view name = name_at(code.substr(at));
-        if (upper_of(name) == "SUPA") add(block, 'G', 53.0, line.span(at, name.size()));
+        if (name.size() == 4 && upper_of(name) == "SUPA")
+            add(block, 'G', 53.0, line.span(at, name.size()));
         const bool is_word = name.size() == 1 || is_digit(name[1]);
         at = is_word ? std::max(word(block, at), at + 1) : at + name.size();
     }
@@ -207,14 +173,14 @@ SinumerikNotes::~SinumerikNotes() = default;
 
 bool SinumerikNotes::next(Block& block) {
     State& s = *state_;
-    s.texts.clear();
     if (!s.reader.next(s.line)) return false;
-    block = {};
+    s.begin_block(block);
     block.line = s.line.line;
     block.text = s.line.code;
     block.block_delete = s.line.block_delete;
     block.comments = s.line.comments;
-    const std::string first = upper_of(name_at(s.line.code));
+    const std::string_view name = name_at(s.line.code);
+    const std::string first = name.size() > 2 ? upper_of(name) : std::string();
     if (s.line.is_head || first == "DEF" || first == "PROC" || first == "EXTERN") return true;
     if (first == "WORKPIECE") {
         s.blank(block);
@@ -269,11 +235,7 @@ bool SinumerikListing::next(ListedBlock& block, DiagnosticLog& log) {
     block.text.clear();
     if (!s.line.label.empty())
         block.text.append(s.line.label).append(s.line.code.empty() ? ":" : ": ");
-    for (const char c : s.line.code) {
-        const bool blank = is_blank(c);
-        if (blank && (block.text.empty() || block.text.back() == ' ')) continue;
-        block.text += blank ? ' ' : c;
-    }
+    language::append_with_single_blanks(block.text, s.line.code);
     return true;
 }
 

@@ -29,6 +29,22 @@ Control::Control(const InterpreterOptions& options, const std::array<RotaryWay, 
 
 // --- Modes ---
 
+std::vector<language::BlockControl::ActiveMode> Control::modes_left_on() const {
+    std::vector<ActiveMode> modes;
+    if (machine_.state().coordinates == Coordinates::Tip) modes.push_back({"TRAORI", "TRAFOOF"});
+    if (!(swivel_ == Frame{})) modes.push_back({"CYCLE800", "CYCLE800()"});
+    if (!(chain_ == Frame{})) modes.push_back({"a programmable frame", "TRANS"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "G40"});
+    return modes;
+}
+
+std::vector<language::BlockControl::ActiveMode> Control::modes_at_change() const {
+    std::vector<ActiveMode> modes;
+    if (machine_.state().coordinates == Coordinates::Tip) modes.push_back({"TRAORI", "TRAFOOF"});
+    if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "G40"});
+    return modes;
+}
+
 bool Control::block(const Words& words, SourceSpan span) {
     if (!set_modes(words, span)) return false;
     if (words.of(CodeGroup::OneShot)) {
@@ -57,6 +73,9 @@ bool Control::set_modes(const Words& words, SourceSpan span) {
     }
     if (const auto code = words.of(CodeGroup::Corner)) goes_around_corners_ = *code == 450;
     if (const auto code = words.of(CodeGroup::Motion)) motion_ = *code;
+    if (words.turns_by_vector) turns_by_vector_ = *words.turns_by_vector;
+    if (words.modal_rounding) modal_rounding_ = *words.modal_rounding;
+    if (words.modal_corner_feed) modal_corner_feed_ = *words.modal_corner_feed;
     if (const auto code = words.of(CodeGroup::Plane)) {
         const Plane plane = *code == 17 ? Plane::XY : *code == 18 ? Plane::ZX : Plane::YZ;
         if (plane != plane_) {
@@ -131,6 +150,7 @@ bool Control::set_tool(const Words& words, Command& command, SourceSpan span) {
     }
     if (words.has_m(6) || by_word) {
         const int selected = number.value_or(machine_.state().selected_tool);
+        if (selected != machine_.state().tool) check_tool_change(span);
         put(command, MGroup::ToolChange, 6);
         if (command.present == 0 && selected >= 0) put(command, 'T', selected);
         if (selected >= 0) {
@@ -376,6 +396,30 @@ Axes Control::ends(const Words& words, AxisMask& mask) const {
 
 // --- Moves ---
 
+/// Returns the corner at the end of the block: RND, CHR or CHF, otherwise RNDM.
+std::optional<language::Corner> Control::corner_of(const Words& words) const {
+    language::Corner corner;
+    corner.span = words.corner_span;
+    const double feed = words.corner_feed.value_or(modal_corner_feed_);
+    if (feed > 0.0) corner.feed = feed_of(feed);
+    if (words.rounding) {
+        corner.size = *words.rounding;
+    } else if (words.chamfer) {
+        corner.letter = 'C';
+        corner.size = *words.chamfer;
+    } else if (words.chamfer_length) {
+        corner.letter = 'L';
+        corner.size = *words.chamfer_length;
+    } else {
+        if (modal_rounding_ == 0.0 || motion_ == 0) return std::nullopt;
+        if (words.of(CodeGroup::Suppress) || machine_.state().feed_mode == FeedMode::InverseTime)
+            return std::nullopt;
+        corner.size = modal_rounding_;
+        corner.is_modal = true;
+    }
+    return corner;
+}
+
 bool Control::move(const Words& words, const Command& command, SourceSpan span) {
     const bool is_of_machine = words.of(CodeGroup::Suppress).has_value();
     AxisMask mask = 0;
@@ -388,9 +432,26 @@ bool Control::move(const Words& words, const Command& command, SourceSpan span) 
     if (!polar_end(words, end, mask, span)) return false;
     if (motion_ <= 1) return line(words, command, end, mask, span);
     if (is_of_machine) return fail(Message::NotRead, span, {"an arc with SUPA, G53 or G153"});
-    if (words.rounding || words.chamfer || words.line_angle)
-        return fail(Message::NotRead, words.corner_span, {"a corner at an arc (RND, CHR, ANG)"});
+    if (words.chamfer || words.chamfer_length || words.line_angle)
+        return fail(Message::NotRead, words.corner_span, {"a chamfer at an arc (CHR, CHF, ANG)"});
     return arc(words, command, end, mask, span);
+}
+
+/// Reports the first large turn under ORIWKS or ORIVECT: the control turns the tool along a great
+/// circle, ncsim turns the axes linearly. Both ends are the same.
+void Control::check_turn(const Axes& end, SourceSpan span) {
+    constexpr double kLarge = 1.0;  // Degrees; CAM systems divide larger turns.
+    if (is_turn_reported_ || machine_.state().coordinates != Coordinates::Tip) return;
+    int turning = 0;
+    bool is_large = false;
+    for (std::size_t i = kA; i <= kC; ++i) {
+        const double way = std::abs(end[i] - at_[i]);
+        if (way > 0.0) ++turning;
+        is_large = is_large || way > kLarge;
+    }
+    if (turning < 2 || !is_large) return;
+    is_turn_reported_ = true;
+    log_.add(Message::TurnByVector, span);
 }
 
 bool Control::line(const Words& words, Command command, Axes end, AxisMask mask, SourceSpan span) {
@@ -403,7 +464,8 @@ bool Control::line(const Words& words, Command command, Axes end, AxisMask mask,
     }
     const bool is_of_machine = suppresses && !(all_incremental && mask != 0);
     if (is_of_machine) put(command, Code::G53);
-    const bool has_corner = words.rounding || words.chamfer || words.line_angle;
+    const std::optional<language::Corner> corner = corner_of(words);
+    const bool has_corner = corner || words.line_angle;
     // Increments are known even if the position before the move is unknown.
     const bool by_increments = is_unknown(mask) && all_incremental && !is_of_machine &&
                                !has_corner && side_ == CutterSide::Off;
@@ -425,17 +487,14 @@ bool Control::line(const Words& words, Command command, Axes end, AxisMask mask,
         return fail(Message::BlockNeeds, span, {"A3, B3, C3", "TRAORI before"});
     if (has_corner && motion_ != 1)
         return fail(Message::NotRead, words.corner_span,
-                    {"a corner at a rapid move (RND, CHR, ANG)"});
-    if (words.rounding || words.chamfer) {
-        command.corner = words.rounding ? 'R' : 'C';
-        command.corner_size = words.rounding ? *words.rounding : *words.chamfer;
-        command.corner_span = words.corner_span;
-    }
+                    {"a corner at a rapid move (RND, CHR, CHF, ANG)"});
+    if (corner) put(command, *corner);
     if (words.line_angle) {
         command.has_angle = true;
         command.angle = *words.line_angle;
         command.angle_span = words.corner_span;
     }
+    if (turns_by_vector_ && motion_ == 1) check_turn(end, span);
     state.incremental = by_increments;
     state.by_vector = by_vector;
     const bool done = run(command);

@@ -67,14 +67,14 @@ public:
     static bool is_hole_cycle(std::string_view name);
     static bool is_pattern(std::string_view name);
 
-    /// Ends the main program.
-    void end_program() { finish(), has_ended_ = true; }
     SavedModes save() const { return {motion_, plane_, is_incremental_, chain_}; }
     bool restore(const SavedModes& saved, SourceSpan span);
 
     std::optional<double> system_value(std::string_view name, std::string_view axis) const override;
 
 private:
+    std::vector<ActiveMode> modes_left_on() const override;
+    std::vector<ActiveMode> modes_at_change() const override;
     bool set_modes(const Words& words, SourceSpan span);
     bool set_tool(const Words& words, Command& command, SourceSpan span);
     bool set_edge(double edge, Command& command, SourceSpan span);
@@ -87,6 +87,7 @@ private:
     bool seek_home(const Words& words, SourceSpan span);
     bool set_pole(int code, const Words& words, SourceSpan span);
     bool move(const Words& words, const Command& command, SourceSpan span);
+    void check_turn(const Axes& end, SourceSpan span);
     bool line(const Words& words, Command command, Axes end, AxisMask mask, SourceSpan span);
     bool arc(const Words& words, const Command& command, const Axes& end, AxisMask mask,
              SourceSpan span);
@@ -101,6 +102,7 @@ private:
     bool is_increment(const Coordinate& word) const;
     std::optional<double> centre_of(const Words& words, std::size_t axis) const;
     double feed_of(double value) const;
+    std::optional<language::Corner> corner_of(const Words& words) const;
     bool act_at_end(const Words& words, SourceSpan span);
 
     bool apply_frame(std::string_view name, SourceSpan span);
@@ -129,6 +131,8 @@ private:
     bool tool_word_changes_ = false;
     bool is_tool_change_reported_ = false;
     bool is_feed_reported_ = false;
+    bool turns_by_vector_ = false;  ///< ORIWKS, ORIVECT.
+    bool is_turn_reported_ = false;
     int motion_ = 0;  ///< 0 … 3, kCip or kCt.
     bool is_incremental_ = false;
     bool is_feed_in_inches_ = false;
@@ -136,6 +140,8 @@ private:
     int edge_ = 0;                     ///< D
     int system_ = 0;                   ///< Number of the last system: 54 …, 500.
     CutterSide side_ = CutterSide::Off;
+    double modal_rounding_ = 0.0;     ///< RNDM; 0: off.
+    double modal_corner_feed_ = 0.0;  ///< FRCM; 0: none.
     std::array<double, 2> pole_{};
     std::optional<double> polar_radius_, polar_angle_;  ///< Last words, while the tool is there.
     Frame chain_;                                       ///< TRANS, ROT, SCALE, MIRROR.

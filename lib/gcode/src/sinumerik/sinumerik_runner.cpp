@@ -3,7 +3,6 @@
 // Execution of blocks: statements, assignments, words.
 #include "sinumerik/sinumerik_runner.h"
 
-#include "text/line_end.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -32,6 +31,18 @@ bool has_tool_change(const SourceFile& file) {
         }
     }
     return false;
+}
+
+/// True for a letter and a number, "X10", "G1", "Z-3.5", that no assignment and no call begins.
+bool is_plain_word(std::string_view name, std::string_view rest) {
+    if (name.size() > 1 && !std::ranges::all_of(name.substr(1), is_digit)) return false;
+    if (name.size() == 1) {
+        return !rest.empty() &&
+               (is_digit(rest[0]) || rest[0] == '-' || rest[0] == '+' || rest[0] == '.');
+    }
+    while (!rest.empty() && is_blank(rest[0]))
+        rest.remove_prefix(1);
+    return rest.empty() || (rest[0] != '=' && rest[0] != '[' && rest[0] != '(');
 }
 
 constexpr auto kFrames = std::to_array<std::string_view>(
@@ -64,16 +75,10 @@ std::vector<std::string> tool_names(const SourceFile& program) {
 Runner::Runner(const SourceFile& program, const InterpreterOptions& options,
                const std::array<RotaryWay, 3>& ways, const Rules& rules, ArcCentres& centres,
                const MotionSink& sink, DiagnosticLog& log, Interpretation& result)
-    : options_(options),
-      log_(log),
-      result_(result),
-      path_(options, sink, log, result),
-      machine_(options, rules, centres, log, path_, registers_),
+    : ProgramRunner(program, options, rules, centres, sink, log, result),
       control_(options, ways, machine_, log, !has_tool_change(program)),
       expressions_(variables_, control_, log),
       words_(expressions_, log) {
-    registers_.set_rules(rules);
-    most_blocks_ = options.limits.repeated_blocks + line_count(program.text);
     files_.push_back({&program, nullptr, sections_of(program)});
     for (const Section& section : files_[0].sections) {
         Program& added = programs_.emplace_back();
@@ -93,22 +98,6 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options,
     }
 }
 
-void Runner::run() {
-    while (!ended_ && step()) {
-    }
-    machine_.flush();
-    path_.finish();
-    machine_.report_to(result_);
-    result_.stopped = ended_ && !result_.ended;
-    if (!result_.ended && !ended_) log_.add(Message::ProgramEndMissing, {line_.line, 1, 0});
-}
-
-bool Runner::fail(const MessageText& message, SourceSpan span,
-                  std::initializer_list<std::string_view> arguments) {
-    log_.add(message, span, arguments);
-    return false;
-}
-
 bool Runner::refuse_text(std::size_t at) {
     constexpr std::size_t kMost = 40;
     const std::string_view text = line_.code.substr(std::min(at, line_.code.size()));
@@ -121,18 +110,13 @@ bool Runner::is_at_end(CodeScanner& scan) {
 }
 
 void Runner::seek(Place place) {
-    if (place.offset <= line_.offset) repeated_ = std::max<std::uint64_t>(repeated_, 1);
+    if (place.offset <= line_.offset) count_repeats();
     reader_->seek(place);
 }
 
 /// Executes the next block.
 /// Returns: false at the end of the program.
 bool Runner::step() {
-    const auto stop = [&] {
-        result_.refused = true;
-        ended_ = true;
-        return false;
-    };
     // The modal subprogram runs at each position of a pattern.
     if (!frame().places.empty()) {
         const HolePlace place = frame().places.front();
@@ -146,19 +130,9 @@ bool Runner::step() {
         return finish_program() || stop();
     }
     ++result_.lines;
-    if ((is_in_subprogram() || repeated_ > 0) && ++repeated_ > most_blocks_) {
-        fail(Message::StepLimit, line_.whole());
-        ended_ = true;
-        return false;
-    }
+    if (!count_block(is_in_subprogram(), line_.whole())) return false;
     if (line_.is_head || line_.code.empty()) return true;
-    if (line_.block_delete) {
-        if (!result_.deletable) {
-            const auto file = static_cast<std::uint32_t>(program().file);
-            result_.deletable = {file, line_.whole()};
-        }
-        if (options_.block_delete) return true;
-    }
+    if (line_.block_delete && skips_deletable(program().file, line_.whole())) return true;
     if (!act()) return stop();
     return !ended_;
 }
@@ -168,75 +142,92 @@ bool Runner::step() {
 bool Runner::act() {
     CodeScanner scan(line_.code);
     scan.skip_blanks();
-    const std::string name = upper_of(name_at(scan.remaining()));
+    // "G1", "X10": most blocks begin with a word.
+    const std::string_view raw = name_at(scan.remaining());
+    if (raw.size() < 2 || is_digit(raw[1])) return items(scan);
     bool is_done = true;
-    if (!name.empty() && !statement(name, scan, is_done)) return false;
-    return (is_done && !name.empty()) || items(scan);
+    return statement(upper_of(raw), scan, is_done) && (is_done || items(scan));
 }
 
 /// Executes a block that begins with the keyword `name`. `is_done`: false for another block.
 bool Runner::statement(std::string_view name, CodeScanner& scan, bool& is_done) {
-    // "G1", "X10": most blocks begin with a word.
-    if (name.size() < 2 || is_digit(name[1])) {
-        is_done = false;
-        return true;
-    }
     const std::size_t begin = scan.at();
     scan.move_to(begin + name.size());
+    bool is_flow = true;
+    if (!flow_statement(name, scan, is_flow)) return false;
+    if (is_flow) return true;
     const SourceSpan span = line_.span(begin, name.size());
+    if (name == "DEF") return define(scan);
+    if (name == "PROC") return proc(scan);
+    if (name == "EXTERN") return true;  // A declaration; the file of the program decides.
+    if (name == "MSG" || name == "SETAL") return skip_call(scan);
+    if (name == "RET") return return_statement(scan, span);
+    if (name == "MCALL") return modal(scan);
+    if (std::ranges::find(kFrames, name) != kFrames.end()) return frame_statement(name, scan);
+    if (name == "CALL" || name == "PCALL" || name == "EXTCALL")
+        return call_statement(name, scan, span);
+    scan.move_to(begin);
+    is_done = false;
+    return true;
+}
+
+/// IF, GOTO, CASE, loops. `is_flow`: false for another statement.
+bool Runner::flow_statement(std::string_view name, CodeScanner& scan, bool& is_flow) {
     if (name == "IF") return if_statement(scan);
     if (name == "ELSE") return is_at_end(scan) && skip_to_end("IF", false);
     if (name == "ENDIF") return is_at_end(scan);
     if (name.starts_with("GOTO")) {
         if (name == "GOTO" || name == "GOTOF" || name == "GOTOB" || name == "GOTOC")
             return jump(name, scan);
-        return fail(Message::NotRead, span, {name});
+        return fail(Message::NotRead, line_.span(scan.at() - name.size(), name.size()), {name});
     }
     if (name == "CASE") return case_statement(scan);
     if (name == "FOR" || name == "WHILE" || name == "LOOP" || name == "REPEAT" || name == "REPEATB")
         return loop_statement(name, scan);
     if (name == "ENDFOR" || name == "ENDWHILE" || name == "ENDLOOP" || name == "UNTIL")
         return end_loop(name, scan);
-    if (name == "DEF") return define(scan);
-    if (name == "PROC") return proc(scan);
-    if (name == "EXTERN") return true;  // A declaration; the file of the program decides.
-    if (name == "MSG" || name == "SETAL") return skip_call(scan);
-    if (name == "RET") {
-        if (scan.take('(')) return fail(Message::NotRead, span, {"RET with values"});
-        if (!is_at_end(scan)) return false;
-        if (is_in_subprogram()) return finish_program();
-        control_.end_program();
-        result_.ended = ended_ = true;
-        return true;
-    }
-    if (name == "MCALL") return modal(scan);
-    if (std::ranges::find(kFrames, name) != kFrames.end()) return frame_statement(name, scan);
-    if (name == "CALL" || name == "PCALL" || name == "EXTCALL") {
-        if (name == "CALL" && upper_of(name_at(scan.remaining().substr(
-                                  std::min<std::size_t>(1, scan.remaining().size())))) == "BLOCK")
-            return fail(Message::NotRead, span, {"CALL BLOCK"});
-        std::string called;
-        if (name == "PCALL") {
-            // "PCALL /_N_WKS_DIR/_N_PART_WPD/POCKET(1,2)"
-            scan.skip_blanks();
-            const std::size_t end = std::min(scan.remaining().find('('), scan.remaining().size());
-            called = std::string(scan.remaining().substr(0, end));
-            scan.move_to(scan.at() + end);
-        } else {
-            const bool has_bracket = name == "EXTCALL" && scan.take('(');
-            const std::optional<Value> value = expressions_.value(scan, line_);
-            if (!value) return false;
-            if (!value->is_text) return fail(Message::ValueType, span, {"the name of a program"});
-            if (has_bracket && !scan.take(')')) return refuse_text(scan.at());
-            called = value->text;
-        }
-        std::optional<std::vector<Argument>> passed = arguments(scan);
-        if (!passed || !is_at_end(scan)) return false;
-        return call(called, std::move(*passed), 1.0, line_.whole());
-    }
-    scan.move_to(begin);
-    is_done = false;
+    is_flow = false;
     return true;
+}
+
+bool Runner::return_statement(CodeScanner& scan, SourceSpan span) {
+    if (scan.take('(')) return fail(Message::NotRead, span, {"RET with values"});
+    if (!is_at_end(scan)) return false;
+    if (is_in_subprogram()) return finish_program();
+    return end_main_program();
+}
+
+/// Ends the main program: reports a modal call that is still active.
+bool Runner::end_main_program() {
+    const SourceSpan span = line_.whole();
+    if (frame().modal.is_active) log_.add(Message::LeftOnAtEnd, span, {"MCALL", "MCALL alone"});
+    control_.end_program(span);
+    end();
+    return true;
+}
+
+/// CALL "NAME"(1,2), PCALL /DIR/NAME(1,2), EXTCALL("NAME").
+bool Runner::call_statement(std::string_view name, CodeScanner& scan, SourceSpan span) {
+    std::string called;
+    if (name == "PCALL") {
+        scan.skip_blanks();
+        const std::size_t end = std::min(scan.remaining().find('('), scan.remaining().size());
+        called = std::string(scan.remaining().substr(0, end));
+        scan.move_to(scan.at() + end);
+    } else {
+        const bool has_bracket = name == "EXTCALL" && scan.take('(');
+        scan.skip_blanks();
+        if (name == "CALL" && upper_of(name_at(scan.remaining())) == "BLOCK")
+            return fail(Message::NotRead, span, {"CALL BLOCK"});
+        const std::optional<Value> value = expressions_.value(scan, line_);
+        if (!value) return false;
+        if (!value->is_text) return fail(Message::ValueType, span, {"the name of a program"});
+        if (has_bracket && !scan.take(')')) return refuse_text(scan.at());
+        called = value->text;
+    }
+    std::optional<std::vector<Argument>> passed = arguments(scan);
+    if (!passed || !is_at_end(scan)) return false;
+    return call(called, std::move(*passed), 1.0, line_.whole());
 }
 
 /// Skips the arguments of a call that moves nothing: MSG("text").
@@ -293,6 +284,14 @@ bool Runner::item(CodeScanner& scan, Words& words, bool& has_words) {
     const std::size_t begin = scan.at();
     const std::string_view raw = name_at(scan.remaining());
     if (raw.empty()) return refuse_text(begin);
+    if (is_plain_word(raw, line_.code.substr(begin + raw.size()))) {
+        const WordReader::Found found = words_.plain_word(scan, line_, words);
+        if (found == WordReader::Found::Error) return false;
+        if (found == WordReader::Found::Yes) {
+            has_words = true;
+            return true;
+        }
+    }
     const std::string name = upper_of(raw);
     const SourceSpan span = line_.span(begin, raw.size());
     CodeScanner behind(line_.code, begin + raw.size());
@@ -342,14 +341,14 @@ bool Runner::assign(CodeScanner& scan) {
 
 /// Executes the words of a block, then the end of the program and the modal call.
 bool Runner::finish_block(const Words& words, SourceSpan span) {
+    if (words.has_m(6) && frame().modal.is_active)
+        log_.add(Message::LeftOnAtChange, span, {"MCALL", "MCALL alone"});
     if (!control_.block(words, span)) return false;
     const bool ends = words.has_m(2) || words.has_m(30);
     const bool returns = words.has_m(17);
     if (ends || returns) {
         if (is_in_subprogram()) return finish_program();
-        control_.end_program();
-        result_.ended = ended_ = true;
-        return true;
+        return end_main_program();
     }
     const std::optional<int> once = words.of(CodeGroup::OneShot);
     const bool moves = words.has_axes() && !once && !words.of(CodeGroup::Suppress);

@@ -6,7 +6,7 @@
 
 #include "ncsim/gcode/interpretation.h"
 
-#include "control/machine.h"
+#include "language/program_runner.h"
 #include "sinumerik/formula.h"
 #include "sinumerik/line_reader.h"
 #include "sinumerik/sinumerik_control.h"
@@ -30,13 +30,11 @@ namespace ncsim::gcode::sinumerik {
 std::vector<std::string> tool_names(const SourceFile& program);
 
 /// Runs a program.
-class Runner {
+class Runner final : public language::ProgramRunner {
 public:
     Runner(const SourceFile& program, const InterpreterOptions& options,
            const std::array<RotaryWay, 3>& ways, const Rules& rules, ArcCentres& centres,
            const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
-
-    void run();
 
 private:
     struct File {
@@ -99,12 +97,17 @@ private:
         SourceSpan places_span;
     };
 
-    bool step();
+    bool step() override;
+    std::uint32_t last_line() const override { return line_.line; }
     bool act();
     bool statement(std::string_view name, CodeScanner& scan, bool& is_done);
+    bool flow_statement(std::string_view name, CodeScanner& scan, bool& is_flow);
+    bool return_statement(CodeScanner& scan, SourceSpan span);
+    bool call_statement(std::string_view name, CodeScanner& scan, SourceSpan span);
     bool items(CodeScanner& scan);
     bool item(CodeScanner& scan, Words& words, bool& has_words);
     bool finish_block(const Words& words, SourceSpan span);
+    bool end_main_program();
     bool assign(CodeScanner& scan);
     bool skip_call(CodeScanner& scan);
     bool named_call(std::string_view raw, CodeScanner& scan, bool is_first);
@@ -144,8 +147,6 @@ private:
     bool finish_program();
     std::optional<double> take_runs(CodeScanner& scan);
 
-    bool fail(const MessageText& message, SourceSpan span,
-              std::initializer_list<std::string_view> arguments = {});
     bool refuse_text(std::size_t at);
     void seek(Place place);
 
@@ -153,12 +154,6 @@ private:
     Program& program() { return programs_[frame().program]; }
     bool is_in_subprogram() const { return frames_.size() > 1; }
 
-    const InterpreterOptions& options_;
-    DiagnosticLog& log_;
-    Interpretation& result_;
-    gcode::Parameters registers_;  // Required by Machine; the language does not read them.
-    Path path_;
-    Machine machine_;
     Control control_;
     Variables variables_;
     Expressions expressions_;
@@ -168,9 +163,6 @@ private:
     std::vector<Frame> frames_;
     std::optional<Reader> reader_;
     Line line_, ahead_;
-    std::uint64_t repeated_ = 0;
-    std::uint64_t most_blocks_ = 0;
-    bool ended_ = false;
 };
 
 }  // namespace ncsim::gcode::sinumerik

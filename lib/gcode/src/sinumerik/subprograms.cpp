@@ -3,6 +3,7 @@
 // Subprograms, parameters, cycles of the control, modal calls.
 // Source: SINUMERIK 840D sl, Programming Manual NC Programming, "Subprograms", 06/2019.
 #include "sinumerik/sinumerik_runner.h"
+#include "text/line_end.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -256,7 +257,7 @@ std::optional<std::size_t> Runner::find_program(const std::string& name) {
     file.owned = std::make_unique<SourceFile>(std::move(*source));
     file.source = file.owned.get();
     file.sections = sections_of(*file.source);
-    most_blocks_ += static_cast<std::uint64_t>(std::ranges::count(file.source->text, '\n')) + 1;
+    most_blocks_ += line_count(file.source->text);
     control_.add_tool_names(tool_names(*file.source));
     result_.files.push_back(file.source->name);
     const std::size_t first = programs_.size();
@@ -284,7 +285,7 @@ bool Runner::call(const std::string& called, std::vector<Argument> passed, doubl
     }
     if (frames_.size() > options_.limits.call_depth) return fail(Message::CallDepth, span);
     if (runs < 1.0) return true;
-    repeated_ = std::max<std::uint64_t>(repeated_, 1);
+    count_repeats();
     Frame entered;
     entered.program = *found;
     entered.name = name;
@@ -312,11 +313,7 @@ bool Runner::finish_program() {
     const auto targets = leaving.copies;
     if (leaving.runs_left > 0) {
         --leaving.runs_left;
-        if (++repeated_ > most_blocks_) {
-            fail(Message::StepLimit, line_.whole());
-            ended_ = true;
-            return true;
-        }
+        if (!count_block(true, line_.whole())) return true;
         variables_.end_program();
         variables_.begin_program();
         leaving.loops.clear();

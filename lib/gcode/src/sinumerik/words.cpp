@@ -65,8 +65,8 @@ constexpr auto kLong = std::to_array<std::string_view>(
 
 /// Addresses that move no axis.
 constexpr auto kLongWithoutPath = std::to_array<std::string_view>(
-    {"OVR",     "OVRRAP",  "FAD",     "FRC",      "FRCM",     "LIMS", "ADIS", "ADISPOS",
-     "ACC",     "OVRA",    "FL",      "CTOL",     "OTOL",     "ATOL", "DISC", "FP",
+    {"OVR",     "OVRRAP",  "FAD",     "LIMS",     "ADIS",     "ADISPOS", "ACC",
+     "OVRA",    "FL",      "CTOL",    "OTOL",     "ATOL",     "DISC",    "FP",
      "JERKLIM", "VELOLIM", "ACCLIMA", "JERKLIMA", "VELOLIMA", "FA"});
 
 }  // namespace
@@ -164,6 +164,8 @@ WordReader::Found WordReader::keyword(std::string_view name, SourceSpan span, Wo
     if (name == "CT") return set(CodeGroup::Motion, kCt);
     if (name == "TRAORI") return set(CodeGroup::Transform, kTraori);
     if (name == "TRAFOOF") return set(CodeGroup::Transform, kTrafoof);
+    if (name == "ORIWKS" || name == "ORIVECT") words.turns_by_vector = true;
+    if (name == "ORIMKS" || name == "ORIAXES") words.turns_by_vector = false;
     if (has_name(kWithoutPath, name)) return Found::Yes;
     if (has_name(kRefused, name)) return fail(Message::NotRead, span, {name});
     return Found::No;
@@ -206,6 +208,17 @@ std::optional<Coordinate> WordReader::coordinate(CodeScanner& scan, const Line& 
     found.value = *value;
     found.span = line.span(begin, scan.at() - begin);
     return found;
+}
+
+WordReader::Found WordReader::plain_word(CodeScanner& scan, const Line& line, Words& words) {
+    const std::size_t begin = scan.at();
+    const char letter = upper(line.code[begin]);
+    if (!is_letter(letter) || letter == 'R' || letter == 'L') return Found::No;
+    scan.move_to(begin + 1);
+    const std::optional<double> number = expressions_.literal(scan, line);
+    if (!number) return Found::Error;
+    const SourceSpan span = line.span(begin, scan.at() - begin);
+    return take({&letter, 1}, *number, {*number, Way::Modal, span}, span, words);
 }
 
 WordReader::Found WordReader::word(CodeScanner& scan, const Line& line, Words& words) {
@@ -303,6 +316,10 @@ WordReader::Found WordReader::take(std::string_view name, double value,
     if (name == "TURN") return put(words.turns, value);
     if (name == "RND") return put(words.rounding, value);
     if (name == "CHR") return put(words.chamfer, value);
+    if (name == "CHF") return put(words.chamfer_length, value);
+    if (name == "RNDM") return put(words.modal_rounding, value);
+    if (name == "FRC") return put(words.corner_feed, value);
+    if (name == "FRCM") return put(words.modal_corner_feed, value);
     if (name == "ANG") return put(words.line_angle, value);
     if (name == "RPL") return put(words.plane_angle, value);
     if (name == "S1") return put(words.speed, value);
@@ -325,9 +342,9 @@ WordReader::Found WordReader::take(std::string_view name, double value,
             return put(words.direction[i], value);
     }
     if (has_name(kLongWithoutPath, name)) return Found::Yes;
-    // "RNDM=0", "OFFN=0", "TCARR=0" switch off what is not read.
-    const bool ends = value == 0.0 && (name == "RNDM" || name == "OFFN" || name == "TCARR" ||
-                                       name == "TOFFL" || name == "TOFFR" || name == "CHF");
+    // "OFFN=0", "TCARR=0" switch off what is not read.
+    const bool ends =
+        value == 0.0 && (name == "OFFN" || name == "TCARR" || name == "TOFFL" || name == "TOFFR");
     if (ends) return Found::Yes;
     return fail(Message::NotRead, span, {std::string(name) + "="});
 }

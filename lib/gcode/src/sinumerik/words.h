@@ -60,9 +60,13 @@ struct Words {
     std::array<std::optional<double>, 3> direction;        ///< A3 B3 C3.
     std::optional<double> radius, opening, polar_radius, turns;
     std::optional<Coordinate> polar_angle;
-    std::optional<double> rounding, chamfer, line_angle, plane_angle;  ///< RND CHR ANG RPL.
+    std::optional<double> rounding, chamfer, chamfer_length;  ///< RND CHR CHF.
+    std::optional<double> modal_rounding;                     ///< RNDM
+    std::optional<double> corner_feed, modal_corner_feed;     ///< FRC FRCM.
+    std::optional<double> line_angle, plane_angle;            ///< ANG RPL.
     std::optional<double> feed, speed, edge, tool;
     std::optional<std::string> tool_name;
+    std::optional<bool> turns_by_vector;  ///< ORIWKS, ORIVECT: true; ORIMKS, ORIAXES: false.
     std::vector<int> m;
     std::array<std::optional<int>, kCodeGroups> code;
     SourceSpan corner_span;
@@ -84,6 +88,8 @@ public:
     enum class Found : std::uint8_t { Yes, No, Error };
     /// Reads the word at `scan`: "X10", "CR=5", "I=AC(3)", "G1", "T="DRILL"".
     Found word(CodeScanner& scan, const Line& line, Words& words);
+    /// Reads a word of a letter and a number: "X10", "G1", "Z-3.5". Requires: no '=' follows.
+    Found plain_word(CodeScanner& scan, const Line& line, Words& words);
     /// Reads a keyword without value: "SUPA", "CIP", "FFWON".
     Found keyword(std::string_view name, SourceSpan span, Words& words);
 

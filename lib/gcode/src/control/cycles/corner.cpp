@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ,R and ,C of Fanuc and similar controls: an arc or a chamfer between a line and the next line.
+// RND, CHF and CHR of other languages: the same; RND also next to arcs.
 // ,A: the direction of a line for which one coordinate of the end is given, or which ends at the
 // next line. Each such line is held back because the end depends on the next line.
 #include "ncsim/trig/angles.h"
 
+#include "control/cycles/fillet.h"
 #include "control/machine.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace ncsim::gcode {
 namespace {
@@ -30,8 +34,17 @@ bool Machine::is_line(const Command& command) const {
     return command.group(Group::ToolLength) != Code::G43_1;
 }
 
+/// True for a line, and for an arc on controls that round corners at arcs.
+bool Machine::is_element(const Command& command) const {
+    if (is_line(command)) return true;
+    const Code named = command.group(Group::Motion);
+    const Code motion = named == Code::None ? state_.motion : named;
+    return rules_.rounds_arcs && (motion == Code::G2 || motion == Code::G3) &&
+           command.group(Group::OneShot) == Code::None;
+}
+
 bool Machine::ends_in_corner(const Command& command) const {
-    return is_line(command) && command.group(MGroup::Stop) == kNone;
+    return is_element(command) && command.group(MGroup::Stop) == kNone;
 }
 
 /// True for a line in the coordinate frame of the line before.
@@ -43,7 +56,12 @@ bool Machine::continues_from_corner(const Command& command) const {
           Group::NotSimulated, Group::Unsupported}) {
         if (command.group(group) != Code::None) return false;
     }
-    return is_line(command) && command.group(MGroup::Stop) == kNone &&
+    // On these controls, blocks without a move may be between the two elements of a corner.
+    const bool is_neutral =
+        rules_.rounds_arcs && !command.axis_words && command.group(Group::OneShot) == Code::None;
+    const bool continues =
+        is_neutral || (control_.corner->angle ? is_line(command) : is_element(command));
+    return continues && command.group(MGroup::Stop) == kNone &&
            command.group(MGroup::ToolChange) == kNone && command.group(MGroup::Kinematics) == kNone;
 }
 
@@ -56,38 +74,56 @@ bool Machine::stays_in_plane(const Axes& from, const Axes& to) const {
     return true;
 }
 
-bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask) {
+/// Holds back the line to `end`, or the arc `arc`.
+bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask,
+                          const ProgramArc* arc) {
     const std::string_view name = corner_name(command.corner);
     if (command.corner_size < 0.0) return fail(Message::NegativeValue, command.corner_span, {name});
     if (state_.feed_mode == FeedMode::InverseTime) {
         return fail(Message::CycleInverseTime, command.corner_span, {name});
     }
     if (!stays_in_plane(state_.position, end)) {
-        log_.add(Severity::Error, Message::CornerForm, command.corner_span,
-                 {name, "a line in the plane (G17, G18, G19)"});
-        return feed_straight(end, MoveKind::Feed, mask);
+        if (!command.corner_is_modal)
+            log_.add(Severity::Error, Message::CornerForm, command.corner_span,
+                     {name, "a line in the plane (G17, G18, G19)"});
+        return arc ? make_arc(*arc, mask) : feed_straight(end, MoveKind::Feed, mask);
     }
     double size = command.corner_size;
     if (state_.programmed.scaled) {
         size *= std::abs(state_.programmed.scale[axes_of(state_.plane).first % 3]);
     }
-    control_.corner =
-        HeldCorner{state_, end, mask, command.corner, size, {}, span_, command.corner_span, file_};
+    HeldCorner held;
+    held.state = state_;
+    held.end = end;
+    held.mask = mask;
+    held.letter = command.corner;
+    held.size = size;
+    held.is_modal = command.corner_is_modal;
+    held.feed = command.corner_feed;
+    held.span = span_;
+    held.word = command.corner_span;
+    held.file = file_;
+    if (arc) held.arc = *arc;
+    control_.corner = std::move(held);
     record_move(state_, mask, false);
     state_.position = end;
     return true;
 }
 
-/// Makes the held line up to the corner, and the corner itself. `next`: end of the next line.
-bool Machine::cut_corner(const Axes& next) {
+/// Makes the held line up to the corner, and the corner itself. `next`: end of the next element,
+/// which is a line or the arc `arc`.
+bool Machine::cut_corner(const Axes& next, const ProgramArc* arc) {
     const PlaneAxes axes = axes_of(state_.plane);
     const HeldCorner held = *control_.corner;
+    if (arc || held.arc) return round_at_arc(next, arc);
     const auto refuse = [&](std::string_view what) {
         log_.add(Severity::Error, Message::CornerForm, held.word, {corner_name(held.letter), what});
         return make_held_line(held.end, nullptr, nullptr);
     };
     if (held.size == 0.0) return make_held_line(held.end, nullptr, nullptr);
-    if (!stays_in_plane(held.end, next)) return refuse("a line in the plane after it");
+    const bool is_flat = stays_in_plane(held.end, next);
+    if (!is_flat && held.is_modal) return make_held_line(held.end, nullptr, nullptr);
+    if (!is_flat) return refuse("a line in the plane after it");
     const Axes& from = held.state.position;
     const double x1 = held.end[axes.first] - from[axes.first];
     const double y1 = held.end[axes.second] - from[axes.second];
@@ -104,7 +140,9 @@ bool Machine::cut_corner(const Axes& next) {
         return make_held_line(held.end, nullptr, nullptr);  // Collinear lines have no corner.
     }
     // Length that the corner removes from each line.
-    const double cut = held.letter == 'R' ? held.size * std::abs(cross) / (1.0 + dot) : held.size;
+    const double cut = held.letter == 'R'   ? held.size * std::abs(cross) / (1.0 + dot)
+                       : held.letter == 'L' ? held.size / std::sqrt(2.0 * (1.0 + dot))
+                                            : held.size;
     if (cut > std::min(length_1, length_2) + kCornerRounding) {
         return refuse("lines that are long enough for it");
     }
@@ -116,16 +154,76 @@ bool Machine::cut_corner(const Axes& next) {
     second[axes.first] += cut * (x2 / length_2);
     second[axes.second] += cut * (y2 / length_2);
     if (length_2 - cut <= kCornerRounding) second = next;
-    if (held.letter == 'C') return make_held_line(first, &second, nullptr);
+    if (held.letter != 'R') return make_held_line(first, &second, nullptr);
     // A left turn has the arc's centre on the left.
     const double side = cross > 0.0 ? held.size : -held.size;
-    const ProgramArc arc{second, first[axes.first] - side * (y1 / length_1),
-                         first[axes.second] + side * (x1 / length_1), cross > 0.0 ? 1 : -1};
-    return make_held_line(first, nullptr, &arc);
+    const ProgramArc round{second, first[axes.first] - side * (y1 / length_1),
+                           first[axes.second] + side * (x1 / length_1), cross > 0.0 ? 1 : -1};
+    return make_held_line(first, nullptr, &round);
 }
 
-/// Makes the held line to `end`, then the chamfer to `second` or the arc, with the state and the
-/// origin of the held block. Sets `state_.position` to the end.
+/// Rounds the corner between the held line or arc and the next line or arc.
+bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const HeldCorner held = *control_.corner;
+    const auto refuse = [&](std::string_view what) {
+        log_.add(Severity::Error, Message::CornerForm, held.word, {corner_name(held.letter), what});
+        return make_held_line(held.end, nullptr, nullptr);
+    };
+    if (held.size == 0.0) return make_held_line(held.end, nullptr, nullptr);
+    if (held.letter != 'R') return refuse("two lines");
+    const bool is_flat = stays_in_plane(held.end, next);
+    if (!is_flat && held.is_modal) return make_held_line(held.end, nullptr, nullptr);
+    if (!is_flat) return refuse("a line or an arc in the plane after it");
+    const auto point = [&](const Axes& p) { return PlanePoint{p[axes.first], p[axes.second]}; };
+    PlaneElement first{point(held.state.position), point(held.end), false, {}, 1.0};
+    PlaneElement second{point(held.end), point(next), false, {}, 1.0};
+    for (const ProgramArc* const element : {held.arc ? &*held.arc : nullptr, arc}) {
+        if (!element) continue;
+        if (std::abs(element->turns) != 1) return refuse("arcs of one turn");
+        PlaneElement& target = element == arc ? second : first;
+        target.is_arc = true;
+        target.centre = {element->centre_1, element->centre_2};
+        target.turn = element->turns > 0 ? 1.0 : -1.0;
+    }
+    if (std::min(first.length(), second.length()) <= kCornerRounding)
+        return refuse("two elements that have a length");
+    const PlanePoint a = first.direction_at(first.to);
+    const PlanePoint b = second.direction_at(second.from);
+    const double dot = a.x * b.x + a.y * b.y;
+    const double cross = a.x * b.y - a.y * b.x;
+    constexpr double kTangent = 1e-6;  // Centres of tangential arcs are rounded by programmers.
+    if (std::abs(cross) <= kTangent) {
+        if (dot < 0.0) return refuse("a next element that does not turn back");
+        return make_held_line(held.end, nullptr, nullptr);
+    }
+    const double side = cross > 0.0 ? 1.0 : -1.0;
+    const std::optional<Fillet> found = fillet(first, second, held.size, side);
+    if (!found) return refuse("elements that are long enough for it");
+    const auto axes_at = [&](PlanePoint p, PlanePoint limit, const Axes& end) {
+        if (trig::length_of(p.x - limit.x, p.y - limit.y) <= kCornerRounding) return end;
+        Axes out = held.end;
+        out[axes.first] = p.x;
+        out[axes.second] = p.y;
+        return out;
+    };
+    const Axes begin = axes_at(found->begin, first.from, held.state.position);
+    const ProgramArc round{axes_at(found->end, second.to, next), found->centre.x, found->centre.y,
+                           cross > 0.0 ? 1 : -1, true};
+    return make_held_line(begin, nullptr, &round);
+}
+
+/// Makes an arc with the present state: of an outline, under cutter compensation, or plain.
+bool Machine::make_arc(const ProgramArc& arc, AxisMask mask) {
+    if (outline_) return record_outline_move(arc.end, &arc);
+    if (compensation_.is_on()) return compensation_.arc(state_, arc, mask, span_, file_);
+    path_.arc(state_, arc, mask);
+    state_.just_left_compensation = false;
+    return true;
+}
+
+/// Makes the held line or arc to `end`, then the chamfer to `second` or the arc, with the state and
+/// the origin of the held block. Sets `state_.position` to the end.
 bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc) {
     const HeldCorner held = *control_.corner;
     control_.corner.reset();
@@ -134,18 +232,18 @@ bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramA
     MachineState now = state_;
     state_ = held.state;
     set_origin(held.span, held.file);
-    bool made = end == state_.position || feed_straight(end, MoveKind::Feed, held.mask);
-    if (made && second) made = feed_straight(*second, MoveKind::Feed, held.mask);
-    if (made && arc) {
-        if (outline_) {
-            made = record_outline_move(arc->end, arc);
-        } else if (compensation_.is_on()) {
-            made = compensation_.arc(state_, *arc, held.mask, span_, file_);
-        } else {
-            path_.arc(state_, *arc, held.mask);
-            state_.just_left_compensation = false;
-        }
+    bool made = true;
+    if (held.arc) {
+        ProgramArc own = *held.arc;
+        own.is_open = own.is_open || end != held.end;
+        own.end = end;
+        made = (own.is_open && end == state_.position) || make_arc(own, held.mask);
+    } else {
+        made = end == state_.position || feed_straight(end, MoveKind::Feed, held.mask);
     }
+    if (held.feed) state_.feed = *held.feed;
+    if (made && second) made = feed_straight(*second, MoveKind::Feed, held.mask);
+    if (made && arc) made = make_arc(*arc, held.mask);
     set_origin(span, file);
     now.position = state_.position;
     now.just_left_compensation = state_.just_left_compensation;
@@ -211,10 +309,19 @@ bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask)
     double size = has_corner ? command.corner_size : 0.0;
     if (state_.programmed.scaled) size *= std::abs(state_.programmed.scale[axes.first % 3]);
     const char letter = has_corner ? command.corner : 'A';
-    control_.corner = HeldCorner{
-        state_, end,           plane, letter,
-        size,   command.angle, span_, has_corner ? command.corner_span : command.angle_span,
-        file_};
+    HeldCorner held;
+    held.state = state_;
+    held.end = end;
+    held.mask = plane;
+    held.letter = letter;
+    held.size = size;
+    held.angle = command.angle;
+    held.is_modal = has_corner && command.corner_is_modal;
+    held.feed = command.corner_feed;
+    held.span = span_;
+    held.word = has_corner ? command.corner_span : command.angle_span;
+    held.file = file_;
+    control_.corner = std::move(held);
     return true;
 }
 
@@ -260,8 +367,11 @@ void Machine::settle_corner() {
         fail(Message::AngleForm, span, {"one coordinate of its end, or a next line that it meets"});
         return;
     }
-    log_.add(Severity::Error, Message::CornerForm, control_.corner->word,
-             {corner_name(control_.corner->letter), "a line (G1) in the next block"});
+    if (!control_.corner->is_modal)
+        log_.add(Severity::Error, Message::CornerForm, control_.corner->word,
+                 {corner_name(control_.corner->letter), rules_.rounds_arcs
+                                                            ? "a line or an arc in the next block"
+                                                            : "a line (G1) in the next block"});
     make_held_line(Axes(control_.corner->end), nullptr, nullptr);
 }
 

@@ -665,6 +665,18 @@ bool Machine::set_cutter_side(const Command& command) {
     return true;
 }
 
+void Machine::begin_compensation_at(CutterSide side, double radius, const Axes& contour) {
+    if (compensation_.is_on()) compensation_.end(state_);
+    state_.cutter_side = side;
+    state_.cutter_radius = radius;
+    const Axes at = state_.position;
+    const PlaneAxes axes = axes_of(state_.plane);
+    const Axes from = from_programmed(contour);
+    if (radius > 0.0) compensation_.begin_at_offset(side, radius, at);
+    state_.position[axes.first] = from[axes.first];
+    state_.position[axes.second] = from[axes.second];
+}
+
 // --- G68, G51, G16 ---
 
 Axes Machine::from_programmed(const Axes& programmed) const {

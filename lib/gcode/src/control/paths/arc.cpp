@@ -110,9 +110,16 @@ bool Machine::arc(const Command& command, bool clockwise) {
         !tolerate(Message::CompensationExit, command.span))
         return false;
     state_.just_left_compensation = false;
-    if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
-    path_.arc(state_, out, mask);
-    return true;
+    if (control_.corner) {
+        const Axes corner = state_.position;
+        if (!cut_corner(out.end, &out)) return false;
+        out.is_open = out.is_open || state_.position != corner;
+        // The corner consumes the whole arc.
+        if (out.is_open && state_.position == out.end && command.corner == 0) return true;
+    }
+    if (command.corner != 0 && command.corner_size != 0.0)
+        return hold_corner(command, out.end, mask, &out);
+    return make_arc(out, mask);
 }
 
 /// True if `arc` is not a full circle and the radius exceeds the travel of any machine.

@@ -42,6 +42,7 @@ struct ProgramArc {
     double centre_1 = 0.0, centre_2 = 0.0;
     int turns = 1;
     bool is_open = false;  ///< Not a full circle, however close the ends are.
+    bool operator==(const ProgramArc&) const = default;
 };
 
 /// Axes that a block names: a bit per Axis.

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Words and comments of blocks.
+#include "language/notes.h"
+
+#include "ncsim/gcode/print.h"
+
+#include "language/block_control.h"
+#include "text/characters.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ncsim::gcode::language {
+
+void NoteWriter::begin_block(Block& block) {
+    texts_.clear();
+    std::vector<Word> words = std::move(block.words);
+    std::vector<Comment> comments = std::move(block.comments);
+    words.clear();
+    comments.clear();
+    block = {};
+    block.words = std::move(words);
+    block.comments = std::move(comments);
+}
+
+void NoteWriter::add(Block& block, std::string text, SourceSpan span) {
+    texts_.push_back(std::move(text));
+    Comment comment;
+    comment.text = texts_.back();
+    comment.span = span;
+    block.comments.push_back(comment);
+}
+
+void NoteWriter::add(Block& block, char letter, double number, SourceSpan span) {
+    Word word;
+    word.letter = letter;
+    word.number = number;
+    word.span = span;
+    block.words.push_back(word);
+}
+
+void NoteWriter::add_tool(Block& block, std::string_view name, SourceSpan span) {
+    const auto known = std::ranges::find(names_, name);
+    std::string words(name);
+    std::ranges::replace(words, '_', ' ');
+    add(block, std::move(words), span);
+    add(block, 'T', kFirstNamedTool + static_cast<double>(known - names_.begin()), span);
+}
+
+void NoteWriter::add_corner(Block& block, std::string_view head,
+                            const std::array<double, 3>& corner, SourceSpan span) {
+    std::string text(head);
+    for (std::size_t i = 0; i < 3; ++i) {
+        text += ' ';
+        text += "XYZ"[i];
+        if (corner[i] >= 0.0) text += '+';
+        print_number(text, corner[i]);
+    }
+    add(block, std::move(text), span);
+}
+
+void append_with_single_blanks(std::string& text, std::string_view code) {
+    for (const char c : code) {
+        const bool blank = is_blank(c);
+        if (blank && (text.empty() || text.back() == ' ')) continue;
+        text += blank ? ' ' : c;
+    }
+}
+
+}  // namespace ncsim::gcode::language

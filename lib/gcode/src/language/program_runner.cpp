@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Limits and ends of programs.
+#include "language/program_runner.h"
+
+#include "text/line_end.h"
+#include "text/message.h"
+
+#include <algorithm>
+
+namespace ncsim::gcode::language {
+
+ProgramRunner::ProgramRunner(const SourceFile& program, const InterpreterOptions& options,
+                             const Rules& rules, ArcCentres& centres, const MotionSink& sink,
+                             DiagnosticLog& log, Interpretation& result)
+    : options_(options),
+      log_(log),
+      result_(result),
+      path_(options, sink, log, result),
+      machine_(options, rules, centres, log, path_, registers_),
+      most_blocks_(options.limits.repeated_blocks + line_count(program.text)) {
+    registers_.set_rules(rules);
+}
+
+void ProgramRunner::run() {
+    while (!ended_ && step()) {
+    }
+    machine_.flush();
+    path_.finish();
+    machine_.report_to(result_);
+    result_.stopped = ended_ && !result_.ended;
+    if (!result_.ended && !ended_) log_.add(Message::ProgramEndMissing, {last_line(), 1, 0});
+}
+
+bool ProgramRunner::fail(const MessageText& message, SourceSpan span,
+                         std::initializer_list<std::string_view> arguments) {
+    log_.add(message, span, arguments);
+    return false;
+}
+
+bool ProgramRunner::stop() {
+    result_.refused = true;
+    ended_ = true;
+    return false;
+}
+
+void ProgramRunner::end() {
+    result_.ended = true;
+    ended_ = true;
+}
+
+bool ProgramRunner::count_block(bool is_called, SourceSpan span) {
+    if ((!is_called && repeated_ == 0) || ++repeated_ <= most_blocks_) return true;
+    fail(Message::StepLimit, span);
+    ended_ = true;
+    return false;
+}
+
+void ProgramRunner::count_repeats() {
+    repeated_ = std::max<std::uint64_t>(repeated_, 1);
+}
+
+bool ProgramRunner::skips_deletable(std::size_t file, SourceSpan span) {
+    if (!result_.deletable) result_.deletable = {static_cast<std::uint32_t>(file), span};
+    return options_.block_delete;
+}
+
+}  // namespace ncsim::gcode::language

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Common part of the runners of languages whose blocks are not words of G-code: the machine, the
+// limits of repeated blocks, block delete, the end of the program.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+
+#include "control/machine.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+namespace ncsim::gcode::language {
+
+/// Runs a program, block by block.
+class ProgramRunner {
+public:
+    ProgramRunner(const ProgramRunner&) = delete;
+    ProgramRunner& operator=(const ProgramRunner&) = delete;
+
+    void run();
+
+protected:
+    ProgramRunner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
+                  ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log,
+                  Interpretation& result);
+    virtual ~ProgramRunner() = default;
+
+    /// Executes the next block.
+    /// Returns: false at the end of the program.
+    virtual bool step() = 0;
+    /// Returns the line of the last block.
+    virtual std::uint32_t last_line() const = 0;
+
+    /// Reports an error.
+    /// Returns: false.
+    bool fail(const MessageText& message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+    /// Ends the program at a block that is not read.
+    /// Returns: false.
+    bool stop();
+    /// Ends the program as M30 does.
+    void end();
+    /// Counts a block. Ends the program after too many repeated blocks.
+    bool count_block(bool is_called, SourceSpan span);
+    /// Starts the count of repeated blocks: a call, or a jump backwards.
+    void count_repeats();
+    /// True if block delete skips a block with '/'.
+    bool skips_deletable(std::size_t file, SourceSpan span);
+
+    const InterpreterOptions& options_;
+    DiagnosticLog& log_;
+    Interpretation& result_;
+    Parameters registers_;  // Required by Machine; the languages do not read the registers.
+    Path path_;
+    Machine machine_;
+    std::uint64_t repeated_ = 0;
+    std::uint64_t most_blocks_ = 0;
+    bool ended_ = false;
+};
+
+}  // namespace ncsim::gcode::language
