@@ -106,6 +106,30 @@ TEST(SurfaceRecorder, KeptStatesAreUnchanged) {
     EXPECT_LT(recorder.pieces().size(), before);
 }
 
+TEST(SurfaceRecorder, RecordingContinuesAfterStatesWereDropped) {
+    const auto cuts = test::random_cuts(9, 30, 60000);
+    TreeCda part(kStock, kLattice);
+    SurfaceRecorder recorder(RecordGrid::around(kStock.bounds));
+    part.record_surface(recorder);
+    std::vector<double> volumes{part.volume()};
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        part.subtract_unmeasured(cuts[i]);
+        part.record_surface(recorder);
+        volumes.push_back(part.volume());
+        if (i != 10 && i != 19) continue;
+        // The last state is dropped in the first case and kept in the second.
+        std::vector<std::uint32_t> kept;
+        std::vector<double> rest;
+        for (std::uint32_t state = 0; state < volumes.size(); state += 2) {
+            kept.push_back(state);
+            rest.push_back(volumes[state]);
+        }
+        recorder.keep_states(kept);
+        volumes.swap(rest);
+    }
+    expect_volumes(recorder, volumes);
+}
+
 TEST(SurfaceRecorder, DoesNotDependOnTheNumberOfThreads) {
     const auto cuts = test::random_cuts(7, 20, 60000);
     std::vector<GridPoint> first;

@@ -153,19 +153,28 @@ void SurfaceRecorder::keep_states(std::span<const std::uint32_t> kept) {
     };
     std::vector<SurfacePiece> pieces;
     std::vector<GridPoint> corners;
-    for (SurfacePiece piece : pieces_) {
+    std::vector<std::uint32_t> new_number(pieces_.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        SurfacePiece piece = pieces_[i];
         piece.first_state = renumbered(piece.first_state);
         piece.end_state = renumbered(piece.end_state);
-        if (piece.first_state >= kept.size() || piece.first_state >= piece.end_state) continue;
+        if (piece.first_state >= piece.end_state) continue;
         const auto own = std::span(corners_).subspan(piece.first_corner, piece.corners);
         piece.first_corner = static_cast<std::uint32_t>(corners.size());
         corners.insert(corners.end(), own.begin(), own.end());
+        new_number[i] = static_cast<std::uint32_t>(pieces.size());
         pieces.push_back(piece);
+    }
+    // Regions hold pieces that still exist, and such pieces are not erased.
+    for (Region& region : regions_) {
+        for (auto& [hash, numbers] : region.cells) {
+            for (std::uint32_t& number : numbers)
+                number = new_number[number];
+        }
     }
     pieces_.swap(pieces);
     corners_.swap(corners);
     states_ = static_cast<std::uint32_t>(kept.size());
-    regions_.clear();
 }
 
 }  // namespace ncsim::cda

@@ -58,7 +58,7 @@ public:
     std::span<const SurfacePiece> pieces() const { return pieces_; }
     std::span<const GridPoint> corners() const { return corners_; }
     /// Keeps the states `kept` (ascending) only and renumbers the states. Pieces that exist in none
-    /// of these states are erased.
+    /// of these states are erased, except pieces that exist at present.
     void keep_states(std::span<const std::uint32_t> kept);
 
     // Interface for models.

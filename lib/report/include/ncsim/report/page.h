@@ -15,8 +15,18 @@
 namespace ncsim::report {
 
 /// Writes HTML 5, UTF-8, without external resources.
-/// Requires: `checked.look`, unless the program was not verified.
+/// Requires: `checked.page_data`, unless the program was not verified.
 void write_page(std::ostream& out, const Checked& checked);
+
+/// Page of a run, without a verdict.
+struct RunPage {
+    std::string path;     ///< Path of the program as specified.
+    std::string summary;  ///< Volumes, tools and times as text.
+    PageData page_data;
+};
+
+/// Writes the page of a run, as write_page().
+void write_run_page(std::ostream& out, const RunPage& page);
 
 /// Writes an index of pages: a row for each program with its verdict and the relative address of
 /// its page, as `link` returns it (empty: no page); then the rest of `scope`.
