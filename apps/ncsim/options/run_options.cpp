@@ -400,14 +400,19 @@ void refuse_foreign_endings(const Options& o) {
         const std::string* path;
         std::vector<std::string> endings;  // the first is proposed
     };
-    const Output outputs[] = {
-        {"--png", &o.png, {".png"}},        {"--gif", &o.gif, {".gif"}},
-        {"--gltf", &o.gltf, {".glb"}},      {"--vrml", &o.vrml, {".wrl", ".vrml"}},
-        {"--stl", &o.stl, {".stl"}},        {"--ply", &o.ply, {".ply"}},
-        {"--3mf", &o.threemf, {".3mf"}},    {"--step", &o.step, {".step", ".stp", ".p21"}},
-        {"--dxf", &o.dxf, {".dxf"}},        {"--svg", &o.svg, {".svg"}},
-        {"--html", &o.html, {".html", ".htm"}},
-        {"--report", &o.report, {".json"}}, {"--save-stock", &o.save_stock, {".ncstock"}}};
+    const Output outputs[] = {{"--png", &o.png, {".png"}},
+                              {"--gif", &o.gif, {".gif"}},
+                              {"--gltf", &o.gltf, {".glb"}},
+                              {"--vrml", &o.vrml, {".wrl", ".vrml"}},
+                              {"--stl", &o.stl, {".stl"}},
+                              {"--ply", &o.ply, {".ply"}},
+                              {"--3mf", &o.threemf, {".3mf"}},
+                              {"--step", &o.step, {".step", ".stp", ".p21"}},
+                              {"--dxf", &o.dxf, {".dxf"}},
+                              {"--svg", &o.svg, {".svg"}},
+                              {"--html", &o.html, {".html", ".htm"}},
+                              {"--report", &o.report, {".json"}},
+                              {"--save-stock", &o.save_stock, {".ncstock"}}};
     static const std::set<std::string, std::less<>> formats{
         ".png", ".jpg",  ".jpeg", ".webp", ".bmp",  ".tif", ".tiff", ".pdf",
         ".gif", ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply",  ".3mf",

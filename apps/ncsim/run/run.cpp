@@ -69,8 +69,8 @@ namespace {
 
 // Returns the fixtures of the job and the machine, in W; may be empty.
 std::vector<verify::Fixture> placed_fixtures(const simulation::Plan& plan,
-                                           const simulation::Survey& survey,
-                                           const std::optional<setup::MachineFile>& machine) {
+                                             const simulation::Survey& survey,
+                                             const std::optional<setup::MachineFile>& machine) {
     setup::MachineFile specified;
     if (machine) {
         specified.machine = machine->machine;
@@ -169,8 +169,8 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
                                    how);
     });
     outputs.write(o.html, [&](std::ostream& out) {
-        report::write_run_page(out, {outcome.plan.job.program.name,
-                                     report::summary(run_facts(outcome)), *outcome.page_data});
+        report::write_run_page(out, outcome.plan.job.program.name,
+                               report::summary(run_facts(outcome)), *outcome.page_data);
     });
     const std::string& program = s.provenance.program;
     outputs.write(o.dxf, [&](std::ostream& out) {

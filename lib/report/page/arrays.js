@@ -71,10 +71,12 @@ function flatNormals(corners) {
 
 // The finished part: corners, normals, lines, tools and forms of the triangles.
 async function readPart(mesh) {
-  const [corners, normals, lines, tools, formOf] = await Promise.all([cornersOf(mesh),
-    numbersOf(mesh.normals, 9), numbersOf(mesh.lines), numbersOf(mesh.tools),
-    numbersOf(mesh.formOf)]);
-  return { corners, normals: Int16Array.from(normals), lines, tools, formOf, forms: mesh.forms };
+  const [corners, table, normalOf, lines, tools, formOf] = await Promise.all([cornersOf(mesh),
+    numbersOf(mesh.normals, 3), numbersOf(mesh.normalOf), numbersOf(mesh.lines),
+    numbersOf(mesh.tools), numbersOf(mesh.formOf)]);
+  const normals = new Int16Array(3 * normalOf.length);
+  for (let i = 0; i < normals.length; i += 1) normals[i] = table[3 * normalOf[(i / 3) | 0] + i % 3];
+  return { corners, normals, lines, tools, formOf, forms: mesh.forms };
 }
 
 // Averages the normals of polygons that meet in a corner at less than 35° and exist at the same

@@ -273,11 +273,22 @@ async function makeView(holder) {
     const [[x0, x1], [y0, y1], [z0, z1]] = [right, up, back].map(range);
     camera.target = plus(plus(right.map((c) => c * (x0 + x1) / 2), up, (y0 + y1) / 2), back,
       (z0 + z1) / 2);
-    let distance = 0;
-    for (const p of around) {
-      const q = minus(p, camera.target);
-      distance = Math.max(distance, dot(q, back) + 1.08 * Math.max(
-        Math.abs(dot(q, right)) / (tangent * wide), Math.abs(dot(q, up)) / tangent));
+    let distance = 4 * Math.max(radius, extent);
+    for (let round = 0; round < 4; round += 1) {
+      // Perspective moves the middle of the picture.
+      const all = around.map((p) => minus(p, camera.target)).map((q) =>
+        [dot(q, right) / (distance - dot(q, back)), dot(q, up) / (distance - dot(q, back))]);
+      for (const [i, axis] of [[0, right], [1, up]]) {
+        const ends = all.map((p) => p[i]);
+        camera.target = plus(camera.target, axis,
+          distance * (Math.min(...ends) + Math.max(...ends)) / 2);
+      }
+      distance = 0;
+      for (const p of around) {
+        const q = minus(p, camera.target);
+        distance = Math.max(distance, dot(q, back) + 1.06 * Math.max(
+          Math.abs(dot(q, right)) / (tangent * wide), Math.abs(dot(q, up)) / tangent));
+      }
     }
     camera.distance = distance;
   }
@@ -707,7 +718,7 @@ function makePlayer(play) {
   }
   function setPlaying(on) {
     isPlaying = on;
-    button.textContent = on ? "⏸" : "▶";
+    button.textContent = on ? "❚❚" : "▶";
     if (!on) return;
     if (moves >= count) goTo(0);
     before = performance.now();
@@ -728,8 +739,8 @@ function makePlayer(play) {
     element("button", { type: "button", textContent: text, title, "aria-label": title,
       onclick: action });
   const bar = element("div", { className: "bar", id: "player" }, button,
-    small("⏮", "to the start", () => goTo(0)), small("−1", "previous move (←)", () => goTo(moves - 1)),
-    small("+1", "next move (→)", () => goTo(moves + 1)), small("⏭", "to the end", () => goTo(count)),
+    small("|◀", "to the start", () => goTo(0)), small("−1", "previous move (←)", () => goTo(moves - 1)),
+    small("+1", "next move (→)", () => goTo(moves + 1)), small("▶|", "to the end", () => goTo(count)),
     small("T−", "previous tool change", () => toolChange(-1)),
     small("T+", "next tool change", () => toolChange(1)));
   if (findings.length) bar.append(small("!", "next finding (F)", nextFinding));

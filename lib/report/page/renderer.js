@@ -92,8 +92,11 @@ void main() {
     if (line == chosen && line > 0u) paint = vec3(0.98, 0.55, 0.12);
   }
   number = kind << 28u | triangle + 1u;
+  // Kind of pixel: 1 with edges, 0.5 without, 0.25 a gap between polygons, 0 without light.
+  float pixel = isSheer ? 0.5 : 1.0;
   if (!gl_FrontFacing) {
     n = -n;
+    if (isPart) pixel = 0.25;
     vec3 ray = place - eye;
     float t = (section.w - dot(section.xyz, eye)) / dot(section.xyz, ray);
     // The plane is before this inner side of the body, so it meets material: the cut face.
@@ -103,10 +106,11 @@ void main() {
       n = section.xyz;
       paint = isPart ? faceColour : 0.8 * bodyColour;
       number = 7u << 28u;
+      pixel = 1.0;
     }
   }
   colour = vec4(paint, 1.0);
-  normal = vec4(0.5 * n + 0.5, 1.0);
+  normal = vec4(0.5 * n + 0.5, pixel);
 }`;
 const kLineVertex = `#version 300 es
 uniform mat4 camera;
@@ -151,25 +155,37 @@ float distanceAt(ivec2 at) {
   float d = 2.0 * texelFetch(depths, at, 0).r - 1.0;
   return 2.0 * near * far / (far + near - d * (far - near));
 }
+bool isGap(float kind) { return kind > 0.2 && kind < 0.3; }
 vec3 sampleAt(ivec2 at, ivec2 most) {
   vec4 own = texelFetch(normals, at, 0);
+  // An inner side of the part shows through a gap, which is narrower than a pixel.
+  for (int i = 0; i < 4 && isGap(own.a); i += 1) {
+    ivec2 beside = clamp(at + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5)), ivec2(0), most);
+    vec4 other = texelFetch(normals, beside, 0);
+    if (isGap(other.a) || other.a == 0.0) continue;
+    own = other;
+    at = beside;
+  }
   vec4 paint = texelFetch(colours, at, 0);
   if (paint.a == 0.0) return background;
   if (own.a == 0.0) return paint.rgb;
   vec3 n = normalize(2.0 * own.xyz - 1.0);
   float light = 0.38 + 0.62 * max(dot(n, lamp), 0.0) + 0.08 * n.z;
   vec3 shown = paint.rgb * light;
+  if (own.a < 0.9) return shown;
   float edge = 0.0, z = distanceAt(at);
   for (int i = 0; i < 2; i += 1) {
     ivec2 step = i == 0 ? ivec2(1, 0) : ivec2(0, 1);
     ivec2 a = clamp(at - step, ivec2(0), most), b = clamp(at + step, ivec2(0), most);
     vec4 na = texelFetch(normals, a, 0), nb = texelFetch(normals, b, 0);
-    float za = distanceAt(a), zb = distanceAt(b);
-    if (na.a > 0.0 && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
-    if (nb.a > 0.0 && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
+    bool hasA = na.a > 0.9 || texelFetch(colours, a, 0).a == 0.0;
+    bool hasB = nb.a > 0.9 || texelFetch(colours, b, 0).a == 0.0;
+    if (na.a > 0.9 && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
+    if (nb.a > 0.9 && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
+    if (!hasA || !hasB) continue;
     // Only the nearer side of a jump is an edge, and no slope is one.
-    float bend = max(za, zb) - z - abs(z - min(za, zb));
-    if (bend > 0.004 * z && own.a > 0.0) edge = 1.0;
+    float za = distanceAt(a), zb = distanceAt(b);
+    if (max(za, zb) - z - abs(z - min(za, zb)) > 0.004 * z) edge = 1.0;
   }
   return mix(shown, edgeColour, 0.8 * edge);
 }

@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +26,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -44,6 +44,27 @@ using verify::Severity;
 
 using Numbers = std::vector<std::uint32_t>;
 
+// Normals, each listed once.
+class NormalTable {
+public:
+    std::uint32_t number_of(const cda::Vec3& normal) {
+        components_.clear();
+        append_direction(components_, normal);
+        const std::uint64_t key = std::uint64_t{components_[0] & 0xffffU} |
+                                  std::uint64_t{components_[1] & 0xffffU} << 16U |
+                                  std::uint64_t{components_[2] & 0xffffU} << 32U;
+        const auto next = static_cast<std::uint32_t>(known_.size());
+        const auto [place, is_new] = known_.try_emplace(key, next);
+        if (is_new) numbers_.insert(numbers_.end(), components_.begin(), components_.end());
+        return place->second;
+    }
+    const Numbers& numbers() const { return numbers_; }
+
+private:
+    std::unordered_map<std::uint64_t, std::uint32_t> known_;
+    Numbers numbers_, components_;
+};
+
 // Returns a mesh of a page: corners of triangles.
 Json mesh_json(const cda::TriangleMesh& mesh) {
     Numbers vertices, triangles;
@@ -56,10 +77,12 @@ Json mesh_json(const cda::TriangleMesh& mesh) {
 
 Json part_json(const PageData& page_data) {
     Json json = mesh_json(page_data.mesh);
-    Numbers normals;
+    NormalTable normals;
+    Numbers normal_of;
     for (const cda::Vec3& n : page_data.normals)
-        append_direction(normals, n);
-    json["normals"] = packed(normals, 9);
+        normal_of.push_back(normals.number_of(n));
+    json["normals"] = packed(normals.numbers(), 3);
+    json["normalOf"] = packed(normal_of);
     json["lines"] = packed(page_data.lines);
     json["tools"] = packed(page_data.tool_of);
     json["formOf"] = packed(page_data.form_of);
@@ -82,24 +105,18 @@ Json body_json(const ColouredMesh& body) {
 Json surface_json(const PlayData& play) {
     const cda::SurfaceRecorder& surface = play.surface;
     const cda::RecordGrid& grid = surface.grid();
-    Numbers sizes, corners, lines, first, end, normal_of, normals;
-    std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
+    Numbers sizes, corners, lines, first, end, normal_of;
+    NormalTable normals;
     for (const cda::SurfacePiece& piece : surface.pieces()) {
         if (piece.first_state >= surface.states()) continue;
         sizes.push_back(piece.corners);
-        for (const cda::GridPoint& p :
-             surface.corners().subspan(piece.first_corner, piece.corners))
+        for (const cda::GridPoint& p : surface.corners().subspan(piece.first_corner, piece.corners))
             corners.insert(corners.end(), p.begin(), p.end());
         const auto origin = static_cast<std::size_t>(piece.origin);
         lines.push_back(origin < play.line_of_origin.size() ? play.line_of_origin[origin] : 0);
         first.push_back(piece.first_state);
         end.push_back(std::min(piece.end_state, surface.states()));
-        Numbers normal;
-        append_direction(normal, piece.normal);
-        const auto next = static_cast<std::uint32_t>(known.size());
-        const auto [place, is_new] = known.try_emplace({normal[0], normal[1], normal[2]}, next);
-        if (is_new) normals.insert(normals.end(), normal.begin(), normal.end());
-        normal_of.push_back(place->second);
+        normal_of.push_back(normals.number_of(piece.normal));
     }
     Numbers state_moves, state_lines;
     for (const PlayState& state : play.states) {
@@ -114,7 +131,7 @@ Json surface_json(const PlayData& play) {
             {"first", packed(first)},
             {"end", packed(end)},
             {"normalOf", packed(normal_of)},
-            {"normals", packed(normals, 3)},
+            {"normals", packed(normals.numbers(), 3)},
             {"stateMoves", packed(state_moves)},
             {"stateLines", packed(state_lines)}};
 }
@@ -181,8 +198,8 @@ Json machine_json(const MachinePageData& machine) {
     for (const auto& [line, stand] : machine.line_poses) {
         lines.push_back(line);
         for (const double value : stand.values) {
-            values.push_back(
-                static_cast<std::uint32_t>(static_cast<std::int64_t>(std::llround(value / kPageUnit))));
+            values.push_back(static_cast<std::uint32_t>(
+                static_cast<std::int64_t>(std::llround(value / kPageUnit))));
         }
         tools.push_back(static_cast<std::uint32_t>(stand.tool));
     }
@@ -205,8 +222,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 }
 
 // Returns the data for the script. The mark of a line is its highest severity.
-Json data_json(const Checked& checked) {
-    const PageData& page_data = *checked.page_data;
+Json data_json(const Checked& checked, const PageData& page_data) {
     Json data;
     data["source"] = Json::array();
     for (const std::string_view line : lines_of(page_data.source))
@@ -267,13 +283,13 @@ std::string seconds_text(const std::optional<double>& seconds) {
 std::string finding_html(const Checked& checked, std::size_t number) {
     const Finding& f = checked.verdict.findings[number];
     const std::string& line = checked.lines[number];
-    std::string text = fmt::format("<div class=\"finding {}{}\" role=\"button\" tabindex=\"0\" "
-                                   "data-finding=\"{}\"{}>",
-                                   verify::name_of(f.severity),
-                                   f.counts() ? "" : " suppressed", number,
-                                   f.place.file == 0 && f.place.span.line > 0
-                                       ? fmt::format(" data-line=\"{}\"", f.place.span.line)
-                                       : "");
+    std::string text = fmt::format(
+        "<div class=\"finding {}{}\" role=\"button\" tabindex=\"0\" "
+        "data-finding=\"{}\"{}>",
+        verify::name_of(f.severity), f.counts() ? "" : " suppressed", number,
+        f.place.file == 0 && f.place.span.line > 0
+            ? fmt::format(" data-line=\"{}\"", f.place.span.line)
+            : "");
     std::string where = file_of(checked, f.place);
     if (f.place.span.line > 0) where += fmt::format(":{}", f.place.span.line);
     if (f.last.span.line > f.place.span.line) where += fmt::format("-{}", f.last.span.line);
@@ -418,15 +434,15 @@ std::string viewer_html(const PageData& page_data) {
 }
 
 void write_document(std::ostream& out, const std::string& title, const std::string& body,
-                    const Checked* with_data) {
+                    const Checked& checked, const PageData* page_data) {
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
         << valid_utf8(escaped(title)) << "</title>\n<style>\n"
         << kPageStyle << "</style></head>\n<body>\n"
         << valid_utf8(body);
-    if (with_data) {
+    if (page_data) {
         out << "<script id=\"data\" type=\"application/json\">"
-            << for_script(data_json(*with_data)) << "</script>\n<script>\n"
+            << for_script(data_json(checked, *page_data)) << "</script>\n<script>\n"
             << kPageArrays << "</script>\n<script>\n"
             << kPageRenderer << "</script>\n<script>\n"
             << kPageScript << "</script>\n";
@@ -445,19 +461,19 @@ void write_page(std::ostream& out, const Checked& checked) {
         if (!checked.page_data->pictures.empty()) body += pictures_html(*checked.page_data);
         body += skipped_html(checked) + "</main>\n";
     }
-    write_document(out, title_of(checked) + " · ncsim check", body, verified ? &checked : nullptr);
+    write_document(out, title_of(checked) + " · ncsim check", body, checked,
+                   verified ? &*checked.page_data : nullptr);
 }
 
-void write_run_page(std::ostream& out, const RunPage& page) {
+void write_run_page(std::ostream& out, const std::string& path, const std::string& summary,
+                    const PageData& page_data) {
     Checked checked;
-    checked.path = page.path;
-    checked.page_data = page.page_data;
+    checked.path = path;
     std::string body = fmt::format("<header class=\"run\"><h1>{}</h1><p>ncsim {}</p></header>\n",
                                    escaped(title_of(checked)), kVersion);
-    body += "<main>\n" + viewer_html(*checked.page_data);
-    body += "<section><h2>Summary</h2><pre>" + escaped(page.summary) + "</pre></section>\n";
-    body += "</main>\n";
-    write_document(out, title_of(checked) + " · ncsim run", body, &checked);
+    body += "<main>\n" + viewer_html(page_data);
+    body += "<section><h2>Summary</h2><pre>" + escaped(summary) + "</pre></section>\n</main>\n";
+    write_document(out, title_of(checked) + " · ncsim run", body, checked, &page_data);
 }
 
 namespace {

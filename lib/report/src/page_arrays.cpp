@@ -13,16 +13,15 @@ namespace ncsim::report {
 namespace {
 
 constexpr double kUnitVector = 32767.0;
-// Level 6 is the default of zlib.
-constexpr int kLevel = 6;
+// Level of zlib. Level 6 takes three times the time, and saves a tenth of the bytes.
+constexpr int kLevel = 3;
 
 std::string compressed(const std::string& bytes) {
     uLongf size = compressBound(static_cast<uLong>(bytes.size()));
     std::string result(size, '\0');
-    const int status =
-        compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                  reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()),
-                  kLevel);
+    const int status = compress2(reinterpret_cast<Bytef*>(result.data()), &size,
+                                 reinterpret_cast<const Bytef*>(bytes.data()),
+                                 static_cast<uLong>(bytes.size()), kLevel);
     if (status != Z_OK) throw std::runtime_error("the page cannot be compressed: zlib failed");
     result.resize(size);
     return result;

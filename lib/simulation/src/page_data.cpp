@@ -54,9 +54,9 @@ report::FaceForm form_of(const brep::Surface& surface) {
     return form;
 }
 
-void add_pictures(const Survey& survey, const Simulation& simulation,
-                  const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
-                  const brep::Shading& shading, report::PageData& data) {
+void add_pictures(const Survey& survey, const Simulation& simulation, const cda::Boundary& boundary,
+                  std::span<const verify::Fixture> fixtures, const brep::Shading& shading,
+                  report::PageData& data) {
     exporter::RenderOptions render;
     render.width = 800;
     render.height = 600;
@@ -80,8 +80,8 @@ void add_pictures(const Survey& survey, const Simulation& simulation,
 }  // namespace
 
 report::PageData page_data(const Plan& plan, const Survey& survey, const Simulation& simulation,
-                           const cda::Boundary& boundary,
-                           std::span<const verify::Fixture> fixtures, bool has_pictures) {
+                           const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
+                           bool has_pictures) {
     report::PageData data;
     data.source = plan.job.program.text;
     data.stock = survey.stock->box;

@@ -19,7 +19,7 @@ namespace ncsim::simulation {
 namespace {
 
 // Number of states of a long program. Twice as many states take nearly twice the bytes.
-constexpr std::uint64_t kStates = 120;
+constexpr std::uint64_t kStates = 48;
 // Most polygons of a page. If states need more, half of the states are dropped.
 constexpr std::size_t kMostPolygons = 900'000;
 // The drawn path deviates from the simulated path by at most this distance, mm.
@@ -43,7 +43,14 @@ double distance_from_segment(const cda::Vec3& p, const cda::Vec3& a, const cda::
 PlayRecorder::PlayRecorder(const Survey& survey, std::uint64_t every)
     : survey_(survey),
       every_(every != 0 ? every : std::max<std::uint64_t>(1, survey.moves / kStates)),
-      data_{cda::SurfaceRecorder(cda::RecordGrid::around(survey.stock->box)), {}, {}, {}, {}, {}, {}, true} {}
+      data_{cda::SurfaceRecorder(cda::RecordGrid::around(survey.stock->box)),
+            {},
+            {},
+            {},
+            {},
+            {},
+            {},
+            true} {}
 
 std::uint32_t PlayRecorder::tool_index(int number) {
     const auto [known, is_new] =
@@ -83,8 +90,8 @@ void PlayRecorder::add_step(const toolpath::Step& step) {
         data_.axes.push_back(toolpath::Pose{pose.rows, {}} * cda::Vec3{0, 0, 1});
     };
     if (!has_steps_) {
-        const bool continues = !data_.points.empty() &&
-                               norm(data_.points.back() - step.X_WA.translation) < 1e-6;
+        const bool continues =
+            !data_.points.empty() && norm(data_.points.back() - step.X_WA.translation) < 1e-6;
         if (!continues) add(step.X_WA);
         first_point_ = static_cast<std::uint32_t>(data_.points.size() - 1);
         has_steps_ = true;

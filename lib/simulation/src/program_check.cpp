@@ -530,9 +530,8 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         checked.verdict =
             verifier.finish(survey.interpretation, simulation.part.get(), simulation.stock_volume);
         if (verification_options.wants_page) {
-            checked.page_data =
-                page_data(plan, survey, simulation, simulation.part->boundary(),
-                          all.setup.machine.fixtures, true);
+            checked.page_data = page_data(plan, survey, simulation, simulation.part->boundary(),
+                                          all.setup.machine.fixtures, true);
             if (play) checked.page_data->play = finish_play(*play, simulation);
             checked.page_data->machine =
                 machine_page_data(plan, survey, verification_options.machine);

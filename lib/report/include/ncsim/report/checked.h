@@ -69,11 +69,11 @@ struct PageData {
     std::vector<std::uint32_t> lines;
     /// Three unit normals for each triangle: the normals of the true surface in the corners.
     std::vector<cda::Vec3> normals;
-    std::vector<FaceForm> forms;           ///< Recognised forms.
-    std::vector<std::uint32_t> form_of;    ///< For each triangle, index into `forms` plus 1; 0: none.
-    std::vector<std::uint32_t> tool_of;    ///< For each triangle, number of the tool; 0: the stock.
-    std::vector<ColouredMesh> fixtures;    ///< Frame of the part.
-    std::optional<PlayData> play;          ///< Empty: the page shows the finished part only.
+    std::vector<FaceForm> forms;         ///< Recognised forms.
+    std::vector<std::uint32_t> form_of;  ///< For each triangle, index into `forms` plus 1; 0: none.
+    std::vector<std::uint32_t> tool_of;  ///< For each triangle, number of the tool; 0: the stock.
+    std::vector<ColouredMesh> fixtures;  ///< Frame of the part.
+    std::optional<PlayData> play;        ///< Empty: the page shows the finished part only.
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
     /// A specified machine with bodies and motion; otherwise nullopt.
     std::optional<MachinePageData> machine;

@@ -18,15 +18,10 @@ namespace ncsim::report {
 /// Requires: `checked.page_data`, unless the program was not verified.
 void write_page(std::ostream& out, const Checked& checked);
 
-/// Page of a run, without a verdict.
-struct RunPage {
-    std::string path;     ///< Path of the program as specified.
-    std::string summary;  ///< Volumes, tools and times as text.
-    PageData page_data;
-};
-
-/// Writes the page of a run, as write_page().
-void write_run_page(std::ostream& out, const RunPage& page);
+/// Writes the page of a run, without a verdict, as write_page(). `path`: the program as specified;
+/// `summary`: volumes, tools and times as text.
+void write_run_page(std::ostream& out, const std::string& path, const std::string& summary,
+                    const PageData& page_data);
 
 /// Writes an index of pages: a row for each program with its verdict and the relative address of
 /// its page, as `link` returns it (empty: no page); then the rest of `scope`.

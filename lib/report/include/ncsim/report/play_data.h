@@ -16,7 +16,7 @@ namespace ncsim::report {
 
 /// A body of one colour.
 struct ColouredMesh {
-    cda::TriangleMesh mesh;               ///< mm
+    cda::TriangleMesh mesh;                ///< mm
     std::array<std::uint8_t, 3> colour{};  ///< sRGB
 };
 
@@ -28,8 +28,8 @@ struct PlayTool {
 
 /// A move of the program.
 struct PlayMove {
-    std::uint32_t line = 0;         ///< Line of the program, from 1; 0: line of a called file.
-    std::uint32_t tool = 0;         ///< Index into PlayData::tools.
+    std::uint32_t line = 0;  ///< Line of the program, from 1; 0: line of a called file.
+    std::uint32_t tool = 0;  ///< Index into PlayData::tools.
     bool is_rapid = false;
     std::uint32_t first_point = 0;  ///< Start in PlayData::points.
     std::uint32_t last_point = 0;   ///< End; start and end may be the same point.

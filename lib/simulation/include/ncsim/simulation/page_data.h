@@ -18,8 +18,8 @@ namespace ncsim::simulation {
 /// Returns part, source and fixtures; pictures for readers without JavaScript if `has_pictures`.
 /// Requires: `simulation` kept its cuts; `boundary` is its surface.
 report::PageData page_data(const Plan& plan, const Survey& survey, const Simulation& simulation,
-                           const cda::Boundary& boundary,
-                           std::span<const verify::Fixture> fixtures, bool has_pictures);
+                           const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
+                           bool has_pictures);
 
 /// Completes the data of `play` with the lines of `simulation`.
 report::PlayData finish_play(PlayRecorder& play, const Simulation& simulation);

@@ -46,7 +46,7 @@ private:
     const gcode::Motion* motion_ = nullptr;  // valid between begin_move() and end_move()
     std::uint32_t first_point_ = 0;
     bool has_steps_ = false;
-    bool has_changed_ = false;           // cut since the last state
+    bool has_changed_ = false;  // cut since the last state
     std::uint64_t moves_since_state_ = 0;
     double seconds_ = 0.0;
 };
