@@ -69,7 +69,6 @@ void main() {
 const kMeshFragment = `#version 300 es
 precision highp float;
 precision highp int;
-uniform mat4 camera;
 uniform vec3 eye, stockColour, cutColour, bodyColour, faceColour;
 uniform vec4 section;
 uniform uint chosen, kind;
@@ -80,7 +79,6 @@ layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out uint number;
 void main() {
-  gl_FragDepth = gl_FragCoord.z;
   if (isSheer && (int(gl_FragCoord.x) + int(gl_FragCoord.y)) % 2 == 0) discard;
   if (isCut && dot(section.xyz, place) > section.w) discard;
   vec3 n = normalize(facing);
@@ -92,21 +90,21 @@ void main() {
     if (line == chosen && line > 0u) paint = vec3(0.98, 0.55, 0.12);
   }
   number = kind << 28u | triangle + 1u;
-  // Kind of pixel: 1 with edges, 0.5 without, 0.25 a gap between polygons, 0 without light.
+  // Kind of pixel: 1 a face with edges, 0.75 a cut face, 0.5 without edges, 0.25 a gap between
+  // polygons, 0 without light.
   float pixel = isSheer ? 0.5 : 1.0;
   if (!gl_FrontFacing) {
     n = -n;
     if (isPart) pixel = 0.25;
     vec3 ray = place - eye;
     float t = (section.w - dot(section.xyz, eye)) / dot(section.xyz, ray);
-    // The plane is before this inner side of the body, so it meets material: the cut face.
+    // The plane is before this inner side of the body, so it meets material: the cut face, if no
+    // other face is nearer.
     if (isCut && t > 0.0 && t < 1.0) {
-      vec4 at = camera * vec4(eye + t * ray, 1.0);
-      gl_FragDepth = 0.5 * at.z / at.w + 0.5;
       n = section.xyz;
       paint = isPart ? faceColour : 0.8 * bodyColour;
       number = 7u << 28u;
-      pixel = 1.0;
+      pixel = 0.75;
     }
   }
   colour = vec4(paint, 1.0);
@@ -172,7 +170,7 @@ vec3 sampleAt(ivec2 at, ivec2 most) {
   vec3 n = normalize(2.0 * own.xyz - 1.0);
   float light = 0.38 + 0.62 * max(dot(n, lamp), 0.0) + 0.08 * n.z;
   vec3 shown = paint.rgb * light;
-  if (own.a < 0.9) return shown;
+  if (own.a < 0.6) return shown;
   float edge = 0.0, z = distanceAt(at);
   for (int i = 0; i < 2; i += 1) {
     ivec2 step = i == 0 ? ivec2(1, 0) : ivec2(0, 1);
@@ -180,9 +178,12 @@ vec3 sampleAt(ivec2 at, ivec2 most) {
     vec4 na = texelFetch(normals, a, 0), nb = texelFetch(normals, b, 0);
     bool hasA = na.a > 0.9 || texelFetch(colours, a, 0).a == 0.0;
     bool hasB = nb.a > 0.9 || texelFetch(colours, b, 0).a == 0.0;
-    if (na.a > 0.9 && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
-    if (nb.a > 0.9 && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
-    if (!hasA || !hasB) continue;
+    if (na.a > 0.6 && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
+    if (nb.a > 0.6 && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
+    bool isCutFace = own.a < 0.9;
+    if (isCutFace && (texelFetch(colours, a, 0).a == 0.0 || texelFetch(colours, b, 0).a == 0.0))
+      edge = 1.0;
+    if (isCutFace || !hasA || !hasB) continue;
     // Only the nearer side of a jump is an edge, and no slope is one.
     float za = distanceAt(a), zb = distanceAt(b);
     if (max(za, zb) - z - abs(z - min(za, zb)) > 0.004 * z) edge = 1.0;
