@@ -5,7 +5,7 @@
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
-const lines = data.source;
+let lines = data.source || [];
 const picked = document.getElementById("picked");
 let selected = 0;
 let view = null;
@@ -14,10 +14,11 @@ let player = null;
 // --- Lengths -------------------------------------------------------------------------------------
 
 let inInches = false;
-function lengthText(mm) {
-  return inInches ? `${(mm / 25.4).toFixed(4)} in` : `${mm.toFixed(3)} mm`;
+function numberText(mm) {
+  const text = inInches ? (mm / 25.4).toFixed(4) : mm.toFixed(3);
+  return Number(text) === 0 ? text.replace("-", "") : text;
 }
-function numberText(mm) { return inInches ? (mm / 25.4).toFixed(4) : mm.toFixed(3); }
+function lengthText(mm) { return `${numberText(mm)} ${inInches ? "in" : "mm"}`; }
 function timeText(milliseconds) {
   const s = Math.round(milliseconds / 1000), two = (n) => String(n).padStart(2, "0");
   return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
@@ -390,6 +391,20 @@ async function makeView(holder) {
     }
     return m;
   }
+  // Returns the extent along an axis of all faces of a form: the depth of a bore.
+  function lengthAlong(axis, form) {
+    let low = Infinity, high = -Infinity;
+    for (let t = 0; t < part.formOf.length; t += 1) {
+      if (part.formOf[t] !== form) continue;
+      for (let i = 9 * t; i < 9 * t + 9; i += 3) {
+        const at = axis[0] * part.corners[i] + axis[1] * part.corners[i + 1] +
+          axis[2] * part.corners[i + 2];
+        low = Math.min(low, at);
+        high = Math.max(high, at);
+      }
+    }
+    return high - low;
+  }
   // Returns the face at a point of the canvas; null: no face of the part.
   function pick(x, y) {
     draw();
@@ -415,7 +430,10 @@ async function makeView(holder) {
       result.line = part.lines[hit.triangle];
       result.tool = part.tools[hit.triangle];
       const form = part.formOf[hit.triangle];
-      if (form > 0) result.form = part.forms[form - 1];
+      if (form > 0) {
+        result.form = part.forms[form - 1];
+        result.length = lengthAlong(result.form[2], form);
+      }
     } else {
       result.line = play.states.lines[hit.triangle];
     }
@@ -562,7 +580,8 @@ function formText(hit) {
   if (name === "cylinder") {
     const upright = Math.abs(axis[2]) > 0.9999 ?
       `, axis X ${numberText(origin[0])} Y ${numberText(origin[1])}` : "";
-    return `${hollow ? "hollow " : ""}cylinder ⌀ ${lengthText(sizes[0])}${upright}`;
+    return `${hollow ? "hollow " : ""}cylinder ⌀ ${lengthText(sizes[0])}, length ` +
+      `${lengthText(hit.length)}${upright}`;
   }
   if (name === "cone") return `${hollow ? "hollow " : ""}cone ${sizes[0].toFixed(2)}°`;
   if (name === "sphere") return `${hollow ? "hollow " : ""}sphere ⌀ ${lengthText(sizes[0])}`;
@@ -857,6 +876,8 @@ function makeTools() {
 // --- Start ---------------------------------------------------------------------------------------
 
 async function start() {
+  if (data.packedSource)
+    lines = new TextDecoder().decode(await inflated(data.packedSource)).split("\n").slice(0, -1);
   showSource(1);
   const holder = document.getElementById("view");
   if (!holder) return;

@@ -42,6 +42,11 @@ namespace {
 using verify::Finding;
 using verify::Severity;
 
+// Longer programs are compressed, bytes.
+constexpr std::size_t kLongSource = 1'000'000;
+// Step of axes and points of forms, mm.
+constexpr double kFormStep = 1e-6;
+
 using Numbers = std::vector<std::uint32_t>;
 
 // Normals, each listed once.
@@ -87,10 +92,15 @@ Json part_json(const PageData& page_data) {
     json["tools"] = packed(page_data.tool_of);
     json["formOf"] = packed(page_data.form_of);
     json["forms"] = Json::array();
-    const auto list = [](const cda::Vec3& v) { return Json{v.x, v.y, v.z}; };
+    const auto list = [](const cda::Vec3& v) {
+        Json values = Json::array();
+        for (const double c : {v.x, v.y, v.z})
+            values.push_back(std::round(c / kFormStep) * kFormStep);
+        return values;
+    };
     for (const FaceForm& form : page_data.forms) {
-        json["forms"].push_back(
-            {form.name, form.dimensions, list(form.axis), list(form.origin), form.is_hollow});
+        json["forms"].push_back(Json::array(
+            {form.name, form.dimensions, list(form.axis), list(form.origin), form.is_hollow}));
     }
     return json;
 }
@@ -221,12 +231,25 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
+// Replaces bytes that are not UTF-8 by U+FFFD.
+std::string valid_utf8(const std::string& text) {
+    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Json::parse(quoted).get<std::string>();
+}
+
 // Returns the data for the script. The mark of a line is its highest severity.
 Json data_json(const Checked& checked, const PageData& page_data) {
     Json data;
-    data["source"] = Json::array();
-    for (const std::string_view line : lines_of(page_data.source))
-        data["source"].push_back(one_line(line));
+    if (page_data.source.size() > kLongSource) {
+        std::string text;
+        for (const std::string_view line : lines_of(page_data.source))
+            text += one_line(line) + '\n';
+        data["packedSource"] = packed_text(valid_utf8(text));
+    } else {
+        data["source"] = Json::array();
+        for (const std::string_view line : lines_of(page_data.source))
+            data["source"].push_back(one_line(line));
+    }
     std::map<std::uint32_t, Severity> marks;
     for (const Finding& f : checked.verdict.findings) {
         if (!f.counts() || f.place.file != 0 || f.place.span.line == 0) continue;
@@ -410,12 +433,6 @@ std::string header_html(const Checked& checked) {
         text += "<p>not simulated: " + escaped(checked.not_simulated) + "</p>";
     }
     return text + "</header>\n";
-}
-
-// Replaces bytes that are not UTF-8 by U+FFFD.
-std::string valid_utf8(const std::string& text) {
-    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return Json::parse(quoted).get<std::string>();
 }
 
 }  // namespace

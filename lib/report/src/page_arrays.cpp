@@ -70,6 +70,10 @@ std::string packed(std::span<const std::uint32_t> numbers, std::size_t stride) {
     return base64(compressed(bytes));
 }
 
+std::string packed_text(const std::string& text) {
+    return base64(compressed(text));
+}
+
 void append_position(std::vector<std::uint32_t>& numbers, const cda::Vec3& position) {
     for (const double c : {position.x, position.y, position.z})
         numbers.push_back(integer(c / kPageUnit));

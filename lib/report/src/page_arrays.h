@@ -22,6 +22,10 @@ std::string base64(std::string_view bytes);
 /// Throws: std::runtime_error if zlib fails.
 std::string packed(std::span<const std::uint32_t> numbers, std::size_t stride = 1);
 
+/// Returns a text, deflated, in Base64.
+/// Throws: std::runtime_error if zlib fails.
+std::string packed_text(const std::string& text);
+
 /// Lengths of pages are integers of this unit, mm.
 inline constexpr double kPageUnit = 1e-4;
 /// Appends a position in units of kPageUnit.

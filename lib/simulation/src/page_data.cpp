@@ -27,13 +27,16 @@ namespace ncsim::simulation {
 
 namespace {
 
+// Parts with more triangles are shown by the last state of the play only. The states have the same
+// geometry, on the grid of the recorder; forms and tools of faces are missing.
+constexpr std::size_t kMostTriangles = 400'000;
+
 report::FaceForm form_of(const brep::Surface& surface) {
     report::FaceForm form;
     form.name = "swept surface";
     if (surface.form.index() < brep::kForms.size()) form.name = brep::kForms[surface.form.index()];
     form.is_hollow = surface.is_hollow;
     if (const auto* plane = std::get_if<brep::Plane>(&surface.form)) {
-        form.origin = plane->origin;
         form.axis = plane->normal;
     } else if (const auto* cylinder = std::get_if<brep::Cylinder>(&surface.form)) {
         form.origin = cylinder->origin;
@@ -52,6 +55,42 @@ report::FaceForm form_of(const brep::Surface& surface) {
         form.dimensions = {2 * torus->major, 2 * torus->minor};
     }
     return form;
+}
+
+// Forms, each listed once, from 1.
+class FormList {
+public:
+    explicit FormList(std::vector<report::FaceForm>& forms) : forms_(forms) {}
+
+    std::uint32_t number_of(report::FaceForm form) {
+        // Motions along one bore leave the same cylinder; decimals that no page shows are dropped.
+        std::vector<std::int64_t> key;
+        for (const double length : form.dimensions)
+            key.push_back(std::llround(1e5 * length));
+        for (const cda::Vec3& v : {form.axis, form.origin}) {
+            for (const double c : {v.x, v.y, v.z})
+                key.push_back(std::llround(1e5 * c));
+        }
+        key.push_back(form.is_hollow ? 1 : 0);
+        const auto next = static_cast<std::uint32_t>(forms_.size() + 1);
+        const auto [known, is_new] = numbers_.try_emplace({form.name, std::move(key)}, next);
+        if (is_new) forms_.push_back(std::move(form));
+        return known->second;
+    }
+
+private:
+    std::vector<report::FaceForm>& forms_;
+    std::map<std::pair<std::string, std::vector<std::int64_t>>, std::uint32_t> numbers_;
+};
+
+// Returns the number of triangles of a boundary, approximately.
+std::size_t triangles_of(const cda::Boundary& boundary) {
+    std::size_t count = 0;
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        for (const auto& loop : face.loops)
+            count += loop.size();
+    }
+    return count;
 }
 
 void add_pictures(const Survey& survey, const Simulation& simulation, const cda::Boundary& boundary,
@@ -85,9 +124,19 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
     report::PageData data;
     data.source = plan.job.program.text;
     data.stock = survey.stock->box;
+    for (const verify::Fixture& fixture : fixtures) {
+        const exporter::Body body = body_of(fixture);
+        data.fixtures.push_back(
+            {cda::triangulate(body.surface), {body.colour.r, body.colour.g, body.colour.b}});
+    }
+    const bool is_large = triangles_of(boundary) > kMostTriangles;
+    if (is_large && !has_pictures) return data;
     const brep::Shading shading = shading_of(plan, survey, simulation, boundary);
+    if (has_pictures) add_pictures(survey, simulation, boundary, fixtures, shading, data);
+    if (is_large) return data;
     data.mesh = cda::triangulate(boundary, plan.threads);
-    std::map<const brep::Surface*, std::uint32_t> forms;
+    std::map<const brep::Surface*, std::uint32_t> number_of;
+    FormList forms(data.forms);
     for (std::size_t t = 0; t < data.mesh.triangles.size(); ++t) {
         const std::uint32_t f = data.mesh.face[t];
         const cda::BoundaryFace& face = boundary.faces[f];
@@ -98,19 +147,12 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
             data.normals.push_back(shading.normal(f, face.normal, v, data.mesh.vertices[v]));
         std::uint32_t number = 0;
         if (const brep::Surface* surface = shading.surface_of(f)) {
-            const auto next = static_cast<std::uint32_t>(data.forms.size() + 1);
-            const auto [known, is_new] = forms.try_emplace(surface, next);
-            if (is_new) data.forms.push_back(form_of(*surface));
+            const auto [known, is_new] = number_of.try_emplace(surface, 0);
+            if (is_new) known->second = forms.number_of(form_of(*surface));
             number = known->second;
         }
         data.form_of.push_back(number);
     }
-    for (const verify::Fixture& fixture : fixtures) {
-        const exporter::Body body = body_of(fixture);
-        data.fixtures.push_back(
-            {cda::triangulate(body.surface), {body.colour.r, body.colour.g, body.colour.b}});
-    }
-    if (has_pictures) add_pictures(survey, simulation, boundary, fixtures, shading, data);
     return data;
 }
 

@@ -154,10 +154,15 @@ void PlayRecorder::end_move(bool has_cut, const cda::WorkpieceModel& part) {
     ++moves_since_state_;
     if (!has_changed_ || moves_since_state_ < every_) return;
     record_state(part);
-    if (data_.surface.pieces().size() <= kMostPolygons) return;
+    if (data_.surface.pieces().size() > kMostPolygons) drop_states(false);
+}
+
+// Drops every second state. `keeps_last`: the last state stays.
+void PlayRecorder::drop_states(bool keeps_last) {
     std::vector<std::uint32_t> kept;
     std::vector<report::PlayState> states;
-    for (std::uint32_t i = 0; i < data_.states.size(); i += 2) {
+    for (std::uint32_t i = 0; i < data_.states.size(); ++i) {
+        if (i % 2 != 0 && !(keeps_last && i + 1 == data_.states.size())) continue;
         kept.push_back(i);
         states.push_back(data_.states[i]);
     }
@@ -170,6 +175,8 @@ void PlayRecorder::end_move(bool has_cut, const cda::WorkpieceModel& part) {
 report::PlayData PlayRecorder::finish(const cda::WorkpieceModel& part,
                                       std::vector<std::uint32_t> line_of_origin) {
     if (has_changed_ || data_.states.size() == 1) record_state(part);
+    while (data_.surface.pieces().size() > kMostPolygons && data_.states.size() > 2)
+        drop_states(true);
     data_.line_of_origin = std::move(line_of_origin);
     return std::move(data_);
 }

@@ -122,7 +122,7 @@ try {
       expect(text.includes("uncut stock"), text);
     }
     if (line === 15) {
-      expect(text.includes("hollow cylinder ⌀ 8.000 mm, axis X -20.000 Y 18.000"), text);
+      expect(text.includes("hollow cylinder ⌀ 8.000 mm, length 12.000 mm, axis X -20.000 Y 18.000"), text);
       expect(text.includes("T2"), text);
       await picture(page, "face");
     }

@@ -36,6 +36,7 @@ public:
 
 private:
     void record_state(const cda::WorkpieceModel& part);
+    void drop_states(bool keeps_last);
     void simplify_move();
     std::uint32_t tool_index(int number);
 
