@@ -44,6 +44,10 @@ using verify::Severity;
 
 // Longer programs are compressed, bytes.
 constexpr std::size_t kLongSource = 1'000'000;
+// Surfaces of more pieces are rounded to a grid that is coarser by some bits: to 1/8191 of the
+// stock.
+constexpr std::size_t kManyPieces = 1'000'000;
+constexpr unsigned kCoarseBits = 3;
 // Step of axes and points of forms, mm.
 constexpr double kFormStep = 1e-6;
 
@@ -115,13 +119,17 @@ Json body_json(const ColouredMesh& body) {
 Json surface_json(const PlayData& play) {
     const cda::SurfaceRecorder& surface = play.surface;
     const cda::RecordGrid& grid = surface.grid();
+    const unsigned shift = surface.pieces().size() > kManyPieces ? kCoarseBits : 0;
     Numbers sizes, corners, lines, first, end, normal_of;
     NormalTable normals;
     for (const cda::SurfacePiece& piece : surface.pieces()) {
         if (piece.first_state >= surface.states()) continue;
         sizes.push_back(piece.corners);
-        for (const cda::GridPoint& p : surface.corners().subspan(piece.first_corner, piece.corners))
-            corners.insert(corners.end(), p.begin(), p.end());
+        for (const cda::GridPoint& p :
+             surface.corners().subspan(piece.first_corner, piece.corners)) {
+            for (const std::uint16_t c : p)
+                corners.push_back(static_cast<std::uint32_t>(c) >> shift);
+        }
         const auto origin = static_cast<std::size_t>(piece.origin);
         lines.push_back(origin < play.line_of_origin.size() ? play.line_of_origin[origin] : 0);
         first.push_back(piece.first_state);
@@ -134,7 +142,7 @@ Json surface_json(const PlayData& play) {
         state_lines.push_back(state.line);
     }
     return {{"origin", {grid.origin.x, grid.origin.y, grid.origin.z}},
-            {"step", grid.step},
+            {"step", std::ldexp(grid.step, static_cast<int>(shift))},
             {"sizes", packed(sizes)},
             {"corners", packed(corners, 3)},
             {"lines", packed(lines)},
