@@ -324,7 +324,7 @@ int run(Options options) {
         nothing.keep_cuts =
             !o.step.empty() || !o.sections.empty() || is_shaded(o) || animation.every() != 0;
         std::optional<simulation::PlayRecorder> play;
-        if (!o.html.empty()) nothing.play = &play.emplace(survey, o.every);
+        if (!o.html.empty()) nothing.play = &play.emplace(plan, survey, o.every);
         simulation = simulation::simulate(plan, survey, nothing,
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});

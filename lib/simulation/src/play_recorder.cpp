@@ -3,6 +3,7 @@
 // Recorded path, tools and states of the part.
 #include "ncsim/simulation/play_recorder.h"
 
+#include "ncsim/cda/tile_number.h"
 #include "ncsim/toolpath/tool_spec.h"
 #include "ncsim/verify/distances.h"
 
@@ -19,7 +20,7 @@ namespace ncsim::simulation {
 namespace {
 
 // Number of states of a long program. Twice as many states take nearly twice the bytes.
-constexpr std::uint64_t kStates = 48;
+constexpr std::uint64_t kStates = 30;
 // Most polygons of a page. If states need more, half of the states are dropped.
 constexpr std::size_t kMostPolygons = 900'000;
 // The drawn path deviates from the simulated path by at most this distance, mm.
@@ -31,6 +32,12 @@ constexpr double kAxisTolerance = 1e-3;
 constexpr double kRapidRate = 10000.0;
 constexpr double kFeedRate = 1000.0;
 
+// Models without a tree record the whole surface of each state anew.
+std::uint64_t states_for(const Plan& plan) {
+    constexpr std::uint64_t kStatesOfMeshes = 8;
+    return plan.model == cda::kTiledModel ? kStates : kStatesOfMeshes;
+}
+
 double distance_from_segment(const cda::Vec3& p, const cda::Vec3& a, const cda::Vec3& b) {
     const cda::Vec3 along = b - a;
     const double length = dot(along, along);
@@ -40,9 +47,9 @@ double distance_from_segment(const cda::Vec3& p, const cda::Vec3& a, const cda::
 
 }  // namespace
 
-PlayRecorder::PlayRecorder(const Survey& survey, std::uint64_t every)
+PlayRecorder::PlayRecorder(const Plan& plan, const Survey& survey, std::uint64_t every)
     : survey_(survey),
-      every_(every != 0 ? every : std::max<std::uint64_t>(1, survey.moves / kStates)),
+      every_(every != 0 ? every : std::max<std::uint64_t>(1, survey.moves / states_for(plan))),
       data_{cda::SurfaceRecorder(cda::RecordGrid::around(survey.stock->box)),
             {},
             {},

@@ -514,7 +514,7 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         verification.verifier = &verifier;
         verification.keep_cuts |= verification_options.wants_page;
         std::optional<PlayRecorder> play;
-        if (verification_options.wants_page) verification.play = &play.emplace(survey, 0);
+        if (verification_options.wants_page) verification.play = &play.emplace(plan, survey, 0);
         const Simulation simulation = simulate(plan, survey, verification, {});
         if (verification_options.detached_pieces) {
             for (verify::Finding& f : detached_pieces(plan, survey, verification, simulation))

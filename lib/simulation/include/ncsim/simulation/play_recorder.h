@@ -6,6 +6,7 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/report/play_data.h"
+#include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/walk.h"
 
@@ -19,7 +20,7 @@ class PlayRecorder {
 public:
     /// `every`: number of moves between two states of the part; 0: chosen by the length of the
     /// program. Requires: `survey` outlives the object.
-    PlayRecorder(const Survey& survey, std::uint64_t every);
+    PlayRecorder(const Plan& plan, const Survey& survey, std::uint64_t every);
 
     /// Records the uncut part.
     void begin(const cda::WorkpieceModel& part);
