@@ -118,10 +118,10 @@ int run(app::Options options, int rank, int ranks) {
     if (!options.tile.empty()) throw std::runtime_error("--tile: ranks are tiles");
     if (options.model != cda::kTiledModel || !options.step.empty() || !options.sections.empty() ||
         !options.save_stock.empty() || !options.frames.empty() || !options.gif.empty() ||
-        options.block_volumes)
+        !options.html.empty() || options.block_volumes)
         throw std::runtime_error(
-            "--step, --section, --save-stock, --frames, --gif, --block-volumes and other models "
-            "do not know tiles: ncsim run");
+            "--step, --section, --save-stock, --frames, --gif, --html, --block-volumes and other "
+            "models do not know tiles: ncsim run");
     if (options.program == "-") throw std::runtime_error("the program has to have a name");
     app::Options of_tile = options;
     of_tile.number = {static_cast<std::uint32_t>(rank), static_cast<std::uint32_t>(ranks)};

@@ -30,6 +30,7 @@ ncsim_add_test(cda
     same_way_test.cpp
     separation_test.cpp
     shape_test.cpp
+    surface_recorder_test.cpp
     tiles_test.cpp
     tree_test.cpp
     triangulate_test.cpp

@@ -287,6 +287,7 @@ TEST(Options, RefusesAnOutputWithTheEndingOfAnotherFormat) {
     EXPECT_EQ(refused("--png", "out/a.jpg"),
               "ncsim: --png 'out/a.jpg': the ending is that of another format; 'out/a.png'\n");
     EXPECT_NE(refused("--gltf", "a.gltf"), "");
+    EXPECT_NE(refused("--html", "a.png"), "");
     EXPECT_NE(refused("--stl", "a.PLY"), "");
     EXPECT_NE(refused("--svg", "a.dxf"), "");
     for (const char* path : {"a.png", "a.PNG", "-", "a", "a.out", "a.jpg.tmp", "/dev/full"})

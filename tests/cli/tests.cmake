@@ -76,11 +76,11 @@ if(TARGET ncsim)
     NCSIM_WRITE_STEP_CASES="$<TARGET_FILE:ncsim_write_step_cases>")
 endif()
 
-# The page of ncsim check, used in a browser as its readers do.
-if(TARGET ncsim AND NCSIM_THREE_JS)
+# Pages, used in a browser as their readers do, and read without a browser.
+if(TARGET ncsim)
   find_program(NCSIM_CHROMIUM chromium)
   set(page_tools ${CMAKE_CURRENT_BINARY_DIR}/cli/page)
-  foreach(file package.json package-lock.json page.mjs)
+  foreach(file package.json package-lock.json page.mjs arrays.mjs)
     configure_file(cli/page/${file} ${page_tools}/${file} COPYONLY)
   endforeach()
   add_test(NAME cli.install_browser_driver
@@ -92,5 +92,8 @@ if(TARGET ncsim AND NCSIM_THREE_JS)
     COMMAND node page.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM} ${PROJECT_SOURCE_DIR}/samples
     WORKING_DIRECTORY ${page_tools})
   set_tests_properties(cli.a_click_on_a_face_selects_its_line PROPERTIES
-    FIXTURES_REQUIRED browser_driver TIMEOUT 120)
+    FIXTURES_REQUIRED browser_driver TIMEOUT 300)
+  add_test(NAME cli.states_of_a_page_have_the_volume_of_the_part
+    COMMAND node arrays.mjs $<TARGET_FILE:ncsim> ${PROJECT_SOURCE_DIR}/samples
+    WORKING_DIRECTORY ${page_tools})
 endif()

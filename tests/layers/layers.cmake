@@ -34,7 +34,7 @@ set(floors_app system options run commands check merge)
 
 # A public header is on the floor of the source of its name. FOLDER:HEADER for headers without a source.
 set(headers_cda base:int128 base:mix base:vec base:tile_number exact:origin polytope:mesh polytope:sweep
-  polytope:workpiece flat:visitor)
+  flat:visitor)
 set(headers_toolpath polytope:tool_pose polytope:side)
 set(headers_brep geometry:spline_surface geometry:facets)
 set(headers_export render:image render:overlay render:render_options formats:drawing formats:moving_scene mesh:simplified)

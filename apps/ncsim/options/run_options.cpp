@@ -180,7 +180,7 @@ std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
     for (const std::string* path :
          {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.dxf, &o.svg, &o.gif,
-          &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
+          &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock, &o.html}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -192,7 +192,7 @@ bool needs_surface(const Options& o) {
     const bool draws_itself = model && model->shows_cells;
     return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
            !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.sections.empty() ||
-           !o.report.empty();
+           !o.report.empty() || !o.html.empty();
 }
 
 namespace {
@@ -203,6 +203,8 @@ void add_outputs(cli::App& run, Options& o) {
     run.add_option("--png", o.png, "Picture of the part")->type_name("FILE");
     run.add_option("--gif", o.gif, "Animation of the cutting")->type_name("FILE");
     run.add_option("--frames", o.frames, "Numbered pictures of the cutting")->type_name("DIR");
+    run.add_option("--html", o.html, "Page on which the program plays; loads nothing")
+        ->type_name("FILE");
     run.add_option("--every", o.every, "Moves per frame [as many as make 100 frames]")
         ->range(std::uint64_t{1}, std::uint64_t{1'000'000'000})
         ->type_name("N");
@@ -399,13 +401,19 @@ void refuse_foreign_endings(const Options& o) {
         const std::string* path;
         std::vector<std::string> endings;  // the first is proposed
     };
-    const Output outputs[] = {
-        {"--png", &o.png, {".png"}},        {"--gif", &o.gif, {".gif"}},
-        {"--gltf", &o.gltf, {".glb"}},      {"--vrml", &o.vrml, {".wrl", ".vrml"}},
-        {"--stl", &o.stl, {".stl"}},        {"--ply", &o.ply, {".ply"}},
-        {"--3mf", &o.threemf, {".3mf"}},    {"--step", &o.step, {".step", ".stp", ".p21"}},
-        {"--dxf", &o.dxf, {".dxf"}},        {"--svg", &o.svg, {".svg"}},
-        {"--report", &o.report, {".json"}}, {"--save-stock", &o.save_stock, {".ncstock"}}};
+    const Output outputs[] = {{"--png", &o.png, {".png"}},
+                              {"--gif", &o.gif, {".gif"}},
+                              {"--gltf", &o.gltf, {".glb"}},
+                              {"--vrml", &o.vrml, {".wrl", ".vrml"}},
+                              {"--stl", &o.stl, {".stl"}},
+                              {"--ply", &o.ply, {".ply"}},
+                              {"--3mf", &o.threemf, {".3mf"}},
+                              {"--step", &o.step, {".step", ".stp", ".p21"}},
+                              {"--dxf", &o.dxf, {".dxf"}},
+                              {"--svg", &o.svg, {".svg"}},
+                              {"--html", &o.html, {".html", ".htm"}},
+                              {"--report", &o.report, {".json"}},
+                              {"--save-stock", &o.save_stock, {".ncstock"}}};
     static const std::set<std::string, std::less<>> formats{
         ".png", ".jpg",  ".jpeg", ".webp", ".bmp",  ".tif", ".tiff", ".pdf",
         ".gif", ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply",  ".3mf",
@@ -432,8 +440,10 @@ void complete(Options& options) {
     choose_model(options);
     if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
         throw Refusal{"--dxf and --svg draw sections; specify the plane with --section z=-4"};
-    if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
-        throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
+    if (options.every != 0 && options.frames.empty() && options.gif.empty() &&
+        options.html.empty()) {
+        throw Refusal{
+            "--every says how often pictures are taken: it needs --frames, --gif or --html"};
     }
     complete_tile(options);
 }

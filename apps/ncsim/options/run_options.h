@@ -43,6 +43,7 @@ struct Options : ProgramOptions, SimulationOptions {
     FixedBody fixed_body = FixedBody::Machine;
     std::string machine;  ///< A machine.toml: offsets and kinematics.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
+    std::string html;  ///< Page on which the program plays.
 
     /// Views of the picture; several views form a sheet with a caption. Never empty.
     std::vector<exporter::View> views{exporter::View::Iso};
@@ -56,7 +57,7 @@ struct Options : ProgramOptions, SimulationOptions {
     std::optional<std::uint32_t> at_line;
     std::string frames;  ///< Folder for pictures of intermediate states.
     std::string gif;     ///< Animated picture of intermediate states.
-    /// Number of moves between two pictures; 0: about a hundred pictures.
+    /// Number of moves between two pictures or states of the page; 0: about a hundred.
     std::uint64_t every = 0;
     std::uint32_t width = 1280, height = 960;  ///< Size of each view in pixels.
     /// Tolerance in mm. Default: glTF and STL are exact, further formats are within kFlatTolerance.

@@ -9,6 +9,7 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/drawing.h"
 #include "ncsim/export/simplify.h"
+#include "ncsim/report/checked.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/setup/machine_file.h"
@@ -45,6 +46,8 @@ struct Outcome {
     const simulation::Solid* true_solid = nullptr;
     /// Sections in the order of the options.
     std::vector<simulation::SectionView> sections{};
+    /// Data of --html; null: no output.
+    const report::PageData* page_data = nullptr;
     /// Machine file of --machine; null: none.
     const setup::MachineFile* machine = nullptr;
     /// Fixtures to be drawn, in W.

@@ -16,6 +16,7 @@
 #include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
 #include "ncsim/report/assumption_sheet.h"
+#include "ncsim/report/page.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/setup/machine_formats.h"
@@ -25,6 +26,8 @@
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/machine_time.h"
+#include "ncsim/simulation/page_data.h"
+#include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
@@ -64,24 +67,32 @@ namespace ncsim::app {
 
 namespace {
 
-// Returns the fixtures of the job and the machine, in W.
-// Throws: std::runtime_error if there is none.
-std::vector<verify::Fixture> fixtures_of(const simulation::Plan& plan,
-                                         const simulation::Survey& survey,
-                                         const std::optional<setup::MachineFile>& machine) {
+// Returns the fixtures of the job and the machine, in W; may be empty.
+std::vector<verify::Fixture> placed_fixtures(const simulation::Plan& plan,
+                                             const simulation::Survey& survey,
+                                             const std::optional<setup::MachineFile>& machine) {
     setup::MachineFile specified;
     if (machine) {
         specified.machine = machine->machine;
     } else {
         add_fixtures(specified, plan.job);
     }
-    if (specified.machine.fixtures.empty()) {
-        throw std::runtime_error(
-            "--show-fixtures: neither the job nor the machine has a fixture ([[fixture]])");
-    }
     for (const std::string& lost : simulation::place_fixtures(specified.machine, plan, survey))
         print_error("not shown: " + lost + "\n");
     return std::move(specified.machine.fixtures);
+}
+
+// Returns the fixtures of the job and the machine, in W.
+// Throws: std::runtime_error if there is none.
+std::vector<verify::Fixture> fixtures_of(const simulation::Plan& plan,
+                                         const simulation::Survey& survey,
+                                         const std::optional<setup::MachineFile>& machine) {
+    std::vector<verify::Fixture> fixtures = placed_fixtures(plan, survey, machine);
+    if (fixtures.empty()) {
+        throw std::runtime_error(
+            "--show-fixtures: neither the job nor the machine has a fixture ([[fixture]])");
+    }
+    return fixtures;
 }
 
 // Returns the text of the lines that left a face, because a program may have ten million lines.
@@ -157,6 +168,10 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         exporter::write_step_solid(out, outcome.solid->recognised.part, outcome.solid->provenance,
                                    how);
     });
+    outputs.write(o.html, [&](std::ostream& out) {
+        report::write_run_page(out, outcome.plan.job.program.name,
+                               report::summary(run_facts(outcome)), *outcome.page_data);
+    });
     const std::string& program = s.provenance.program;
     outputs.write(o.dxf, [&](std::ostream& out) {
         exporter::write_dxf(out, drawn_sections(outcome), program);
@@ -198,7 +213,7 @@ bool is_long(const simulation::Survey& survey, const Options& o) {
 
 // True if an output shades the part.
 bool is_shaded(const Options& o) {
-    return !o.png.empty() || !o.gltf.empty();
+    return !o.png.empty() || !o.gltf.empty() || !o.html.empty();
 }
 
 double step_tolerance(const Options& o) {
@@ -310,6 +325,8 @@ int run(Options options) {
         simulation::Verification nothing;
         nothing.keep_cuts =
             !o.step.empty() || !o.sections.empty() || is_shaded(o) || animation.every() != 0;
+        std::optional<simulation::PlayRecorder> play;
+        if (!o.html.empty()) nothing.play = &play.emplace(plan, survey, o.every);
         simulation = simulation::simulate(plan, survey, nothing,
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});
@@ -334,9 +351,16 @@ int run(Options options) {
         if (!o.mesh_folder.empty())
             write_mesh_folder(o.mesh_folder, plan, survey, *simulation, outputs);
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
-        if (outcome.boundary && is_shaded(o)) {
+        if (outcome.boundary && (!o.png.empty() || !o.gltf.empty())) {
             shading = simulation::shading_of(plan, survey, *simulation, *outcome.boundary);
             outcome.shading = &*shading;
+        }
+        std::optional<report::PageData> page_data;
+        if (play && outcome.boundary) {
+            page_data = simulation::page_data(plan, survey, *simulation, *outcome.boundary,
+                                              placed_fixtures(plan, survey, machine), false);
+            page_data->play = simulation::finish_play(*play, *simulation);
+            outcome.page_data = &*page_data;
         }
         if (o.simplify && outcome.boundary) {
             simplified = exporter::simplify(*outcome.boundary, *o.simplify);

@@ -1,36 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page of one program: the part in three dimensions, each face linked with the line that cut
-// it, and the lines with their faces.
+// The page of one program: the part at any line, with tool, path and fixtures; faces linked with
+// the lines that cut them; measurements and a section.
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
-const lines = data.source;
+let lines = data.source || [];
 const picked = document.getElementById("picked");
 let selected = 0;
 let view = null;
+let player = null;
 
-function bytes(text, Type) {
-  const raw = atob(text);
-  const out = new Uint8Array(raw.length);
-  for (let i = 0; i < raw.length; i += 1) out[i] = raw.charCodeAt(i);
-  return new Type(out.buffer);
+// --- Lengths -------------------------------------------------------------------------------------
+
+let inInches = false;
+function numberText(mm) {
+  const text = inInches ? (mm / 25.4).toFixed(4) : mm.toFixed(3);
+  return Number(text) === 0 ? text.replace("-", "") : text;
+}
+function lengthText(mm) { return `${numberText(mm)} ${inInches ? "in" : "mm"}`; }
+function timeText(milliseconds) {
+  const s = Math.round(milliseconds / 1000), two = (n) => String(n).padStart(2, "0");
+  return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
 }
 
-// --- Source -------------------------------------------------------------------------------------
+// Returns an element. Texts become text nodes, so markup in a program stays text.
+function element(name, properties = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(properties)) {
+    if (key.startsWith("on")) made.addEventListener(key.slice(2), value);
+    else if (key in made && key !== "list") made[key] = value;
+    else made.setAttribute(key, value);
+  }
+  made.append(...children);
+  return made;
+}
+
+// --- Source --------------------------------------------------------------------------------------
 
 const box = document.getElementById("source");
-const kWindow = 1500;  // lines shown at a time
-let first = 1;
+const kWindow = 600;  // lines shown at a time
+let firstShown = 1;
 
 function showSource(from) {
-  first = Math.max(1, Math.min(from, lines.length - kWindow + 1));
+  firstShown = Math.max(1, Math.min(from, lines.length - kWindow + 1));
   const rows = document.createDocumentFragment();
-  for (let n = first; n < first + kWindow && n <= lines.length; n += 1) {
-    const row = document.createElement("div");
-    const number = document.createElement("i");
-    number.textContent = n;
-    row.append(number, lines[n - 1] || " ");
+  for (let n = firstShown; n < firstShown + kWindow && n <= lines.length; n += 1) {
+    const row = element("div", {}, element("i", { textContent: n }), lines[n - 1] || " ");
     row.dataset.line = n;
     if (data.marks[n]) row.className = data.marks[n];
     rows.append(row);
@@ -40,24 +56,28 @@ function showSource(from) {
 
 function rowOf(n) { return box.querySelector(`[data-line="${n}"]`); }
 
-function select(n, scroll = true) {
-  const old = rowOf(selected);
-  if (old) old.classList.remove("selected");
-  selected = n;
-  if (n > 0) {
-    if (!rowOf(n)) showSource(n - Math.floor(kWindow / 2));
-    const row = rowOf(n);
-    if (row) {
-      row.classList.add("selected");
-      if (scroll) row.scrollIntoView({ block: "center" });
-    }
+// Marks a line of the source, by `className`, and scrolls the source alone to the line.
+function markLine(n, className, scroll) {
+  for (const old of box.querySelectorAll(`.${className}`)) old.classList.remove(className);
+  if (n <= 0 || n > lines.length) return;
+  if (!rowOf(n)) {
+    if (!scroll) return;
+    showSource(n - Math.floor(kWindow / 2));
+    if (className !== "selected") markLine(selected, "selected", false);
   }
+  const row = rowOf(n);
+  row.classList.add(className);
+  if (scroll) box.scrollTop = row.offsetTop - box.offsetTop - box.clientHeight / 2;
+}
+
+// Selects a line: its faces are highlighted.
+function highlight(n, scroll = true) {
+  selected = n;
+  markLine(n, "selected", scroll);
   picked.replaceChildren();
   if (n > 0) {
-    const strong = document.createElement("b");
-    strong.textContent = `line ${n}`;
     const removed = data.removed[n];
-    picked.append(strong, `  ${lines[n - 1] || ""}`,
+    picked.append(element("b", { textContent: `line ${n}` }), `  ${lines[n - 1] || ""}`,
       removed === undefined ? "" : `  — removed ${removed} mm³`);
   } else {
     picked.textContent = "uncut stock";
@@ -65,275 +85,821 @@ function select(n, scroll = true) {
   if (view) view.highlight(n);
 }
 
+// Selects a line and shows the part after the line.
+function select(n, scroll = true) {
+  highlight(n, scroll);
+  if (n <= 0) return;
+  if (player) player.goToLine(n);
+  if (view && view.machine) view.machine.show(n);
+  if (view) view.request();
+}
+
 box.addEventListener("click", (event) => {
   const row = event.target.closest("[data-line]");
   if (row) select(Number(row.dataset.line), false);
 });
-for (const finding of document.querySelectorAll(".finding[data-line]")) {
-  finding.addEventListener("click", () => select(Number(finding.dataset.line)));
+
+// --- Findings ------------------------------------------------------------------------------------
+
+function showFinding(item) {
+  const [line, , point] = data.findings[item.dataset.finding] || [Number(item.dataset.line), "", []];
+  if (line > 0) select(line);
+  if (view && point.length === 3) view.mark(point);
+  document.getElementById("part").scrollIntoView({ block: "nearest" });
 }
-showSource(1);
-
-// --- The part -----------------------------------------------------------------------------------
-
-// Where triangles meet at more than 20°, as they are shaded.
-function sharpEdges(corners, index, normals) {
-  const kSmooth = Math.cos(Math.PI / 9), kUnit = 32767 * 32767, count = corners.length / 3;
-  const cosine = (i, j) => (normals[3 * i] * normals[3 * j] +
-    normals[3 * i + 1] * normals[3 * j + 1] + normals[3 * i + 2] * normals[3 * j + 2]) / kUnit;
-  const open = new Map(), ends = [];
-  for (let i = 0; i < index.length; i += 1) {
-    const j = i % 3 === 2 ? i - 2 : i + 1;
-    const back = index[j] * count + index[i];
-    const other = open.get(back);
-    if (other === undefined) {
-      open.set(index[i] * count + index[j], [i, j]);
-      continue;
-    }
-    open.delete(back);
-    if (cosine(i, other[1]) + cosine(j, other[0]) > 2 * kSmooth) continue;
-    for (const end of [index[i], index[j]]) ends.push(...corners.subarray(3 * end, 3 * end + 3));
-  }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(ends), 3));
-  return geometry;
-}
-
-// A body for each link and each piece of a tool; where they are is told by the joints, which go
-// about the bed while the part, here, lies still.
-function makeMachine(told) {
-  const group = new THREE.Group();
-  const lines = bytes(told.lines, Uint32Array), tools = bytes(told.tools, Int32Array);
-  const values = bytes(told.values, Float32Array);
-  const bodies = told.bodies.map((body) => {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position",
-      new THREE.BufferAttribute(bytes(body.corners, Float32Array), 3));
-    geometry.computeVertexNormals();
-    geometry.computeBoundingSphere();
-    const [r, g, b] = body.colour;
-    const object = new THREE.Mesh(geometry,
-      new THREE.MeshLambertMaterial({ color: new THREE.Color(`rgb(${r},${g},${b})`) }));
-    object.matrixAutoUpdate = false;
-    group.add(object);
-    return object;
+const findings = [...document.querySelectorAll(".finding[data-finding], .finding[data-line]")];
+for (const finding of findings) {
+  finding.addEventListener("click", () => showFinding(finding));
+  finding.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    showFinding(finding);
   });
+}
+let lastFinding = -1;
+function nextFinding() {
+  if (findings.length === 0) return;
+  lastFinding = (lastFinding + 1) % findings.length;
+  showFinding(findings[lastFinding]);
+}
 
-  function jointMatrix([axis, turns, direction, through], stand) {
-    const along = new THREE.Vector3(...direction), at = new THREE.Vector3(...through);
-    if (!turns) {
-      along.multiplyScalar(stand[axis]);
-      return new THREE.Matrix4().makeTranslation(along.x, along.y, along.z);
-    }
-    return new THREE.Matrix4().makeTranslation(at.x, at.y, at.z)
-      .multiply(new THREE.Matrix4().makeRotationAxis(along, stand[axis] * Math.PI / 180))
-      .multiply(new THREE.Matrix4().makeTranslation(-at.x, -at.y, -at.z));
+// --- Machine -------------------------------------------------------------------------------------
+
+// Bodies of the links and of the tools. The part lies still, and the joints move the machine.
+async function makeMachine(packed, renderer) {
+  const lineOf = await numbersOf(packed.lines), tools = await numbersOf(packed.tools);
+  const values = (await numbersOf(packed.values, 9)).map((v) => v);
+  const value = (i, axis) => kPageUnit * values[9 * i + axis];
+  const items = [], bodies = [];
+  for (const body of packed.bodies) {
+    const corners = await cornersOf(body.mesh);
+    bodies.push({ ...body, corners });
+    items.push({ mesh: renderer.mesh({ corners, normals: flatNormals(corners) }), kind: 5,
+      colour: body.colour.map((c) => c / 255), matrix: Matrix.unit(), isShown: true });
   }
-  const movedBy = (joints, stand) =>
-    joints.reduce((m, joint) => m.multiply(jointMatrix(joint, stand)), new THREE.Matrix4());
-
-  // After the line, or the last one before it that moves; before all of them, after the first.
+  function jointMatrix([axis, turns, direction, through], amount) {
+    if (!turns) return Matrix.move(...direction.map((d) => d * amount));
+    return Matrix.product(Matrix.move(...through),
+      Matrix.product(Matrix.turn(direction, amount * Math.PI / 180),
+        Matrix.move(...through.map((c) => -c))));
+  }
   function indexOf(line) {
     let i = 0;
-    while (i + 1 < lines.length && lines[i + 1] <= line) i += 1;
+    while (i + 1 < lineOf.length && lineOf[i + 1] <= line) i += 1;
     return i;
   }
+  // Places the bodies as after the line, or after the last line before it that moves.
   function show(line) {
-    const i = indexOf(line);
-    const stand = values.subarray(9 * i, 9 * i + 9);
-    const [x, y, z] = told.zero;
-    // Of inverses the last comes first: transposed turns, ways back.
-    let toPart = new THREE.Matrix4();
-    for (const joint of told.part_moved_by) {
-      const back = stand.slice();
-      back[joint[0]] = -stand[joint[0]];
-      toPart = jointMatrix(joint, back).multiply(toPart);
-    }
-    toPart = new THREE.Matrix4().makeTranslation(-x, -y, -z).multiply(toPart);
-    told.bodies.forEach((body, k) => {
-      bodies[k].visible = body.tool < 0 || body.tool === tools[i];
-      bodies[k].matrix.multiplyMatrices(toPart, movedBy(body.moved_by, stand));
-      bodies[k].matrixWorldNeedsUpdate = true;
+    const i = indexOf(line), [x, y, z] = packed.zero;
+    let toPart = Matrix.unit();
+    for (const joint of packed.part_moved_by)
+      toPart = Matrix.product(jointMatrix(joint, -value(i, joint[0])), toPart);
+    toPart = Matrix.product(Matrix.move(-x, -y, -z), toPart);
+    packed.bodies.forEach((body, k) => {
+      items[k].isShown = body.tool < 0 || body.tool === tools[i];
+      items[k].matrix = body.moved_by.reduce((m, joint) =>
+        Matrix.product(m, jointMatrix(joint, value(i, joint[0]))), toPart);
     });
-    return i;
   }
-  // A point of a body, machine coordinates with all joints at 0, as the part has it now.
+  // Returns the position of a point of a body in the frame of the part.
   function place(name, x, y, z) {
-    const k = told.bodies.findIndex((body, i) => body.name === name && bodies[i].visible);
-    return new THREE.Vector3(x, y, z).applyMatrix4(bodies[k].matrix).toArray();
+    const k = packed.bodies.findIndex((body, i) => body.name === name && items[i].isShown);
+    return Matrix.apply(items[k].matrix, [x, y, z]);
   }
   show(0);
-  group.updateMatrixWorld(true);
-  const sphere = new THREE.Box3().setFromObject(group).getBoundingSphere(new THREE.Sphere());
-  return { group, lines, show, place, sphere };
+  return { lines: lineOf, items, bodies, show, place };
 }
 
-function makeView(holder, mesh) {
-  const corners = bytes(mesh.vertices, Float32Array);
-  const index = bytes(mesh.triangles, Uint32Array);
-  const lineOf = bytes(mesh.lines, Uint32Array);
-  const count = index.length / 3;
-  const positions = new Float32Array(9 * count);
-  for (let i = 0; i < index.length; i += 1) {
-    positions.set(corners.subarray(3 * index[i], 3 * index[i] + 3), 3 * i);
-  }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-  const colours = new THREE.BufferAttribute(new Float32Array(9 * count), 3);
-  geometry.setAttribute("color", colours);
-  const normals = bytes(mesh.normals, Int16Array);
-  geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3, true));
-  geometry.computeBoundingSphere();
+// --- View ----------------------------------------------------------------------------------------
 
-  const kStock = [0.72, 0.75, 0.79], kCut = [0.33, 0.58, 0.84], kChosen = [0.98, 0.52, 0.12];
-  const kFault = [0.86, 0.20, 0.20];
-  function paint(chosen) {
-    for (let t = 0; t < count; t += 1) {
-      const line = lineOf[t];
-      let colour = line === 0 ? kStock : kCut;
-      if (data.marks[line] === "error") colour = kFault;
-      if (line === chosen && line > 0) colour = kChosen;
-      for (let v = 0; v < 3; v += 1) colours.array.set(colour, 9 * t + 3 * v);
+const kPart = 1, kState = 2, kTool = 3, kFixture = 4;
+const kViews = {
+  iso: [-Math.PI / 3, Math.PI / 5], top: [-Math.PI / 2, Math.PI / 2],
+  bottom: [-Math.PI / 2, -Math.PI / 2], front: [-Math.PI / 2, 0], back: [Math.PI / 2, 0],
+  right: [0, 0], left: [Math.PI, 0],
+};
+const kLight = {
+  background: [0.933, 0.945, 0.957], edge: [0.12, 0.16, 0.20], stock: [0.74, 0.77, 0.80],
+  cut: [0.40, 0.64, 0.88], face: [0.93, 0.76, 0.42], feed: [0.05, 0.35, 0.20],
+  rapid: [0.80, 0.10, 0.45], mark: [0.85, 0.10, 0.10],
+};
+const kDark = {
+  background: [0.085, 0.10, 0.12], edge: [0.02, 0.03, 0.04], stock: [0.62, 0.66, 0.70],
+  cut: [0.36, 0.60, 0.86], face: [0.85, 0.66, 0.32], feed: [0.35, 0.95, 0.60],
+  rapid: [1.0, 0.45, 0.75], mark: [1.0, 0.35, 0.35],
+};
+
+async function makeView(holder) {
+  const canvas = element("canvas", { tabIndex: 0, "aria-label": "part in three dimensions" });
+  const renderer = new Renderer(canvas);
+  holder.append(canvas);
+  const part = data.mesh ? await readPart(data.mesh) : null;
+  const play = data.play ? await readPlay(data.play) : null;
+  const marked = (all) => {
+    const faulty = new Set(Object.keys(data.marks).filter((n) => data.marks[n] === "error")
+      .map(Number));
+    return Uint32Array.from(all, (n) => (faulty.has(n) ? n + 0x80000000 : n));
+  };
+  const partMesh = part && part.corners.length ?
+    renderer.mesh({ corners: part.corners, normals: part.normals, lines: marked(part.lines) }) : null;
+  let stateMesh = null;
+  const stateMatrix = play ? Matrix.product(Matrix.move(...play.states.origin),
+    Matrix.scale(play.states.step)) : null;
+  if (play) {
+    stateMesh = renderer.mesh({ corners: play.states.corners, normals: play.states.normals,
+      lines: marked(play.states.lines), life: play.states.life, matrix: stateMatrix });
+  }
+  const fixtures = [];
+  for (const body of data.fixtures || []) {
+    const corners = await cornersOf(body);
+    fixtures.push({ corners, colour: body.colour.map((c) => c / 255),
+      mesh: renderer.mesh({ corners, normals: flatNormals(corners) }) });
+  }
+  const tools = (play ? play.bodies : []).map((tool) => tool.pieces.map((piece) => ({
+    corners: piece.corners, colour: piece.colour.map((c) => c / 255),
+    mesh: renderer.mesh({ corners: piece.corners, normals: flatNormals(piece.corners) }),
+  })));
+  // The path as pairs of points, and the number of points before each move.
+  let path = null, pointsBefore = null;
+  if (play) {
+    pointsBefore = new Int32Array(play.lines.length + 1);
+    for (let m = 0; m < play.lines.length; m += 1)
+      pointsBefore[m + 1] = pointsBefore[m] + 2 * (play.last[m] - play.first[m]);
+    const all = pointsBefore[play.lines.length];
+    const points = new Float32Array(3 * all), rapid = new Uint8Array(all);
+    for (let m = 0, at = 0; m < play.lines.length; m += 1) {
+      for (let i = play.first[m]; i < play.last[m]; i += 1, at += 2) {
+        for (let c = 0; c < 6; c += 1) points[3 * at + c] = play.points[3 * i + c];
+        rapid[at] = rapid[at + 1] = play.rapid[m];
+      }
     }
-    colours.needsUpdate = true;
+    path = renderer.path(points, rapid);
+  }
+  const machine = data.machine ? await makeMachine(data.machine, renderer) : null;
+
+  const stock = data.stock;
+  const centre = [0, 1, 2].map((i) => (stock[i] + stock[3 + i]) / 2);
+  const corners = [];
+  for (let k = 0; k < 8; k += 1) corners.push([stock[k & 1 ? 3 : 0], stock[k & 2 ? 4 : 1],
+    stock[k & 4 ? 5 : 2]]);
+  const radius = norm(minus([stock[3], stock[4], stock[5]], centre)) || 1;
+  let extent = radius;
+  const shown = { part: true, path: true, tool: true, fixtures: true, machine: Boolean(machine) };
+  const camera = { target: centre, azimuth: kViews.iso[0], height: kViews.iso[1], distance: 1 };
+  const kFieldOfView = 25 * Math.PI / 180;
+  let chosen = 0, state = play ? play.states.stateMoves.length - 1 : 0;
+  let moves = play ? play.lines.length : 0, tip = null;
+  let section = null, segments = [], matrix = Matrix.unit(), eye = [0, 0, 0];
+  let isDark = false, isWaiting = false, pixelRatio = 1, frames = 0;
+
+  // Axes of the camera: right, up, and towards the viewer.
+  function frameOfCamera() {
+    const { azimuth: a, height: h } = camera;
+    const back = [Math.cos(h) * Math.cos(a), Math.cos(h) * Math.sin(a), Math.sin(h)];
+    const right = [-Math.sin(a), Math.cos(a), 0];
+    return [right, cross(back, right), back];
   }
 
-  const scene = new THREE.Scene();
-  scene.background = new THREE.Color(0xeef1f4);
-  const part = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors }));
-  scene.add(part);
-  const edges = new THREE.LineSegments(sharpEdges(corners, index, normals),
-    new THREE.LineBasicMaterial({ color: 0x31404f }));
-  scene.add(edges);
-  scene.add(new THREE.HemisphereLight(0xffffff, 0x8a96a3, 0.75));
-  const lamp = new THREE.DirectionalLight(0xffffff, 0.55);
-  scene.add(lamp);
-
-  const machine = data.machine ? makeMachine(data.machine) : null;
-  let sphere = geometry.boundingSphere;
-  const camera = new THREE.PerspectiveCamera(35, 1, 1, 100);
-  camera.up.set(0, 0, 1);
-  const target = new THREE.Vector3();
-  let azimuth = -Math.PI / 3, height = Math.PI / 5, distance = 1;
-  // All of the machine, or the part alone.
-  function showMachine(shown) {
-    if (machine && shown) scene.add(machine.group);
-    if (machine && !shown) scene.remove(machine.group);
-    sphere = machine && shown ? machine.sphere : geometry.boundingSphere;
-    camera.near = geometry.boundingSphere.radius / 100;
-    camera.far = sphere.radius * 100;
-    target.copy(sphere.center);
-    distance = 3.6 * sphere.radius;
+  // Moves the camera so that the stock fills the picture.
+  function fit() {
+    const [right, up, back] = frameOfCamera();
+    const wide = canvas.clientWidth / Math.max(1, canvas.clientHeight);
+    const tangent = Math.tan(kFieldOfView / 2);
+    const around = shown.machine && machine ? machineCorners() : corners;
+    // The middle of the extent on the picture, then the distance at which each corner is inside.
+    const range = (axis) => {
+      const all = around.map((p) => dot(p, axis));
+      return [Math.min(...all), Math.max(...all)];
+    };
+    const [[x0, x1], [y0, y1], [z0, z1]] = [right, up, back].map(range);
+    camera.target = plus(plus(right.map((c) => c * (x0 + x1) / 2), up, (y0 + y1) / 2), back,
+      (z0 + z1) / 2);
+    let distance = 4 * Math.max(radius, extent);
+    for (let round = 0; round < 4; round += 1) {
+      // Perspective moves the middle of the picture.
+      const all = around.map((p) => minus(p, camera.target)).map((q) =>
+        [dot(q, right) / (distance - dot(q, back)), dot(q, up) / (distance - dot(q, back))]);
+      for (const [i, axis] of [[0, right], [1, up]]) {
+        const ends = all.map((p) => p[i]);
+        camera.target = plus(camera.target, axis,
+          distance * (Math.min(...ends) + Math.max(...ends)) / 2);
+      }
+      distance = 0;
+      for (const p of around) {
+        const q = minus(p, camera.target);
+        distance = Math.max(distance, dot(q, back) + 1.06 * Math.max(
+          Math.abs(dot(q, right)) / (tangent * wide), Math.abs(dot(q, up)) / tangent));
+      }
+    }
+    camera.distance = distance;
+  }
+  function machineCorners() {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    machine.items.forEach((item, k) => {
+      const c = machine.bodies[k].corners;
+      for (let i = 0; i < c.length; i += 9) {
+        const p = Matrix.apply(item.matrix, [c[i], c[i + 1], c[i + 2]]);
+        for (let a = 0; a < 3; a += 1) {
+          low[a] = Math.min(low[a], p[a]);
+          high[a] = Math.max(high[a], p[a]);
+        }
+      }
+    });
+    extent = norm(minus(high, low)) / 2;
+    return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [0, 1, 2].map((a) => (k >> a & 1 ? high : low)[a]));
   }
 
-  const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
-  renderer.setPixelRatio(window.devicePixelRatio);
-  holder.append(renderer.domElement);
+  function place() {
+    const [right, up, back] = frameOfCamera();
+    eye = plus(camera.target, back, camera.distance);
+    const wide = canvas.clientWidth / Math.max(1, canvas.clientHeight);
+    const near = Math.max(camera.distance / 200, camera.distance - 6 * Math.max(radius, extent));
+    const far = camera.distance + 8 * Math.max(radius, extent);
+    const f = 1 / Math.tan(kFieldOfView / 2);
+    const projection = [f / wide, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0,
+      2 * far * near / (near - far), 0];
+    const world = [right[0], up[0], back[0], 0, right[1], up[1], back[1], 0, right[2], up[2],
+      back[2], 0, -dot(right, eye), -dot(up, eye), -dot(back, eye), 1];
+    matrix = Matrix.product(projection, world);
+    const lamp = unitVector(plus(plus(back, up, 0.45), right, -0.25));
+    return { camera: matrix, eye, near, far, lamp };
+  }
+
+  // True if the finished part is shown instead of a recorded state.
+  function isFinished() {
+    return partMesh !== null && (!play || state === play.states.stateMoves.length - 1);
+  }
+
+  function toolMatrix() { return tip ? Matrix.along(tip.axis, tip.at) : Matrix.unit(); }
 
   function draw() {
-    const width = holder.clientWidth, tall = holder.clientHeight;
-    renderer.setSize(width, tall, false);
-    camera.aspect = width / tall;
-    camera.position.set(
-      target.x + distance * Math.cos(height) * Math.cos(azimuth),
-      target.y + distance * Math.cos(height) * Math.sin(azimuth),
-      target.z + distance * Math.sin(height));
-    camera.lookAt(target);
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
-    lamp.position.copy(camera.position).add(new THREE.Vector3(0, 0, sphere.radius));
-    renderer.render(scene, camera);
+    isWaiting = false;
+    const width = canvas.clientWidth, height = canvas.clientHeight;
+    if (width === 0 || height === 0) return;
+    pixelRatio = Math.min(window.devicePixelRatio || 1, Math.sqrt(9e6 / (width * height)));
+    renderer.resize(Math.max(1, Math.round(width * pixelRatio)),
+      Math.max(1, Math.round(height * pixelRatio)));
+    const placed = place();
+    const meshes = [];
+    if (shown.part) {
+      if (isFinished()) meshes.push({ mesh: partMesh, kind: kPart, isPart: true, isSectioned: true });
+      else meshes.push({ mesh: stateMesh, kind: kState, isPart: true, isSectioned: true });
+    }
+    if (shown.fixtures) {
+      for (const body of fixtures)
+        meshes.push({ mesh: body.mesh, kind: kFixture, colour: body.colour, isSectioned: true });
+    }
+    if (shown.machine && machine) meshes.push(...machine.items.filter((item) => item.isShown));
+    if (shown.tool && tip && !(shown.machine && machine)) {
+      for (const piece of tools[tip.tool]) {
+        meshes.push({ mesh: piece.mesh, kind: kTool, colour: piece.colour, matrix: toolMatrix(),
+          isSheer: true });
+      }
+    }
+    const scene = { view: placed, colours: isDark ? kDark : kLight, section, meshes, chosen, state,
+      paths: [], segments: [...segments] };
+    if (shown.path && path && moves > 0) {
+      const whole = Math.min(Math.floor(moves), play.lines.length);
+      scene.paths.push({ path, first: 0, count: pointsBefore[whole] });
+      if (tip && tip.from) {
+        scene.segments.push({ from: tip.from, to: tip.at, colour: scene.colours.feed,
+          rapid: tip.rapid });
+      }
+    }
+    renderer.draw(scene);
+    frames += 1;
+  }
+  function request() {
+    if (isWaiting) return;
+    isWaiting = true;
+    window.requestAnimationFrame(draw);
   }
 
+  // Ray of a point of the canvas (CSS pixels).
+  function rayThrough(x, y) {
+    const [right, up, back] = frameOfCamera();
+    const wide = canvas.clientWidth / canvas.clientHeight, tangent = Math.tan(kFieldOfView / 2);
+    return plus(plus(back.map((c) => -c), right, tangent * wide * (2 * x / canvas.clientWidth - 1)),
+      up, tangent * (1 - 2 * y / canvas.clientHeight));
+  }
+  function cornersOfHit(hit) {
+    const m = [];
+    const source = hit.kind === kPart ? part.corners : play.states.corners;
+    for (let v = 0; v < 3; v += 1) {
+      const p = [0, 1, 2].map((c) => source[9 * hit.triangle + 3 * v + c]);
+      m.push(hit.kind === kPart ? p : Matrix.apply(stateMatrix, p));
+    }
+    return m;
+  }
+  // Returns the extent along an axis of all faces of a form: the depth of a bore.
+  function lengthAlong(axis, form) {
+    let low = Infinity, high = -Infinity;
+    for (let t = 0; t < part.formOf.length; t += 1) {
+      if (part.formOf[t] !== form) continue;
+      for (let i = 9 * t; i < 9 * t + 9; i += 3) {
+        const at = axis[0] * part.corners[i] + axis[1] * part.corners[i + 1] +
+          axis[2] * part.corners[i + 2];
+        low = Math.min(low, at);
+        high = Math.max(high, at);
+      }
+    }
+    return high - low;
+  }
+  // Returns the face at a point of the canvas; null: no face of the part.
   function pick(x, y) {
-    const ray = new THREE.Raycaster();
-    ray.setFromCamera(new THREE.Vector2(2 * x / holder.clientWidth - 1,
-      1 - 2 * y / holder.clientHeight), camera);
-    const hits = ray.intersectObject(part);
-    return hits.length > 0 ? lineOf[hits[0].faceIndex] : null;
+    draw();
+    const hit = renderer.pick(x * pixelRatio, y * pixelRatio);
+    if (!hit) return null;
+    const ray = rayThrough(x, y);
+    if (hit.kind === 7) {
+      const t = (section[3] - dot(section, eye)) / dot(section, ray);
+      return { line: null, point: plus(eye, ray, t), normal: section.slice(0, 3), form: null };
+    }
+    if (hit.kind !== kPart && hit.kind !== kState) return null;
+    const [a, b, c] = cornersOfHit(hit);
+    const normal = unitVector(cross(minus(b, a), minus(c, a)));
+    const along = dot(normal, ray);
+    let point = plus(eye, ray, dot(normal, minus(a, eye)) / (along || 1));
+    // A corner of the face that is near on the picture is meant exactly.
+    for (const corner of [a, b, c]) {
+      const p = project(...corner), frame = canvas.getBoundingClientRect();
+      if (Math.hypot(p.x - frame.left - x, p.y - frame.top - y) < 7) point = corner;
+    }
+    const result = { point, normal, form: null, tool: 0 };
+    if (hit.kind === kPart) {
+      result.line = part.lines[hit.triangle];
+      result.tool = part.tools[hit.triangle];
+      const form = part.formOf[hit.triangle];
+      if (form > 0) {
+        result.form = part.forms[form - 1];
+        result.length = lengthAlong(result.form[2], form);
+      }
+    } else {
+      result.line = play.states.lines[hit.triangle];
+    }
+    return result;
+  }
+  function project(x, y, z) {
+    place();
+    const p = Matrix.apply(matrix, [x, y, z]), frame = canvas.getBoundingClientRect();
+    return { x: frame.left + (p[0] + 1) / 2 * frame.width,
+      y: frame.top + (1 - p[1]) / 2 * frame.height };
   }
 
-  // Left: turn, right or shift: move, wheel: nearer.
-  let drag = null;
-  const canvas = renderer.domElement;
+  function setView(name) {
+    [camera.azimuth, camera.height] = kViews[name];
+    fit();
+    request();
+  }
+
+  addGestures(canvas, {
+    turn(dx, dy) {
+      camera.azimuth -= dx / 150;
+      camera.height = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, camera.height + dy / 150));
+      request();
+    },
+    shift(dx, dy) {
+      const [right, up] = frameOfCamera();
+      const step = 2 * camera.distance * Math.tan(kFieldOfView / 2) / canvas.clientHeight;
+      camera.target = plus(plus(camera.target, right, -dx * step), up, dy * step);
+      request();
+    },
+    zoom(factor) {
+      camera.distance = Math.max(radius / 50, Math.min(40 * Math.max(radius, extent),
+        camera.distance * factor));
+      request();
+    },
+    click(x, y) { showPicked(pick(x, y)); },
+  });
+  let isFitted = false;
+  new ResizeObserver(() => {
+    if (!isFitted && canvas.clientWidth > 0) fit();
+    isFitted = canvas.clientWidth > 0;
+    request();
+  }).observe(canvas);
+
+  fit();
+  const made = {
+    canvas, machine, play, part, shown, camera, request, draw, pick, project, setView, fit: () => {
+      fit();
+      request();
+    },
+    triangles: part ? part.lines.length : 0,
+    stateTriangles: play ? play.states.triangles : 0,
+    uploaded: () => renderer.uploaded,
+    frames: () => frames,
+    highlight(line) { chosen = Math.max(0, line); request(); },
+    setDark(dark) { isDark = dark; request(); },
+    // Shows the part after `count` moves, with the tip where `tipNow` says.
+    show(count, stateNow, tipNow) {
+      moves = count;
+      state = stateNow;
+      tip = tipNow;
+      request();
+    },
+    state: () => state,
+    volume: () => (play ? volumeOfState(play.states, state) : NaN),
+    setSection(plane) { section = plane; request(); },
+    section: () => section,
+    setSegments(all) {
+      const { mark } = isDark ? kDark : kLight;
+      segments = all.map(([from, to]) => ({ from, to, colour: mark, rapid: false }));
+      request();
+    },
+    // Marks a point with a cross and turns the camera to it.
+    mark(point) {
+      const size = radius / 12;
+      this.setSegments([0, 1, 2].map((axis) => {
+        const step = [0, 0, 0];
+        step[axis] = size;
+        return [minus(point, step), plus(point, step)];
+      }));
+      camera.target = point;
+      camera.distance = Math.min(camera.distance, 5 * radius);
+      request();
+    },
+  };
+  draw();
+  return made;
+}
+
+// Left: turn; right, shift or two fingers: move; wheel or two fingers: nearer.
+function addGestures(canvas, on) {
+  const pointers = new Map();
+  let moved = 0, isShift = false;
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("pointerdown", (event) => {
-    drag = { x: event.clientX, y: event.clientY, moved: 0, pan: event.button === 2 || event.shiftKey };
+    if (pointers.size === 0) moved = 0;
+    isShift = event.button === 2 || event.button === 1 || event.shiftKey;
+    pointers.set(event.pointerId, [event.clientX, event.clientY]);
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("pointermove", (event) => {
-    if (!drag) return;
-    const dx = event.clientX - drag.x, dy = event.clientY - drag.y;
-    drag.x = event.clientX;
-    drag.y = event.clientY;
-    drag.moved += Math.abs(dx) + Math.abs(dy);
-    if (drag.pan) {
-      const step = distance / holder.clientHeight;
-      const right = new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
-      const up = new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
-      target.addScaledVector(right, -dx * step).addScaledVector(up, dy * step);
-    } else {
-      azimuth -= dx / 150;
-      height = Math.max(-1.55, Math.min(1.55, height + dy / 150));
+    const old = pointers.get(event.pointerId);
+    if (!old) return;
+    const dx = event.clientX - old[0], dy = event.clientY - old[1];
+    moved += Math.abs(dx) + Math.abs(dy);
+    if (pointers.size === 2) {
+      const [other] = [...pointers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
+      const before = Math.hypot(old[0] - other[0], old[1] - other[1]);
+      const after = Math.hypot(event.clientX - other[0], event.clientY - other[1]);
+      if (after > 0) on.zoom(before / after);
+      on.shift(dx / 2, dy / 2);
+    } else if (isShift) {
+      on.shift(dx, dy);
+    } else if (moved > 3) {
+      on.turn(dx, dy);
     }
-    draw();
+    pointers.set(event.pointerId, [event.clientX, event.clientY]);
   });
-  canvas.addEventListener("pointerup", (event) => {
-    const was = drag;
-    drag = null;
-    if (!was || was.moved > 4) return;
+  const end = (event) => {
+    if (!pointers.delete(event.pointerId) || pointers.size > 0 || moved > 4) return;
+    if (event.type !== "pointerup" || event.button > 0) return;
     const frame = canvas.getBoundingClientRect();
-    const line = pick(event.clientX - frame.left, event.clientY - frame.top);
-    if (line !== null) select(line);
-  });
+    on.click(event.clientX - frame.left, event.clientY - frame.top);
+  };
+  canvas.addEventListener("pointerup", end);
+  canvas.addEventListener("pointercancel", end);
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
-    distance *= Math.exp(event.deltaY / 800);
-    draw();
+    on.zoom(Math.exp(Math.max(-120, Math.min(120, event.deltaY)) / 500));
   }, { passive: false });
-  window.addEventListener("resize", draw);
-
-  showMachine(true);
-  paint(0);
-  draw();
-  return {
-    highlight(line) {
-      paint(line);
-      if (machine && line > 0) this.stood(machine.show(line));
-      draw();
-    },
-    machine,
-    stood() {},
-    showMachine(shown) { showMachine(shown); draw(); },
-    // Where a point of the part is on the page: for tests and for those who script it.
-    project(x, y, z) {
-      const p = new THREE.Vector3(x, y, z).project(camera);
-      const frame = canvas.getBoundingClientRect();
-      return { x: frame.left + (p.x + 1) / 2 * frame.width, y: frame.top + (1 - p.y) / 2 * frame.height };
-    },
-    triangles: count,
-  };
 }
 
-const holder = document.getElementById("view");
-if (holder && data.mesh) {
-  try {
-    view = makeView(holder, data.mesh);
-    picked.textContent = "Click a face to see the line that cut it, or a line to see its faces.";
-  } catch (error) {
-    picked.textContent = `No view of the part here: ${error.message}`;
+// --- Questions -----------------------------------------------------------------------------------
+
+let isMeasuring = false;
+let measured = [];
+
+// Returns name and size of the surface of a face: "bore ⌀ 10.000 mm".
+function formText(hit) {
+  if (!hit.form) {
+    return Math.abs(hit.normal[2]) > 0.9999 ? `plane Z ${numberText(hit.point[2])}` : "";
+  }
+  const [name, sizes, axis, origin, hollow] = hit.form;
+  if (name === "cylinder") {
+    const upright = Math.abs(axis[2]) > 0.9999 ?
+      `, axis X ${numberText(origin[0])} Y ${numberText(origin[1])}` : "";
+    return `${hollow ? "hollow " : ""}cylinder ⌀ ${lengthText(sizes[0])}, length ` +
+      `${lengthText(hit.length)}${upright}`;
+  }
+  if (name === "cone") return `${hollow ? "hollow " : ""}cone ${sizes[0].toFixed(2)}°`;
+  if (name === "sphere") return `${hollow ? "hollow " : ""}sphere ⌀ ${lengthText(sizes[0])}`;
+  if (name === "torus") return `torus ⌀ ${lengthText(sizes[0])}, tube ⌀ ${lengthText(sizes[1])}`;
+  if (name === "plane" && Math.abs(hit.normal[2]) > 0.9999)
+    return `plane Z ${numberText(hit.point[2])}`;
+  return name;
+}
+
+function toolName(number) {
+  const prefix = `T${number} `;
+  const found = data.play && data.play.toolBodies.find((tool) => `${tool.name} `.startsWith(prefix));
+  return found ? found.name : `T${number}`;
+}
+
+function showPicked(hit) {
+  if (!hit) return;
+  if (hit.line === null) {
+    picked.replaceChildren("section");
+  } else {
+    highlight(hit.line);
+    if (hit.line > 0 && hit.tool > 0) picked.append(`  — ${toolName(hit.tool)}`);
+    if (hit.line > 0 && player) {
+      picked.append(" ", element("button", { type: "button", textContent: "show this line",
+        onclick: () => select(hit.line) }));
+    }
+  }
+  const [x, y, z] = hit.point.map(numberText);
+  const form = hit.line === null ? "" : formText(hit);
+  picked.append(element("br"), `${form ? `${form} · ` : ""}X ${x} Y ${y} Z ${z} · ` +
+    `${lengthText(data.stock[5] - hit.point[2])} below the top of the stock`);
+  if (!isMeasuring) return;
+  measured = measured.length === 1 ? [measured[0], hit] : [hit];
+  if (measured.length === 1) {
+    view.mark(hit.point);
+    picked.append(element("br"), "click the second point");
+  } else {
+    view.setSegments([[measured[0].point, hit.point]]);
+    picked.append(element("br"), distanceText(...measured));
   }
 }
-const controls = document.getElementById("stand");
-if (controls && view && view.machine) {
-  const [shown, slider] = controls.querySelectorAll("input");
-  shown.addEventListener("change", () => view.showMachine(shown.checked));
-  slider.min = 0;
-  slider.max = view.machine.lines.length - 1;
-  slider.value = 0;
-  view.stood = (i) => { slider.value = i; };
-  slider.addEventListener("input", () => select(view.machine.lines[slider.value]));
-} else if (controls) {
-  controls.remove();
+
+function distanceText(a, b) {
+  const d = minus(b.point, a.point);
+  let text = `distance ${lengthText(norm(d))} · ΔX ${numberText(d[0])} ΔY ${numberText(d[1])} ` +
+    `ΔZ ${numberText(d[2])}`;
+  const isCylinder = (hit) => hit.form && hit.form[0] === "cylinder";
+  if (isCylinder(a) && isCylinder(b)) {
+    const [, , axis, from] = a.form, [, , other, to] = b.form;
+    if (Math.abs(dot(axis, other)) > 0.99999) {
+      const across = cross(minus(to, from), axis);
+      text += ` · between the axes ${lengthText(norm(across))}`;
+    }
+  } else if (!isCylinder(a) && !isCylinder(b) && Math.abs(dot(a.normal, b.normal)) > 0.99999) {
+    text += ` · between the planes ${lengthText(Math.abs(dot(d, a.normal)))}`;
+  }
+  return text;
 }
-window.ncsim = { select, view, selected: () => selected };
+
+// --- Player --------------------------------------------------------------------------------------
+
+const kSpeeds = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
+
+function makePlayer(play) {
+  const count = play.lines.length;
+  const endOf = (m) => play.milliseconds[m], startOf = (m) => (m > 0 ? play.milliseconds[m - 1] : 0);
+  const slider = element("input", { type: "range", min: 0, max: count, step: 1, value: count,
+    "aria-label": "move of the program" });
+  const button = element("button", { type: "button", title: "play (space)", textContent: "▶",
+    "aria-label": "play" });
+  const where = element("output", {});
+  const speed = element("select", { title: "speed", "aria-label": "speed" },
+    ...kSpeeds.map((s) => element("option", { value: s, textContent: `× ${s}` })));
+  // Plays a program in about a minute.
+  speed.value = kSpeeds.find((s) => count === 0 || endOf(count - 1) / s < 60000) || 1000;
+  let moves = count, clock = count > 0 ? endOf(count - 1) : 0, isPlaying = false, before = 0;
+
+  function stateOf(m) {
+    const at = play.states.stateMoves;
+    let low = 0, high = at.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (at[middle] <= m) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+  // Position of the tip: `share` of the move after `m` completed moves.
+  function tipAt(m, share) {
+    if (count === 0) return null;
+    const move = Math.min(m, count - 1), part = m >= count ? 1 : share;
+    const first = play.first[move], last = play.last[move];
+    const point = (i) => [play.points[3 * i], play.points[3 * i + 1], play.points[3 * i + 2]];
+    const axis = (i) => (play.axes.length ? unitVector([play.axes[3 * i], play.axes[3 * i + 1],
+      play.axes[3 * i + 2]]) : [0, 0, 1]);
+    if (m > 0 && m < count && share === 0) {
+      const end = play.last[m - 1];
+      return { at: point(end), axis: axis(end), tool: play.tools[m - 1], from: null };
+    }
+    let length = 0;
+    for (let i = first; i < last; i += 1) length += norm(minus(point(i + 1), point(i)));
+    let rest = part * length;
+    for (let i = first; i < last; i += 1) {
+      const a = point(i), b = point(i + 1), step = norm(minus(b, a));
+      if (rest <= step || i + 1 === last) {
+        const t = step > 0 ? Math.min(1, rest / step) : 1;
+        return { at: plus(a, minus(b, a), t), tool: play.tools[move], from: a,
+          axis: unitVector(plus(axis(i), minus(axis(i + 1), axis(i)), t)), rapid: play.rapid[move] };
+      }
+      rest -= step;
+    }
+    return { at: point(last), axis: axis(last), tool: play.tools[move], from: null };
+  }
+  function lineNow() { return moves > 0 ? play.lines[moves - 1] : 0; }
+  function show(share = 0) {
+    const state = stateOf(moves);
+    view.show(moves, state, tipAt(moves, share));
+    slider.value = moves;
+    const line = share > 0 && moves < count ? play.lines[moves] : lineNow();
+    const cut = play.states.stateLines[state];
+    const isExact = play.states.stateMoves[state] === moves || state + 1 === play.states.stateMoves.length;
+    const tool = count > 0 ? play.bodies[play.tools[Math.min(Math.max(moves - 1, 0), count - 1)]].name : "";
+    where.textContent = `line ${line} · ${timeText(clock)} · ${tool}` +
+      (isExact ? "" : ` · cut as after line ${cut}`);
+    markLine(line, "current", isPlaying || share > 0);
+    if (view.machine) view.machine.show(line);
+  }
+  function goTo(m) {
+    moves = Math.max(0, Math.min(count, m));
+    clock = moves > 0 ? endOf(moves - 1) : 0;
+    show();
+  }
+  // Shows the part after the last move of the line, or after the moves before the line.
+  function goToLine(line) {
+    let m = -1;
+    for (let i = 0; i < count; i += 1) if (play.lines[i] === line) m = i;
+    if (m < 0) for (let i = 0; i < count && play.lines[i] <= line; i += 1) m = i;
+    goTo(m + 1);
+  }
+  function tick(now) {
+    if (!isPlaying) return;
+    clock += (now - before) * Number(speed.value);
+    before = now;
+    while (moves < count && endOf(moves) <= clock) moves += 1;
+    if (moves >= count) {
+      goTo(count);
+      setPlaying(false);
+      return;
+    }
+    const length = endOf(moves) - startOf(moves);
+    show(length > 0 ? Math.max(0, clock - startOf(moves)) / length : 0);
+    window.requestAnimationFrame(tick);
+  }
+  function setPlaying(on) {
+    isPlaying = on;
+    button.textContent = on ? "❚❚" : "▶";
+    if (!on) return;
+    if (moves >= count) goTo(0);
+    before = performance.now();
+    window.requestAnimationFrame(tick);
+  }
+  function toolChange(step) {
+    let m = moves + (step > 0 ? 0 : -1);
+    const toolBefore = (i) => play.tools[Math.max(0, Math.min(count - 1, i - 1))];
+    for (m += step; m > 0 && m < count; m += step) if (play.tools[m] !== toolBefore(m)) return goTo(m);
+    return goTo(step > 0 ? count : 0);
+  }
+  slider.addEventListener("input", () => {
+    setPlaying(false);
+    goTo(Number(slider.value));
+  });
+  button.addEventListener("click", () => setPlaying(!isPlaying));
+  const small = (text, title, action) =>
+    element("button", { type: "button", textContent: text, title, "aria-label": title,
+      onclick: action });
+  const bar = element("div", { className: "bar", id: "player" }, button,
+    small("|◀", "to the start", () => goTo(0)), small("−1", "previous move (←)", () => goTo(moves - 1)),
+    small("+1", "next move (→)", () => goTo(moves + 1)), small("▶|", "to the end", () => goTo(count)),
+    small("T−", "previous tool change", () => toolChange(-1)),
+    small("T+", "next tool change", () => toolChange(1)));
+  if (findings.length) bar.append(small("!", "next finding (F)", nextFinding));
+  bar.append(speed, slider, where);
+  return { bar, goTo, goToLine, setPlaying, toggle: () => setPlaying(!isPlaying), moves: () => moves,
+    count, isPlaying: () => isPlaying, show, line: lineNow,
+    state: () => stateOf(moves) };
+}
+
+// --- Tools of the view ---------------------------------------------------------------------------
+
+function makeTools() {
+  const bar = element("div", { className: "bar", id: "tools" });
+  const toggle = (name, key, text) => {
+    const input = element("input", { type: "checkbox", checked: view.shown[name] });
+    input.addEventListener("change", () => {
+      view.shown[name] = input.checked;
+      if (name === "machine") view.fit();
+      view.request();
+    });
+    bar.append(element("label", { title: key ? `${text} (${key})` : text }, input, ` ${text}`));
+    return input;
+  };
+  const boxes = { part: toggle("part", "", "part") };
+  if (view.play) {
+    boxes.path = toggle("path", "P", "path");
+    boxes.tool = toggle("tool", "", "tool");
+  }
+  if ((data.fixtures || []).length) boxes.fixtures = toggle("fixtures", "X", "fixtures");
+  if (view.machine) boxes.machine = toggle("machine", "", "machine");
+
+  const axis = element("select", { "aria-label": "section", title: "section (S)" },
+    ...["no section", "section X", "section Y", "section Z"].map((text, i) =>
+      element("option", { value: i - 1, textContent: text })));
+  const at = element("input", { type: "range", min: 0, max: 1000, value: 500,
+    "aria-label": "position of the section", id: "sectionAt" });
+  const flip = element("input", { type: "checkbox" });
+  const value = element("output", {});
+  function cut() {
+    const a = Number(axis.value);
+    at.disabled = flip.disabled = a < 0;
+    if (a < 0) {
+      value.textContent = "";
+      view.setSection(null);
+      return;
+    }
+    const low = data.stock[a], high = data.stock[3 + a];
+    const position = low + (high - low) * Number(at.value) / 1000;
+    // Keeps the side that is away from the usual place of the camera.
+    const sign = (a === 1 ? -1 : 1) * (flip.checked ? -1 : 1);
+    const plane = [0, 0, 0, sign * position];
+    plane[a] = sign;
+    view.setSection(plane);
+    value.textContent = `${"XYZ"[a]} ${numberText(position)}`;
+  }
+  for (const input of [axis, at, flip]) input.addEventListener("input", cut);
+  const measure = element("input", { type: "checkbox", id: "measure" });
+  measure.addEventListener("change", () => {
+    isMeasuring = measure.checked;
+    measured = [];
+    view.setSegments([]);
+    picked.textContent = isMeasuring ? "click the first point" : "";
+  });
+  const unit = element("select", { "aria-label": "unit", title: "unit (U)" },
+    element("option", { value: "mm", textContent: "mm" }),
+    element("option", { value: "inch", textContent: "inch" }));
+  unit.addEventListener("change", () => {
+    inInches = unit.value === "inch";
+    cut();
+  });
+  bar.append(axis, at, element("label", { title: "keep the other side" }, flip, " flip"), value,
+    element("label", { title: "distance of two points (M)" }, measure, " measure"), unit);
+  for (const name of Object.keys(kViews)) {
+    bar.append(element("button", { type: "button", textContent: name, title: `view: ${name}`,
+      onclick: () => view.setView(name) }));
+  }
+  const theme = element("button", { type: "button", textContent: "◐", title: "light or dark",
+    "aria-label": "light or dark" });
+  const prefersDark = window.matchMedia("(prefers-color-scheme: dark)");
+  let dark = prefersDark.matches;
+  const apply = () => {
+    document.documentElement.dataset.theme = dark ? "dark" : "light";
+    view.setDark(dark);
+  };
+  theme.addEventListener("click", () => { dark = !dark; apply(); });
+  prefersDark.addEventListener("change", () => { dark = prefersDark.matches; apply(); });
+  bar.append(element("button", { type: "button", textContent: "fit", title: "fit (0)",
+    onclick: () => view.fit() }), theme);
+  cut();
+  apply();
+  const flipBox = (input) => { input.checked = !input.checked; input.dispatchEvent(new Event("change")); };
+  const keys = {
+    p: () => boxes.path && flipBox(boxes.path), x: () => boxes.fixtures && flipBox(boxes.fixtures),
+    m: () => flipBox(measure), f: nextFinding, 0: () => view.fit(),
+    u: () => { unit.value = inInches ? "mm" : "inch"; unit.dispatchEvent(new Event("change")); },
+    s: () => { axis.value = (Number(axis.value) + 2) % 4 - 1; cut(); },
+    " ": () => player && player.toggle(),
+    ArrowLeft: () => player && player.goTo(player.moves() - 1),
+    ArrowRight: () => player && player.goTo(player.moves() + 1),
+    Home: () => player && player.goTo(0), End: () => player && player.goTo(player.count),
+  };
+  Object.keys(kViews).forEach((name, i) => { keys[i + 1] = () => view.setView(name); });
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.target.closest && event.target.closest("input, select, button, #source, .finding")) return;
+    const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+  return bar;
+}
+
+// --- Start ---------------------------------------------------------------------------------------
+
+async function start() {
+  if (data.packedSource)
+    lines = new TextDecoder().decode(await inflated(data.packedSource)).split("\n").slice(0, -1);
+  showSource(1);
+  const holder = document.getElementById("view");
+  if (!holder) return;
+  try {
+    view = await makeView(holder);
+  } catch (error) {
+    holder.remove();
+    document.getElementById("controls").remove();
+    picked.textContent = `The part is not shown: ${error.message}`;
+    return;
+  }
+  window.ncsim.view = view;
+  const controls = document.getElementById("controls");
+  if (view.play) {
+    player = makePlayer(view.play);
+    window.ncsim.player = player;
+    controls.append(player.bar);
+  }
+  controls.append(makeTools());
+  if (player) player.goTo(player.count);
+  view.fit();
+  picked.textContent = "Click a face for its line and size, or a line for the part after the line.";
+}
+window.ncsim = { select, view, player, selected: () => selected };
+window.ncsim.ready = start();

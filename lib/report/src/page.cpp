@@ -11,82 +11,183 @@
 #include "append.h"
 #include "json.h"
 #include "markup.h"
+#include "page_arrays.h"
 #include "plot.h"
 
 #include <fmt/format.h>
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <ostream>
+#include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace ncsim::report {
 
 extern const std::string_view kPageStyle;
 extern const std::string_view kPageScript;
-extern const std::string_view kThreeScript;
+extern const std::string_view kPageArrays;
+extern const std::string_view kPageRenderer;
 
 namespace {
 
 using verify::Finding;
 using verify::Severity;
 
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            group =
-                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            out += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-        }
+// Longer programs are compressed, bytes.
+constexpr std::size_t kLongSource = 1'000'000;
+// Surfaces of more pieces are rounded to a grid that is coarser by some bits: to 1/8191 of the
+// stock.
+constexpr std::size_t kManyPieces = 1'000'000;
+constexpr unsigned kCoarseBits = 3;
+// Step of axes and points of forms, mm.
+constexpr double kFormStep = 1e-6;
+
+using Numbers = std::vector<std::uint32_t>;
+
+// Normals, each listed once.
+class NormalTable {
+public:
+    std::uint32_t number_of(const cda::Vec3& normal) {
+        components_.clear();
+        append_direction(components_, normal);
+        const std::uint64_t key = std::uint64_t{components_[0] & 0xffffU} |
+                                  std::uint64_t{components_[1] & 0xffffU} << 16U |
+                                  std::uint64_t{components_[2] & 0xffffU} << 32U;
+        const auto next = static_cast<std::uint32_t>(known_.size());
+        const auto [place, is_new] = known_.try_emplace(key, next);
+        if (is_new) numbers_.insert(numbers_.end(), components_.begin(), components_.end());
+        return place->second;
     }
-    return out;
+    const Numbers& numbers() const { return numbers_; }
+
+private:
+    std::unordered_map<std::uint64_t, std::uint32_t> known_;
+    Numbers numbers_, components_;
+};
+
+// Returns a mesh of a page: corners of triangles.
+Json mesh_json(const cda::TriangleMesh& mesh) {
+    Numbers vertices, triangles;
+    for (const cda::Vec3& v : mesh.vertices)
+        append_position(vertices, v);
+    for (const auto& triangle : mesh.triangles)
+        triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+    return {{"vertices", packed(vertices, 3)}, {"triangles", packed(triangles, 3)}};
 }
 
-// Appends four bytes, little-endian, as typed arrays of browsers require.
-template <class Word>
-void put_word(std::string& bytes, Word word) {
-    const auto bits = std::bit_cast<std::uint32_t>(word);
-    for (int shift = 0; shift < 32; shift += 8)
-        bytes += static_cast<char>(bits >> shift & 0xffU);
-}
-
-// Appends a number from -1 to 1 in 16 bits; for a unit normal, a step is below 0.002°.
-void put_share(std::string& bytes, double share) {
-    constexpr double kWhole = 32767.0;
-    const auto bits = static_cast<std::uint16_t>(std::lround(kWhole * share));
-    bytes += static_cast<char>(bits & 0xffU);
-    bytes += static_cast<char>(bits >> 8U);
-}
-
-Json mesh_json(const PageData& page_data) {
-    std::string vertices, triangles, lines, normals;
-    for (const cda::Vec3& v : page_data.mesh.vertices) {
+Json part_json(const PageData& page_data) {
+    Json json = mesh_json(page_data.mesh);
+    NormalTable normals;
+    Numbers normal_of;
+    for (const cda::Vec3& n : page_data.normals)
+        normal_of.push_back(normals.number_of(n));
+    json["normals"] = packed(normals.numbers(), 3);
+    json["normalOf"] = packed(normal_of);
+    json["lines"] = packed(page_data.lines);
+    json["tools"] = packed(page_data.tool_of);
+    json["formOf"] = packed(page_data.form_of);
+    json["forms"] = Json::array();
+    const auto list = [](const cda::Vec3& v) {
+        Json values = Json::array();
         for (const double c : {v.x, v.y, v.z})
-            put_word(vertices, static_cast<float>(c));
+            values.push_back(std::round(c / kFormStep) * kFormStep);
+        return values;
+    };
+    for (const FaceForm& form : page_data.forms) {
+        json["forms"].push_back(Json::array(
+            {form.name, form.dimensions, list(form.axis), list(form.origin), form.is_hollow}));
     }
-    for (const auto& triangle : page_data.mesh.triangles) {
-        for (const std::uint32_t corner : triangle)
-            put_word(triangles, corner);
+    return json;
+}
+
+Json body_json(const ColouredMesh& body) {
+    Json json = mesh_json(body.mesh);
+    json["colour"] = body.colour;
+    return json;
+}
+
+// Returns the states of the part. Normals are listed once each.
+Json surface_json(const PlayData& play) {
+    const cda::SurfaceRecorder& surface = play.surface;
+    const cda::RecordGrid& grid = surface.grid();
+    const unsigned shift = surface.pieces().size() > kManyPieces ? kCoarseBits : 0;
+    Numbers sizes, corners, lines, first, end, normal_of;
+    NormalTable normals;
+    for (const cda::SurfacePiece& piece : surface.pieces()) {
+        if (piece.first_state >= surface.states()) continue;
+        sizes.push_back(piece.corners);
+        for (const cda::GridPoint& p :
+             surface.corners().subspan(piece.first_corner, piece.corners)) {
+            for (const std::uint16_t c : p)
+                corners.push_back(static_cast<std::uint32_t>(c) >> shift);
+        }
+        const auto origin = static_cast<std::size_t>(piece.origin);
+        lines.push_back(origin < play.line_of_origin.size() ? play.line_of_origin[origin] : 0);
+        first.push_back(piece.first_state);
+        end.push_back(std::min(piece.end_state, surface.states()));
+        normal_of.push_back(normals.number_of(piece.normal));
     }
-    for (const std::uint32_t line : page_data.lines)
-        put_word(lines, line);
-    for (const cda::Vec3& n : page_data.normals) {
-        for (const double c : {n.x, n.y, n.z})
-            put_share(normals, c);
+    Numbers state_moves, state_lines;
+    for (const PlayState& state : play.states) {
+        state_moves.push_back(state.moves);
+        state_lines.push_back(state.line);
     }
-    return {{"vertices", base64(vertices)},
-            {"triangles", base64(triangles)},
-            {"lines", base64(lines)},
-            {"normals", base64(normals)}};
+    return {{"origin", {grid.origin.x, grid.origin.y, grid.origin.z}},
+            {"step", std::ldexp(grid.step, static_cast<int>(shift))},
+            {"sizes", packed(sizes)},
+            {"corners", packed(corners, 3)},
+            {"lines", packed(lines)},
+            {"first", packed(first)},
+            {"end", packed(end)},
+            {"normalOf", packed(normal_of)},
+            {"normals", packed(normals.numbers(), 3)},
+            {"stateMoves", packed(state_moves)},
+            {"stateLines", packed(state_lines)}};
+}
+
+Json play_json(const PlayData& play) {
+    Numbers lines, tools, rapid, first, last, times, points, axes;
+    for (const PlayMove& move : play.moves) {
+        lines.push_back(move.line);
+        tools.push_back(move.tool);
+        rapid.push_back(move.is_rapid ? 1 : 0);
+        first.push_back(move.first_point);
+        last.push_back(move.last_point);
+        times.push_back(static_cast<std::uint32_t>(std::llround(1000.0 * move.seconds)));
+    }
+    bool is_upright = true;
+    for (std::size_t i = 0; i < play.points.size(); ++i) {
+        append_position(points, play.points[i]);
+        append_direction(axes, play.axes[i]);
+        is_upright &= play.axes[i] == cda::Vec3{0, 0, 1};
+    }
+    Json all_tools = Json::array();
+    for (const PlayTool& tool : play.tools) {
+        Json pieces = Json::array();
+        for (const ColouredMesh& piece : tool.pieces)
+            pieces.push_back(body_json(piece));
+        all_tools.push_back({{"name", one_line(tool.name)}, {"pieces", std::move(pieces)}});
+    }
+    return {{"surface", surface_json(play)},
+            {"lines", packed(lines)},
+            {"tools", packed(tools)},
+            {"rapid", packed(rapid)},
+            {"first", packed(first)},
+            {"last", packed(last)},
+            {"milliseconds", packed(times)},
+            {"points", packed(points, 3)},
+            {"axes", is_upright ? "" : packed(axes, 3)},
+            {"toolBodies", std::move(all_tools)},
+            {"feedsKnown", play.feeds_known}};
 }
 
 // Returns for each joint: index of the value, rotary or linear, direction, a point of the axis.
@@ -103,32 +204,26 @@ Json machine_json(const MachinePageData& machine) {
     Json json;
     json["bodies"] = Json::array();
     for (const MachinePageData::Body& body : machine.bodies) {
-        std::string corners;
-        for (const auto& triangle : body.mesh.triangles) {
-            for (const std::uint32_t corner : triangle) {
-                const cda::Vec3& v = body.mesh.vertices[corner];
-                for (const double c : {v.x, v.y, v.z})
-                    put_word(corners, static_cast<float>(c));
-            }
-        }
         json["bodies"].push_back({{"name", one_line(body.name)},
                                   {"colour", body.colour},
-                                  {"corners", base64(corners)},
+                                  {"mesh", mesh_json(body.mesh)},
                                   {"moved_by", joints_json(body.moved_by)},
                                   {"tool", body.tool}});
     }
     json["part_moved_by"] = joints_json(machine.part_moved_by);
     json["zero"] = {machine.zero.x, machine.zero.y, machine.zero.z};
-    std::string lines, values, tools;
+    Numbers lines, values, tools;
     for (const auto& [line, stand] : machine.line_poses) {
-        put_word(lines, line);
-        for (const double value : stand.values)
-            put_word(values, static_cast<float>(value));
-        put_word(tools, stand.tool);
+        lines.push_back(line);
+        for (const double value : stand.values) {
+            values.push_back(static_cast<std::uint32_t>(
+                static_cast<std::int64_t>(std::llround(value / kPageUnit))));
+        }
+        tools.push_back(static_cast<std::uint32_t>(stand.tool));
     }
-    json["lines"] = base64(lines);
-    json["values"] = base64(values);
-    json["tools"] = base64(tools);
+    json["lines"] = packed(lines);
+    json["values"] = packed(values, 9);
+    json["tools"] = packed(tools);
     return json;
 }
 
@@ -144,13 +239,25 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
+// Replaces bytes that are not UTF-8 by U+FFFD.
+std::string valid_utf8(const std::string& text) {
+    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Json::parse(quoted).get<std::string>();
+}
+
 // Returns the data for the script. The mark of a line is its highest severity.
-Json data_json(const Checked& checked) {
-    const PageData& page_data = *checked.page_data;
+Json data_json(const Checked& checked, const PageData& page_data) {
     Json data;
-    data["source"] = Json::array();
-    for (const std::string_view line : lines_of(page_data.source))
-        data["source"].push_back(one_line(line));
+    if (page_data.source.size() > kLongSource) {
+        std::string text;
+        for (const std::string_view line : lines_of(page_data.source))
+            text += one_line(line) + '\n';
+        data["packedSource"] = packed_text(valid_utf8(text));
+    } else {
+        data["source"] = Json::array();
+        for (const std::string_view line : lines_of(page_data.source))
+            data["source"].push_back(one_line(line));
+    }
     std::map<std::uint32_t, Severity> marks;
     for (const Finding& f : checked.verdict.findings) {
         if (!f.counts() || f.place.file != 0 || f.place.span.line == 0) continue;
@@ -167,7 +274,20 @@ Json data_json(const Checked& checked) {
     data["removed"] = Json::object();
     for (const auto& [line, volume] : removed)
         data["removed"][std::to_string(line)] = std::stod(fmt::format("{:.6g}", volume));
-    if (!page_data.mesh.triangles.empty()) data["mesh"] = mesh_json(page_data);
+    const cda::Box& stock = page_data.stock;
+    data["stock"] = {stock.min.x, stock.min.y, stock.min.z, stock.max.x, stock.max.y, stock.max.z};
+    data["findings"] = Json::array();
+    for (const Finding& f : checked.verdict.findings) {
+        Json place = Json::array();
+        if (f.point) place = {f.point->x, f.point->y, f.point->z};
+        data["findings"].push_back(
+            {f.place.file == 0 ? f.place.span.line : 0, verify::name_of(f.severity), place});
+    }
+    if (!page_data.mesh.triangles.empty()) data["mesh"] = part_json(page_data);
+    data["fixtures"] = Json::array();
+    for (const ColouredMesh& body : page_data.fixtures)
+        data["fixtures"].push_back(body_json(body));
+    if (page_data.play) data["play"] = play_json(*page_data.play);
     if (page_data.machine) data["machine"] = machine_json(*page_data.machine);
     return data;
 }
@@ -191,12 +311,16 @@ std::string seconds_text(const std::optional<double>& seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-std::string finding_html(const Checked& checked, const Finding& f, const std::string& line) {
-    std::string text = fmt::format("<div class=\"finding {}{}\"{}>", verify::name_of(f.severity),
-                                   f.counts() ? "" : " suppressed",
-                                   f.place.file == 0 && f.place.span.line > 0
-                                       ? fmt::format(" data-line=\"{}\"", f.place.span.line)
-                                       : "");
+std::string finding_html(const Checked& checked, std::size_t number) {
+    const Finding& f = checked.verdict.findings[number];
+    const std::string& line = checked.lines[number];
+    std::string text = fmt::format(
+        "<div class=\"finding {}{}\" role=\"button\" tabindex=\"0\" "
+        "data-finding=\"{}\"{}>",
+        verify::name_of(f.severity), f.counts() ? "" : " suppressed", number,
+        f.place.file == 0 && f.place.span.line > 0
+            ? fmt::format(" data-line=\"{}\"", f.place.span.line)
+            : "");
     std::string where = file_of(checked, f.place);
     if (f.place.span.line > 0) where += fmt::format(":{}", f.place.span.line);
     if (f.last.span.line > f.place.span.line) where += fmt::format("-{}", f.last.span.line);
@@ -216,8 +340,14 @@ std::string findings_html(const Checked& checked) {
     const auto& findings = checked.verdict.findings;
     std::string text = "<section><h2>Findings</h2>\n";
     if (findings.empty()) text += "<p>Nothing was found.</p>\n";
-    for (std::size_t i = 0; i < findings.size(); ++i)
-        text += finding_html(checked, findings[i], checked.lines[i]);
+    // Errors first, accepted and suppressed findings last.
+    std::vector<std::size_t> order(findings.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) {
+        return std::pair{findings[i].counts(), findings[i].severity};
+    });
+    for (const std::size_t i : order)
+        text += finding_html(checked, i);
     for (const auto& [rule, more] : checked.verdict.unlisted)
         text += fmt::format("<p>{} more findings of {} are not listed.</p>\n", more, rule);
     return text + "</section>\n";
@@ -313,10 +443,36 @@ std::string header_html(const Checked& checked) {
     return text + "</header>\n";
 }
 
-// Replaces bytes that are not UTF-8 by U+FFFD.
-std::string valid_utf8(const std::string& text) {
-    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return Json::parse(quoted).get<std::string>();
+}  // namespace
+
+namespace {
+
+// Returns the part of a page in which the script draws the part, and the program.
+std::string viewer_html(const PageData& page_data) {
+    std::string text = "<section id=\"part\"><h2>Part</h2>";
+    if (!page_data.mesh.triangles.empty() || page_data.play)
+        text += "<div id=\"view\"></div><div id=\"controls\"></div>";
+    return text +
+           "<p id=\"picked\" aria-live=\"polite\"></p></section>\n"
+           "<section id=\"program\"><h2>Program</h2><div id=\"source\" tabindex=\"0\" "
+           "aria-label=\"program\"></div></section>\n";
+}
+
+void write_document(std::ostream& out, const std::string& title, const std::string& body,
+                    const Checked& checked, const PageData* page_data) {
+    out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+           "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
+        << valid_utf8(escaped(title)) << "</title>\n<style>\n"
+        << kPageStyle << "</style></head>\n<body>\n"
+        << valid_utf8(body);
+    if (page_data) {
+        out << "<script id=\"data\" type=\"application/json\">"
+            << for_script(data_json(checked, *page_data)) << "</script>\n<script>\n"
+            << kPageArrays << "</script>\n<script>\n"
+            << kPageRenderer << "</script>\n<script>\n"
+            << kPageScript << "</script>\n";
+    }
+    out << "</body></html>\n";
 }
 
 }  // namespace
@@ -325,33 +481,24 @@ void write_page(std::ostream& out, const Checked& checked) {
     std::string body = header_html(checked);
     const bool verified = checked.page_data.has_value();
     if (verified) {
-        body += "<main>\n<section><h2>Part</h2>";
-        if (!checked.page_data->mesh.triangles.empty() && !kThreeScript.empty()) {
-            body += "<div id=\"view\"></div>";
-            if (checked.page_data->machine) {
-                body +=
-                    "<p id=\"stand\"><label><input type=\"checkbox\" checked> machine</label>"
-                    "<input type=\"range\" aria-label=\"line\"></p>";
-            }
-        }
-        body +=
-            "<p id=\"picked\"></p></section>\n"
-            "<section><h2>Program</h2><div id=\"source\"></div></section>\n";
+        body += "<main>\n" + viewer_html(*checked.page_data);
         body += findings_html(checked) + doubts_html(checked) + ledger_html(checked);
         if (!checked.page_data->pictures.empty()) body += pictures_html(*checked.page_data);
         body += skipped_html(checked) + "</main>\n";
     }
-    out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-           "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
-        << valid_utf8(escaped(title_of(checked))) << " · ncsim check</title>\n<style>\n"
-        << kPageStyle << "</style></head>\n<body>\n"
-        << valid_utf8(body);
-    if (verified) {
-        out << "<script id=\"data\" type=\"application/json\">" << for_script(data_json(checked))
-            << "</script>\n<script>" << kThreeScript << "</script>\n<script>\n"
-            << kPageScript << "</script>\n";
-    }
-    out << "</body></html>\n";
+    write_document(out, title_of(checked) + " · ncsim check", body, checked,
+                   verified ? &*checked.page_data : nullptr);
+}
+
+void write_run_page(std::ostream& out, const std::string& path, const std::string& summary,
+                    const PageData& page_data) {
+    Checked checked;
+    checked.path = path;
+    std::string body = fmt::format("<header class=\"run\"><h1>{}</h1><p>ncsim {}</p></header>\n",
+                                   escaped(title_of(checked)), kVersion);
+    body += "<main>\n" + viewer_html(page_data);
+    body += "<section><h2>Summary</h2><pre>" + escaped(summary) + "</pre></section>\n</main>\n";
+    write_document(out, title_of(checked) + " · ncsim run", body, checked, &page_data);
 }
 
 namespace {

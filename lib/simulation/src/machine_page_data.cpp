@@ -3,11 +3,9 @@
 // Bodies and joint positions of a machine for the page of a program.
 #include "machine_page_data.h"
 
-#include "ncsim/cda/flat.h"
-#include "ncsim/cda/hull.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/simulation/joint_course.h"
-#include "ncsim/toolpath/tool_polytope.h"
+
+#include "tool_pieces.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -21,10 +19,6 @@ namespace ncsim::simulation {
 namespace {
 
 using report::MachinePageData;
-
-// Round enough for a picture, and coarse enough for the longest tool.
-constexpr cda::Lattice kToolLattice{1e-4};
-constexpr toolpath::ToolAccuracy kToolAccuracy{0.1, toolpath::Side::Circumscribed};
 
 std::vector<MachinePageData::Joint> joints_of(const machine::Chain& chain) {
     std::vector<MachinePageData::Joint> joints;
@@ -50,15 +44,11 @@ machine::Values values_at(const JointCourse& course, double seconds) {
 // Adds the pieces of a tool, with the tip `length` below the spindle nose.
 void add_tool(const toolpath::Tool& tool, double length, std::int32_t number,
               const machine::Chain& moved_by, MachinePageData& look) {
-    for (const toolpath::ToolPiece& piece : tool.pieces) {
-        const auto polytope = toolpath::approximate(piece, kToolLattice, kToolAccuracy);
-        const auto cell = cda::convex_hull(polytope.points_T, kToolLattice, cda::kStockOrigin);
-        if (!cell) continue;
+    for (report::ColouredMesh& piece : tool_pieces(tool)) {
         MachinePageData::Body body;
         body.name = "tool";
-        body.colour = {118, 124, 134};
-        if (piece.cutting) body.colour = {226, 186, 92};
-        body.mesh = cda::triangulate(cda::FlatCda().create(*cell, kToolLattice)->boundary());
+        body.colour = piece.colour;
+        body.mesh = std::move(piece.mesh);
         for (cda::Vec3& p : body.mesh.vertices)
             p.z -= length;
         body.moved_by = joints_of(moved_by);

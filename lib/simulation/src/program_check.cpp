@@ -4,15 +4,14 @@
 // readings.
 #include "ncsim/simulation/program_check.h"
 
-#include "ncsim/export/camera.h"
-#include "ncsim/export/png.h"
-#include "ncsim/export/render.h"
 #include "ncsim/report/describe.h"
+#include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/fixtures.h"
-#include "ncsim/simulation/shading.h"
+#include "ncsim/simulation/page_data.h"
+#include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/verifier.h"
@@ -29,7 +28,6 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -194,41 +192,6 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey,
             verify::kHomeHeight);
     }
     return setup;
-}
-
-report::PageData make_page_data(const Plan& plan, const Survey& survey,
-                                const Simulation& simulation,
-                                const std::vector<verify::Fixture>& fixtures) {
-    report::PageData data;
-    const cda::Boundary boundary = simulation.part->boundary();
-    const brep::Shading shading = shading_of(plan, survey, simulation, boundary);
-    data.mesh = cda::triangulate(boundary);
-    for (std::size_t t = 0; t < data.mesh.triangles.size(); ++t) {
-        const std::uint32_t f = data.mesh.face[t];
-        const cda::BoundaryFace& face = boundary.faces[f];
-        data.lines.push_back(simulation.provenance.of(face.origin).nc_line);
-        for (const std::uint32_t v : data.mesh.triangles[t])
-            data.normals.push_back(shading.normal(f, face.normal, v, data.mesh.vertices[v]));
-    }
-    exporter::RenderOptions render;
-    render.width = 800;
-    render.height = 600;
-    render.colouring = exporter::Colouring::Tool;
-    exporter::Overlay overlay;
-    for (const verify::Fixture& fixture : fixtures)
-        overlay.bodies.push_back(body_of(fixture));
-    const cda::Box box = box_with_fixtures(survey.stock->box, fixtures);
-    using exporter::View;
-    for (const auto& [name, view] :
-         {std::pair{"from above", View::Top}, std::pair{"isometric", View::Iso}}) {
-        render.camera = exporter::fit_camera(box, view, 4 / 3.0);
-        render.camera.depth += reach_of(fixtures);
-        std::ostringstream png;
-        exporter::write_png(png, exporter::render_boundary(boundary, simulation.provenance, render,
-                                                           overlay, shading));
-        data.pictures.emplace_back(name, png.str());
-    }
-    return data;
 }
 
 // Tools and registers that are specified and that the program does not use, in words.
@@ -551,6 +514,8 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         Verification verification = all.verification();
         verification.verifier = &verifier;
         verification.keep_cuts |= verification_options.wants_page;
+        std::optional<PlayRecorder> play;
+        if (verification_options.wants_page) verification.play = &play.emplace(plan, survey, 0);
         const Simulation simulation = simulate(plan, survey, verification, {});
         if (verification_options.detached_pieces) {
             for (verify::Finding& f : detached_pieces(plan, survey, verification, simulation))
@@ -566,8 +531,9 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         checked.verdict =
             verifier.finish(survey.interpretation, simulation.part.get(), simulation.stock_volume);
         if (verification_options.wants_page) {
-            checked.page_data =
-                make_page_data(plan, survey, simulation, all.setup.machine.fixtures);
+            checked.page_data = page_data(plan, survey, simulation, simulation.part->boundary(),
+                                          all.setup.machine.fixtures, true);
+            if (play) checked.page_data->play = finish_play(*play, simulation);
             checked.page_data->machine =
                 machine_page_data(plan, survey, verification_options.machine);
         }
@@ -591,6 +557,7 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     if (verification_options.wants_page) {
         if (!checked.page_data) checked.page_data.emplace();
         checked.page_data->source = plan.job.program.text;
+        checked.page_data->title = report::base_name(plan.job.program.name);
     }
     checked.program = plan.job.label;
     name_program(checked.verdict, checked.program);

@@ -8,6 +8,7 @@
 #include "ncsim/cda/shape.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/simulation/models.h"
+#include "ncsim/simulation/play_recorder.h"
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
@@ -88,6 +89,7 @@ public:
           shows_path_(plan.keep_paths),
           measured_(verifier_ && verifier_->measures_all()),
           keep_cuts_(verification.keep_cuts),
+          play_(verification.play),
           keeps_cells_(plan.keep_removed_cells),
           tile_(plan.tile),
           tiles_(plan.tiles),
@@ -107,6 +109,7 @@ public:
         result.provenance.program = report::base_name(plan.job.program.name);
         result.provenance.entries.push_back({});  // the stock
         if (keep_cuts_) result.cuts.push_back({});
+        if (play_) play_->begin(*result.part);
         if (plan.block_volumes) places_.emplace();
         if (places_ || (verifier_ && verifier_->needs_account())) result.part->track_removal();
     }
@@ -126,6 +129,7 @@ public:
         const std::uint64_t hulls_before = result_.hulls;
         const cda::Origin origin = begin_cut();
         has_covered_ = false;
+        if (play_) play_->begin_move(motion);
         verify::Verifier* const verifier =
             !only_motion_ || *only_motion_ == motions_ ? verifier_ : nullptr;
         if (verifier) verifier->begin(motion, result_.part.get());
@@ -136,6 +140,7 @@ public:
                 is_near_stock_ |= step.is_near;
                 if (verifier) verifier->before_cut(step, *result_.part);
                 const double removed = cut(step, origin);
+                if (play_) play_->add_step(step);
                 if (verifier) verifier->after_cut(step, *result_.part, removed);
                 budget_.check(result_.provenance.program, line_);
             });
@@ -147,7 +152,9 @@ public:
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             add_missed(motion, bounds.missed_mm);
         }
-        if (!has_met_stock(hulls_before)) return;
+        const bool has_met = has_met_stock(hulls_before);
+        if (play_) play_->end_move(has_met, *result_.part);
+        if (!has_met) return;
         result_.last_cut = {motion.file, motion.span};
         result_.last_motion = motions_;
         result_.provenance.entries.push_back(
@@ -313,6 +320,7 @@ private:
     // By origin, if volumes of blocks are requested.
     std::optional<std::map<cda::Origin, report::BlockPlace>> places_;
     bool keep_cuts_;
+    PlayRecorder* play_;
     bool keeps_cells_;
     std::optional<cda::TileNumber> tile_;
     std::shared_ptr<const CutTiles> tiles_;

@@ -1,27 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// node page.mjs <ncsim> <chromium> <samples> [<screenshot.png>]: makes the page of a program with a fault and
-// uses it as a reader would: the part is drawn, a click on a face selects the line that cut it, a
-// click on a finding goes to its line, and nothing is loaded from anywhere.
+// node page.mjs <ncsim> <chromium> <samples> [<folder for screenshots>]: makes pages and uses them
+// as a reader would. The page of a program with a fault plays to lines, and its states have the
+// volume of `run --at-line`. Clicks on faces select lines, findings lead to their place, a section
+// cuts the part open. Nothing is loaded from anywhere.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const [ncsim, browserPath, samples, screenshot] = process.argv.slice(2);
+const [ncsim, browserPath, samples, pictures] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "ncsim-page-"));
+if (pictures) mkdirSync(pictures, { recursive: true });
 let failures = 0;
 function expect(condition, message) {
   if (condition) return;
   console.error(message);
   failures += 1;
 }
+function near(a, b, most, message) { expect(Math.abs(a - b) <= most, `${message}: ${a}, not ${b}`); }
+function call(...words) {
+  try {
+    execFileSync(ncsim, words, { cwd: folder, stdio: "ignore" });
+    return 0;
+  } catch (error) {
+    return error.status;
+  }
+}
 
-// A slot along X at Y0, a second one along Y made at rapid, a hole; and markup where it must do no
-// harm.
+// A slot along X at Y0, a second slot along Y made at rapid, a bore by a second tool; and markup
+// where it must do no harm.
 const program = [
   "(T1 D=10. - flat end mill) (</script><b>bold</b> & \"quoted\")",
+  "(T2 D=8. - flat end mill)",
   "(STOCK/BLOCK,80.,60.,20.,40.,30.,20.)",
   "G21 G90 G17 T1 M6 S4000 M3 F600",
   "G0 X-50. Y0. Z5.",
@@ -32,46 +44,62 @@ const program = [
   "Z-8.",
   "G0 Y40.",
   "G0 Z5.",
-  "X-20. Y18.",
+  "T2 M6 S4000 M3",
+  "G0 X-20. Y18. Z5.",
   "G1 Z-12. F200.",
   "G0 Z5.",
   "M30", ""].join("\n");
 writeFileSync(join(folder, "part.nc"), program);
-let code = 0;
-try {
-  execFileSync(ncsim, ["check", "part.nc", "--html", "page.html"], { cwd: folder, stdio: "ignore" });
-} catch (error) {
-  code = error.status;
-}
-expect(code === 1, `exit code ${code} for a program with a fault`);
+expect(call("check", "part.nc", "--html", "page.html") === 1, "a program with a fault fails");
+expect(call("run", "part.nc", "--html", "run.html", "--every", "1") === 0, "the page of a run");
+const volumes = [7, 8, 11, 15].map((line) => {
+  call("run", "part.nc", "--at-line", String(line), "--report", "report.json");
+  return [line, JSON.parse(readFileSync(join(folder, "report.json"))).volume_mm3.part];
+});
 
 const browser = await chromium.launch({
   executablePath: browserPath,
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
-try {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 1500 }, offline: true });
+const requests = [];
+const errors = [];
+async function open(file, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true,
+    ...options });
   const page = await context.newPage();
-  const requests = [];
-  const errors = [];
   page.on("request", (request) => requests.push(request.url()));
   page.on("pageerror", (error) => errors.push(error.message));
-  page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
-  await page.goto(`file://${join(folder, "page.html")}`);
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") errors.push(message.text());
+  });
+  await page.goto(`file://${join(folder, file)}`);
+  await page.evaluate(() => window.ncsim.ready);
+  return page;
+}
+async function picture(page, name) {
+  await page.evaluate(() => window.ncsim.view.draw());
+  if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`) });
+}
+// Clicks a point of the part.
+async function click(page, ...point) {
+  const at = await page.evaluate((p) => window.ncsim.view.project(...p), point);
+  await page.mouse.click(at.x, at.y);
+  return page.locator("#picked").textContent();
+}
+const selected = (page) => page.evaluate(() => window.ncsim.selected());
 
+try {
+  let page = await open("page.html");
   const triangles = await page.evaluate(() => window.ncsim.view && window.ncsim.view.triangles);
   expect(triangles > 20, `the part was not drawn: ${errors.join("; ")}`);
   expect(await page.locator("b", { hasText: "bold" }).count() === 0, "a remark became markup");
 
-  // Three normals of length 1 for each triangle; those of the slots' ends turn from corner to corner.
+  // Three normals of length 1 for each triangle; at round ends the normals differ by corner.
   const [normals, off, round] = await page.evaluate(() => {
-    const mesh = JSON.parse(document.getElementById("data").textContent).mesh;
-    const raw = Uint8Array.from(atob(mesh.normals), (c) => c.charCodeAt(0));
-    const n = new Int16Array(raw.buffer);
+    const n = window.ncsim.view.part.normals;
     let worst = 0, turning = 0;
-    for (let i = 0; i < n.length; i += 3) {
+    for (let i = 0; i < n.length; i += 3)
       worst = Math.max(worst, Math.abs(Math.hypot(n[i], n[i + 1], n[i + 2]) / 32767 - 1));
-    }
     for (let t = 0; t < n.length; t += 9) {
       if (n[t] !== n[t + 3] || n[t] !== n[t + 6] || n[t + 1] !== n[t + 4]) turning += 1;
     }
@@ -80,62 +108,134 @@ try {
   expect(normals === triangles, `${normals} normals for ${triangles} triangles`);
   expect(off < 1e-4, `a normal is longer or shorter by ${off}`);
   expect(round > 10 && round < triangles, `${round} of ${triangles} triangles are round`);
+  await picture(page, "check");
 
   // Faces of the part that are seen from where the camera begins, and the lines that cut them.
-  for (const [x, y, z, line] of [[-10, 5, -2, 6], [15, -20, -2, 10], [-20, 23, -1, 13],
+  for (const [x, y, z, line] of [[-10, 5, -2, 7], [15, -20, -2, 11], [-20, 22, -1, 15],
     [-30, -20, 0, 0]]) {
-    const at = await page.evaluate((p) => window.ncsim.view.project(...p), [x, y, z]);
-    await page.mouse.click(at.x, at.y);
-    const selected = await page.evaluate(() => window.ncsim.selected());
-    expect(selected === line, `a click at ${x}, ${y}, ${z} selects line ${selected}, not ${line}`);
+    const text = await click(page, x, y, z);
+    expect(await selected(page) === line, `a click at ${x}, ${y}, ${z} selects ${await selected(page)}`);
     if (line > 0) {
-      const text = await page.locator("#source .selected").textContent();
-      expect(text.includes(program.split("\n")[line - 1]), `line ${line} shows ${text}`);
+      const row = await page.locator("#source .selected").textContent();
+      expect(row.includes(program.split("\n")[line - 1]), `line ${line} shows ${row}`);
+    } else {
+      expect(text.includes("uncut stock"), text);
+    }
+    if (line === 15) {
+      expect(text.includes("hollow cylinder ⌀ 8.000 mm, length 12.000 mm, axis X -20.000 Y 18.000"), text);
+      expect(text.includes("T2"), text);
+      await picture(page, "face");
     }
   }
-  const told = await page.locator("#picked").textContent();
-  expect(told.includes("uncut stock"), told);
 
-  await page.locator(".finding.error").click();
-  expect(await page.evaluate(() => window.ncsim.selected()) === 10, "a finding leads to its line");
+  // Finding: its line, its place, and the part after the line.
+  await page.locator(".finding.error").first().click();
+  expect(await selected(page) === 11, "a finding leads to its line");
   expect((await page.locator("#picked").textContent()).includes("removed"), "with its volume");
+  const [target, line] = await page.evaluate(() => [window.ncsim.view.camera.target,
+    window.ncsim.player.line()]);
+  near(target[0], 20, 6, "X of the place of the finding");
+  expect(line === 11, `the part is shown after line ${line}`);
+  await picture(page, "finding");
+  await page.locator(".finding.error").first().focus();
+  await page.keyboard.press("Enter");
   expect(await page.locator("svg").count() === 2, "two plots");
   expect(await page.locator("img").evaluateAll((all) => all.every((i) => i.naturalWidth > 0)),
     "a picture is broken");
-  expect(requests.every((url) => url.startsWith("file:") || url.startsWith("data:")) &&
-    requests.filter((url) => url.startsWith("file:")).length === 1, `loaded: ${requests}`);
-  expect(errors.length === 0, `errors of the page: ${errors.join("; ")}`);
-  expect(await page.locator("#stand").count() === 0, "a machine that nobody told");
+
+  // The drawn state has the volume of a run that stops at the line, without any upload.
+  page = await open("run.html");
+  const before = await page.evaluate(() => window.ncsim.view.uploaded());
+  for (const [at, volume] of volumes) {
+    await page.evaluate((n) => window.ncsim.player.goToLine(n), at);
+    near(await page.evaluate(() => window.ncsim.view.volume()), volume, 2e-5 * volume,
+      `volume after line ${at}`);
+  }
+  expect(await page.evaluate(() => window.ncsim.view.uploaded()) === before, "a step uploads data");
+  // Before the bore is drilled, its place is the top of the stock.
+  await page.evaluate(() => window.ncsim.player.goToLine(8));
+  await click(page, -20, 18, 0);
+  expect(await selected(page) === 0, "the bore exists before its line");
+  await page.locator("#player input[type=range]").focus();
+  await page.keyboard.press("ArrowRight");
+  expect(await page.evaluate(() => window.ncsim.player.line()) === 9, "the slider steps by a move");
+  await page.locator("#player button[title='next tool change']").click();
+  expect((await page.locator("#player output").textContent()).includes("T2") ||
+    await page.evaluate(() => window.ncsim.player.line()) >= 12, "the next tool");
+  await page.evaluate(() => window.ncsim.player.goTo(0));
+  await page.locator("#player button[title='play (space)']").click();
+  await page.waitForFunction(() => window.ncsim.player.moves() >= 1, null, { timeout: 30000 });
+  await page.locator("#player button[title='play (space)']").click();
+  await page.evaluate(() => window.ncsim.player.goToLine(7));
+  await picture(page, "play");
+
+  // Section: the cut face is where the plane is, and a measurement across the slot.
+  await page.evaluate(() => window.ncsim.player.goTo(window.ncsim.player.count));
+  await page.locator("select[aria-label=section]").selectOption({ label: "section X" });
+  await page.locator("select[aria-label=section]").evaluate((s) => s.dispatchEvent(new Event("input")));
+  await page.evaluate(() => { window.ncsim.view.setView("right"); window.ncsim.view.draw(); });
+  const cut = await click(page, 0, -20, -10);
+  expect(/^sectionX 0.000 Y -20.0\d\d Z -9.99\d/.test(cut), cut);
+  await picture(page, "section");
+  await page.locator("select[aria-label=section]").selectOption({ label: "no section" });
+  await page.locator("select[aria-label=section]").evaluate((s) => s.dispatchEvent(new Event("input")));
+  await page.evaluate(() => { window.ncsim.view.setView("top"); window.ncsim.view.draw(); });
+  await page.locator("#measure").check();
+  await click(page, -30, -20, 0);
+  const distance = await click(page, -30, 0, -4);
+  expect(distance.includes("between the planes 4.000 mm"), distance);
+  expect(distance.includes("4.000 mm below the top"), distance);
+  await page.locator("select[aria-label=unit]").selectOption("inch");
+  expect((await click(page, -30, -20, 0)).includes("0.0000 in below"), "inches");
+  await page.locator("#measure").uncheck();
+
+  // Keys, rotation by the mouse, hidden bodies.
+  await page.locator("#view canvas").focus();
+  await page.keyboard.press("1");
+  await page.mouse.move(400, 400);
+  const azimuth = await page.evaluate(() => window.ncsim.view.camera.azimuth);
+  await page.mouse.down();
+  await page.mouse.move(480, 430, { steps: 4 });
+  await page.mouse.up();
+  expect(await page.evaluate(() => window.ncsim.view.camera.azimuth) < azimuth, "the part turns");
+  await page.keyboard.press("p");
+  expect(!await page.evaluate(() => window.ncsim.view.shown.path), "key P hides the path");
+  await picture(page, "turned");
+
+  // A phone, dark: nothing is wider than the screen.
+  const phone = await open("run.html", { viewport: { width: 390, height: 844 }, colorScheme: "dark",
+    deviceScaleFactor: 2 });
+  expect(await phone.evaluate(() => document.documentElement.scrollWidth) <= 390, "a phone scrolls");
+  expect(await phone.evaluate(() => document.documentElement.dataset.theme) === "dark", "dark");
+  await picture(phone, "phone");
 
   // With a machine: its tool's tip is, after a line, where that line says, as the part has it.
-  execFileSync(ncsim, ["check", join(samples, "five-axis.nc"), "--job",
-    join(samples, "five-axis.toml"), "--machine", join(samples, "machines", "trunnion.toml"),
-    "--html", "mill.html"], { cwd: folder, stdio: "ignore" });
-  await page.goto(`file://${join(folder, "mill.html")}`);
-  const tipAfter = (line) => page.evaluate((n) => {
-    window.ncsim.select(n);
-    const told = JSON.parse(document.getElementById("data").textContent).machine;
-    const tool = told.bodies.find((body) => body.name === "tool");
-    const raw = Uint8Array.from(atob(tool.corners), (c) => c.charCodeAt(0));
-    const lowest = new Float32Array(raw.buffer).reduce((z, c, i) => i % 3 === 2 ? Math.min(z, c) : z);
-    return window.ncsim.view.machine.place("tool", 0, 0, lowest);
-  }, line);
-  for (const [line, x, y, z] of [[83, -22, -38.105, 30], [84, -22, -38.105, -4],
+  call("check", join(samples, "five-axis.nc"), "--job", join(samples, "five-axis.toml"),
+    "--machine", join(samples, "machines", "trunnion.toml"), "--html", "mill.html");
+  page = await open("mill.html");
+  const tipAfter = (n) => page.evaluate((number) => {
+    window.ncsim.select(number);
+    const { machine } = window.ncsim.view;
+    const tool = machine.bodies.find((body) => body.name === "tool");
+    const lowest = tool.corners.reduce((z, c, i) => (i % 3 === 2 ? Math.min(z, c) : z), 0);
+    return machine.place("tool", 0, 0, lowest);
+  }, n);
+  for (const [n, x, y, z] of [[83, -22, -38.105, 30], [84, -22, -38.105, -4],
     [85, -18.894, -36.949, -5.044]]) {
-    const tip = await tipAfter(line);
+    const tip = await tipAfter(n);
     const away = Math.hypot(tip[0] - x, tip[1] - y, tip[2] - z);
-    expect(away < 1e-3, `after line ${line} the tip is at ${tip}`);
+    expect(away < 2e-3, `after line ${n} the tip is at ${tip}`);
   }
-  const before = await page.evaluate(() => window.ncsim.selected());
-  await page.locator("#stand input[type=range]").press("ArrowRight");
-  expect(await page.evaluate(() => window.ncsim.selected()) === before + 1, "the next line");
-  // The cradle is between camera and part, so that a face of the part is seen without it alone.
-  await page.locator("#stand input[type=checkbox]").uncheck();
-  const at = await page.evaluate(() => window.ncsim.view.project(-38, -38, 0));
-  await page.mouse.click(at.x, at.y);
-  expect(await page.evaluate(() => window.ncsim.selected()) === 0, "the stock's corner is a face");
+  await picture(page, "machine");
+  // The cradle is between camera and part, so a face of the part is seen without the machine only.
+  await page.locator("label", { hasText: "machine" }).locator("input").uncheck();
+  await page.evaluate(() => window.ncsim.player.goTo(window.ncsim.player.count));
+  await click(page, -38, -38, 0);
+  expect(await selected(page) === 0, "the stock's corner is a face");
+
+  expect(requests.every((url) => url.startsWith("file:") || url.startsWith("data:")) &&
+    requests.filter((url) => url.startsWith("file:")).length === 4, `loaded: ${requests}`);
   expect(errors.length === 0, `errors of the page: ${errors.join("; ")}`);
-  if (screenshot) await page.screenshot({ path: screenshot, fullPage: true });
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true });

@@ -181,6 +181,11 @@ Shading ShadingMaker::finish() {
     return std::move(shading_);
 }
 
+const Surface* Shading::surface_of(std::uint32_t face) const {
+    if (face >= of_face_.size() || of_face_[face] == kNone) return nullptr;
+    return &surfaces_[of_face_[face]];
+}
+
 Shading::Recognition Shading::recognition(std::uint32_t face) const {
     if (face >= of_face_.size() || of_face_[face] == kNone) return Recognition::Unknown;
     return is_flat(surfaces_[of_face_[face]]) ? Recognition::Planar : Recognition::Curved;

@@ -40,6 +40,15 @@ bool FacetRegion::assign(const Plane& plane, const HalfBox& box) {
     return true;
 }
 
+Vec3 FacetRegion::position_of(const Point& corner) const {
+    const double along = e_ - n_[axes_[0]] * corner.u - n_[axes_[1]] * corner.v;
+    std::array<double, 3> at = middle_;
+    at[axes_[0]] += corner.u;
+    at[axes_[1]] += corner.v;
+    at[axes_[2]] += along / n_[axes_[2]];
+    return {at[0], at[1], at[2]};
+}
+
 FacetRegion::Line FacetRegion::line_of(const Plane& cut) const {
     const std::array<double, 3> m{static_cast<double>(cut.nx), static_cast<double>(cut.ny),
                                   static_cast<double>(cut.nz)};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/cda/plane.h"
+#include "ncsim/cda/vec.h"
 
 #include "exact/half_box.h"
 
@@ -54,6 +55,10 @@ public:
     std::span<const Point> corners(const Polygon& polygon) const {
         return std::span(points_).subspan(polygon.first, polygon.count);
     }
+    /// Returns the position of a corner, lattice units.
+    Vec3 position_of(const Point& corner) const;
+    /// True if corners() run counter-clockwise seen from the side to which the normal points.
+    bool is_counter_clockwise() const { return n_[axes_[2]] > 0.0; }
     /// Returns the line in which the facet meets a plane, in the coordinates of the corners.
     /// Line::above() is the distance from the plane times the length of the plane's normal.
     Line line_of(const Plane& cut) const;

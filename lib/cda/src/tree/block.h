@@ -30,6 +30,7 @@ struct Block {
     // cells in insertion, in order of arrival; all arrived before `pending`
     std::vector<std::shared_ptr<const PendingCell>> inserting;
     std::uint64_t last_step = 0;           // step of the last arrival
+    std::uint64_t changes = 0;             // number of calls of own()
     mutable std::optional<double> volume;  // volume of `tree`, cubic units; empty until requested
     // surface in `tree`; null until requested; only for a tile
     mutable std::shared_ptr<const Outlines> outlines;
@@ -42,6 +43,7 @@ struct Block {
         // reads before this write; a look at the count alone does not.
         std::shared_ptr<BlockTree>(tree).reset();
         if (tree.use_count() > 1) tree = std::make_shared<BlockTree>(*tree);
+        ++changes;
         volume.reset();
         outlines.reset();
         return *tree;

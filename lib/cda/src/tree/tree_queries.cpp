@@ -10,6 +10,7 @@
 #include "tree/block.h"
 #include "tree/covering.h"
 #include "tree/evaluation.h"
+#include "tree/leaf_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -214,6 +215,43 @@ Boundary TreeCda::boundary() const {
             stitcher.add_part(result.outlines);
         });
     return stitcher.finish();
+}
+
+void TreeCda::record_surface(SurfaceRecorder& recorder) const {
+    if (parameters_.tile) throw CannotAnswer(name(), "the surface of a tile");
+    const ReadLock asked(*this);
+    flush_all();
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        std::uint64_t& mark = recorder.mark(i);
+        if (mark == blocks_[i].changes) continue;
+        mark = blocks_[i].changes;
+        changed.push_back(i);
+    }
+    recorder.begin_state();
+    make_in_parallel(
+        parameters_.threads, changed.size(),
+        [&](std::size_t i) {
+            std::vector<SurfaceRecorder::Cell> cells;
+            LeafSurface surface(stock_planes_, *cells_);
+            const BlockTree& tree = *blocks_[changed[i]].tree;
+            const auto add = [&](const HalfBox& box, std::span<const BlockTree::Entry> entries) {
+                const BoxFrame frame(box);
+                const auto excludes = [&](const Plane& plane) {
+                    return side_of(frame, HalfPlane(plane)) == Side::Above;
+                };
+                if (std::ranges::any_of(stock_planes_, excludes)) return;
+                SurfaceRecorder::Cell& cell = cells.emplace_back();
+                cell.hash = surface.read(tree, box, entries);
+                if (!recorder.has_cell(changed[i], cell.hash))
+                    surface.add_polygons(recorder.grid(), lattice_.unit_mm, cell.polygons);
+            };
+            tree.visit([](const HalfBox&) { return true; }, add);
+            return cells;
+        },
+        [&](std::size_t i, const std::vector<SurfaceRecorder::Cell>& cells) {
+            recorder.replace_region(changed[i], cells);
+        });
 }
 
 bool TreeCda::contains(Vec3 point) const {

@@ -34,6 +34,9 @@ public:
     /// Returns the state of `face`; Unknown for faces that the boundary does not have.
     Recognition recognition(std::uint32_t face) const;
 
+    /// Returns the surface of `face`; null if the surface is unknown.
+    const Surface* surface_of(std::uint32_t face) const;
+
     /// Returns the unit normal, out of the material, in the corner `vertex` of a face with the
     /// normal `own`. The result is the normal of the face's surface if the surface is round and
     /// deviates from `own` by at most 60°, otherwise `own`.

@@ -100,6 +100,9 @@ public:
     /// Evaluates the blocks that changed since the last request.
     double volume() const override;
     Boundary boundary() const override;
+    /// Evaluates the leaves that changed since the last state of `recorder`.
+    /// Requires: `recorder` has recorded only this part.
+    void record_surface(SurfaceRecorder& recorder) const override;
     bool contains(Vec3 point) const override;
 
     /// Stops at the first common point. Waiting cells are inserted only where they affect the

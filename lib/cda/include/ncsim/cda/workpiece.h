@@ -8,6 +8,7 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
+#include "ncsim/cda/surface_recorder.h"
 #include "ncsim/cda/sweep.h"
 #include "ncsim/cda/vec.h"
 
@@ -125,6 +126,8 @@ public:
     virtual std::optional<Aliasing> aliasing() const { return std::nullopt; }
     /// Returns the surface of the part.
     virtual Boundary boundary() const = 0;
+    /// Records the surface of the part as the next state. Default: records boundary().
+    virtual void record_surface(SurfaceRecorder& recorder) const;
     /// True if the point is in the part or on the surface. Exact for the point rounded to 2^-16 of
     /// a lattice unit.
     virtual bool contains(Vec3 point) const = 0;

@@ -7,6 +7,7 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/vec.h"
 #include "ncsim/report/design_facts.h"
+#include "ncsim/report/play_data.h"
 #include "ncsim/verify/finding.h"
 #include "ncsim/verify/verdict.h"
 
@@ -50,14 +51,30 @@ struct MachinePageData {
     std::map<std::uint32_t, LinePose> line_poses;
 };
 
+/// Form of a face, as CAD systems name it.
+struct FaceForm {
+    std::string name;                ///< "plane", "cylinder" …
+    std::vector<double> dimensions;  ///< Diameters in mm; for a cone, the full angle in degrees.
+    cda::Vec3 axis;                  ///< Unit direction; zero: none.
+    cda::Vec3 origin;                ///< A point on the axis, mm.
+    bool is_hollow = false;          ///< The material surrounds the form, as around a bore.
+};
+
 /// Additional data for a page.
 struct PageData {
     std::string source;      ///< Text of the program.
+    std::string title;       ///< Name of the program file.
+    cda::Box stock;          ///< mm
     cda::TriangleMesh mesh;  ///< Surface of the part; empty if nothing was simulated.
     /// For each triangle, the line that cut the triangle; 0: the stock.
     std::vector<std::uint32_t> lines;
     /// Three unit normals for each triangle: the normals of the true surface in the corners.
     std::vector<cda::Vec3> normals;
+    std::vector<FaceForm> forms;         ///< Recognised forms.
+    std::vector<std::uint32_t> form_of;  ///< For each triangle, index into `forms` plus 1; 0: none.
+    std::vector<std::uint32_t> tool_of;  ///< For each triangle, number of the tool; 0: the stock.
+    std::vector<ColouredMesh> fixtures;  ///< Frame of the part.
+    std::optional<PlayData> play;        ///< Empty: the page shows the finished part only.
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
     /// A specified machine with bodies and motion; otherwise nullopt.
     std::optional<MachinePageData> machine;

@@ -15,8 +15,13 @@
 namespace ncsim::report {
 
 /// Writes HTML 5, UTF-8, without external resources.
-/// Requires: `checked.look`, unless the program was not verified.
+/// Requires: `checked.page_data`, unless the program was not verified.
 void write_page(std::ostream& out, const Checked& checked);
+
+/// Writes the page of a run, without a verdict, as write_page(). `path`: the program as specified;
+/// `summary`: volumes, tools and times as text.
+void write_run_page(std::ostream& out, const std::string& path, const std::string& summary,
+                    const PageData& page_data);
 
 /// Writes an index of pages: a row for each program with its verdict and the relative address of
 /// its page, as `link` returns it (empty: no page); then the rest of `scope`.

@@ -73,6 +73,8 @@ struct CutObserver {
     std::function<void(const Simulation& so_far)> observe;
 };
 
+class PlayRecorder;
+
 /// Parameters of a verification during the simulation.
 struct Verification {
     /// Receives every motion; null without verification. Requires: a model that verifies.
@@ -86,6 +88,7 @@ struct Verification {
     /// Stop cutting after so many motions that meet the stock, that is, after this origin.
     std::optional<std::uint32_t> most_cuts;
     bool keep_cuts = false;
+    PlayRecorder* play = nullptr;  ///< Receives path and states of the part; null: none.
     /// Each face belongs to a motion that left the whole face: steps are not combined.
     bool own_lines = false;
     /// Verify only this motion, and stop after it; from 1, in the order of execution.
