@@ -144,7 +144,8 @@ void TreeCda::split_into_blocks() {
         boxes = std::move(halves);
     }
     for (const HalfBox& box : boxes) {
-        blocks_.push_back({std::make_shared<BlockTree>(box), {}, {}, 0, 0, std::nullopt, nullptr, {}});
+        blocks_.push_back(
+            {std::make_shared<BlockTree>(box), {}, {}, 0, 0, std::nullopt, nullptr, {}});
         places_.emplace_back();
     }
     for (std::size_t i = 0; i < blocks_.size(); ++i)

@@ -13,7 +13,8 @@ namespace ncsim::setup {
 
 /// Reads the tools of the file `path`:
 ///
-/// - libraries of FreeCAD (.fctl, JSON) with their tool bits (.fctb), which are in the folder of the
+/// - libraries of FreeCAD (.fctl, JSON) with their tool bits (.fctb), which are in the folder of
+/// the
 ///   library or in the folder Bit next to it;
 /// - libraries of HSMWorks, HSM Express and Inventor CAM (.hsmlib, XML in UTF-8 or UTF-16), without
 ///   their holders;
@@ -22,8 +23,8 @@ namespace ncsim::setup {
 ///
 /// The content decides the format, except for .fctb. A tool that cannot be used is left out with a
 /// warning. Probes are left out without a warning.
-/// Throws: std::runtime_error with the file if it cannot be read, is not XML, JSON or ZIP, or is a single
-/// tool bit, which has no number.
+/// Throws: std::runtime_error with the file if it cannot be read, is not XML, JSON or ZIP, or is a
+/// single tool bit, which has no number.
 toolpath::ToolFile read_tool_library(const std::string& path, InputSet& inputs,
                                      bool machine_inches = false);
 
