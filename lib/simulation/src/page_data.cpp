@@ -8,7 +8,6 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/shading.h"
 

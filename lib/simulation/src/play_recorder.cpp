@@ -20,7 +20,7 @@ namespace ncsim::simulation {
 namespace {
 
 // Number of states of a long program. Twice as many states take nearly twice the bytes.
-constexpr std::uint64_t kStates = 30;
+constexpr std::uint64_t kStates = 24;
 // Most polygons of a page. If states need more, half of the states are dropped.
 constexpr std::size_t kMostPolygons = 900'000;
 // The drawn path deviates from the simulated path by at most this distance, mm.

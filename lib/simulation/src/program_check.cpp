@@ -28,6 +28,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 

@@ -4,7 +4,7 @@
 // a browser. The states of the part have the volume of `run --at-line`, and two runs with different
 // numbers of threads write the same bytes.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Script, createContext } from "node:vm";
@@ -34,7 +34,7 @@ try {
   for (const script of scripts) new Script(script);  // throws where the syntax is wrong
   const context = createContext({ atob, Blob, Response, DecompressionStream, Math, Uint8Array,
     Int32Array, Uint32Array, Float32Array, Int16Array, Uint16Array, Promise });
-  new Script(`${scripts[0]}; this.reader = { readPart, readPlay, volumeOfState };`)
+  new Script(`${scripts[0]}; this.reader = { numbersOf, readPart, readPlay, volumeOfState };`)
     .runInContext(context);
   const data = JSON.parse(text.match(/<script id="data" type="application\/json">([^]*?)<\/script>/)[1]);
   const part = await context.reader.readPart(data.mesh);
@@ -60,6 +60,24 @@ try {
   }
   const final = context.reader.volumeOfState(states, last);
   expect(Math.abs(sum / 6 - final) < 2e-5 * final, `the finished part has ${sum / 6}, not ${final}`);
+  // A machine stands by lines of the program itself, not of called files.
+  writeFileSync(join(folder, "a.ngc"), ["(T1 D=6. CR=0. - flat end mill)",
+    "(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)", "(FROM/0.,0.,50.)", "G21 G90 G17 G94", "T1 M6",
+    "S5000 M3", "G0 X0 Y0 Z40", "o<far> call", "G0 Z40", "M2", ""].join("\n"));
+  writeFileSync(join(folder, "far.ngc"),
+    `o<far> sub\n${"\n".repeat(10)}G1 Z9 F300\nG1 X5\no<far> endsub\n`);
+  try {
+    execFileSync(ncsim, ["check", "a.ngc", "--machine", join(samples, "machines", "trunnion.toml"),
+      "--html", "a.html"], { cwd: folder, stdio: "ignore" });
+  } catch (error) {
+    expect(error.status === 1 || error.status === 4, `check ended with ${error.status}`);
+  }
+  const machine = JSON.parse(readFileSync(join(folder, "a.html"), "utf8")
+    .match(/<script id="data" type="application\/json">([^]*?)<\/script>/)[1]).machine;
+  const lines = [...await context.reader.numbersOf(machine.lines)];
+  expect(lines.filter((line) => line === 9).length === 1, `lines of the machine: ${lines}`);
+  expect(!lines.includes(12) && !lines.includes(13), `lines of another file: ${lines}`);
+
   const lasting = play.points.slice(-3);
   expect(play.lines.length > 900 && Math.abs(lasting[0] - 60) < 1e-3,
     `the path ends at ${lasting} after ${play.lines.length} moves`);
