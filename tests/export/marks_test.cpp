@@ -77,7 +77,7 @@ TEST(Marks, OfTallAndWidePicturesFit) {
         Image image = blank(width, height);
         Marks marks;
         marks.axes = marks.scale = true;
-        marks.size_mm = {1234.5, 1234.5, 1234.5};
+        marks.size = {1234.5, 1234.5, 1234.5};
         marks.legend = {{{200, 30, 30}, "T1 ball end mill D6"}};
         draw_marks(image, camera_of(image, View::Top), Background::White, marks);
         EXPECT_FALSE(image == blank(width, height));
@@ -165,14 +165,15 @@ TEST(Marks, AxesPointAsInThePart) {
     }
 }
 
-TEST(Marks, ScaleBarHasTheLengthThatItNames) {
+// Returns the length of the bar in mm: the longest dark run of a row in the strip.
+double bar_of(double mm_per_unit) {
     Image image = blank(800, 600);
     const Camera camera = camera_of(image, View::Top);
     Marks marks;
     marks.scale = true;
-    marks.size_mm = kBlock.size();
+    marks.size = kBlock.size();
+    marks.mm_per_unit = mm_per_unit;
     draw_marks(image, camera, Background::White, marks);
-    // The bar is the longest dark run of a row in the strip.
     std::uint32_t longest = 0;
     for (auto row = static_cast<std::uint32_t>((1.0 - kStrip) * image.height); row < image.height;
          ++row) {
@@ -182,9 +183,14 @@ TEST(Marks, ScaleBarHasTheLengthThatItNames) {
             longest = std::max(longest, run);
         }
     }
-    const double mm = longest * camera.height / image.height;
-    // The picture shows 114 mm; the bar is the largest of 1, 2, 5, 10 … up to 16 % of the width.
-    EXPECT_NEAR(mm, 10.0, 0.5);
+    return longest * camera.height / image.height;
+}
+
+// The picture shows 114 mm. The bar is the largest of 1, 2, 5, 10 … units up to 16 % of the width:
+// 10 mm or 0.5 inch.
+TEST(Marks, ScaleBarHasTheLengthThatItNames) {
+    EXPECT_NEAR(bar_of(1.0), 10.0, 0.5);
+    EXPECT_NEAR(bar_of(25.4), 12.7, 0.5);
 }
 
 TEST(Marks, LegendShowsEachColourAndStopsAtTheEdge) {
