@@ -22,7 +22,7 @@ fetch() {
   for package in deb/*.deb; do dpkg -x "$package" root; done
 }
 fetch openscad=2021.01-6 python3-ezdxf=0.18.1-1
-export LD_LIBRARY_PATH=$work/root/usr/lib/x86_64-linux-gnu QT_QPA_PLATFORM=offscreen
+export LD_LIBRARY_PATH=$work/root/usr/lib/x86_64-linux-gnu:$work/root/usr/lib QT_QPA_PLATFORM=offscreen
 
 export PYTHONPATH=$work/root/usr/lib/python3/dist-packages PATH=$work/root/usr/bin:$PATH HOME=$work
 

@@ -52,8 +52,8 @@ TEST_P(Triples, LeaveTheSamePart) {
     EXPECT_TRUE(stocks[0] == stocks[2]) << "SINUMERIK";
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Triples, testing::ValuesIn(parts()), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(Parts, Triples, testing::ValuesIn(parts()), [](const auto& part) {
+    std::string name = part.param;
     std::ranges::replace(name, '-', '_');
     return name;
 });
