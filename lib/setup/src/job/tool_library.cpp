@@ -193,6 +193,10 @@ Json tools_of_freecad(const Json& library, const std::string& path, InputSet& in
 std::string as_utf8(const std::string& path, std::string bytes) {
     if (!bytes.starts_with("\xff\xfe") && !bytes.starts_with("\xfe\xff")) return bytes;
     const iconv_t converter = ::iconv_open("UTF-8", "UTF-16");
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the value by which POSIX reports an error
+    if (converter == reinterpret_cast<iconv_t>(-1))
+        throw std::runtime_error(
+            fmt::format("{}: UTF-16 cannot be read here", name_of_input(path)));
     std::string text(2 * bytes.size(), '\0');
     char* from = bytes.data();
     char* to = text.data();
