@@ -24,7 +24,7 @@ std::string number(std::optional<double> value) {
 }
 
 std::string csv_path(const std::string& path) {
-    const std::string text = printable_path(path);
+    std::string text = printable_path(path);
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) {

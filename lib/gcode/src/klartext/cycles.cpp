@@ -296,29 +296,33 @@ std::vector<Control::Point> Control::places_of(const Cycle& pattern) const {
         const auto found = pattern.values.find(index);
         return found == pattern.values.end() ? 0.0 : found->second.number;
     };
+    const auto whole = [](double number) {
+        constexpr double kMost = 10'000.0;
+        return static_cast<int>(std::clamp(std::round(number), 0.0, kMost));
+    };
     std::vector<Point> places;
     if (pattern.number == 220) {
-        const double count = std::round(q(241));
+        const int count = whole(q(241));
         // Without a step the angle between start and end is divided; a full circle has one place
         // less than divisions.
         const double range = q(246) - q(245);
         const bool is_full = std::abs(range) == 360.0;
-        const double divisions = is_full ? count : std::max(1.0, count - 1.0);
+        const double divisions = is_full ? count : std::max(1, count - 1);
         const double step = q(247) != 0.0 ? q(247) : range / divisions;
-        for (double i = 0.0; i < count; ++i) {
+        for (int i = 0; i < count; ++i) {
             const trig::SinCos direction = trig::sin_cos(q(245) + i * step);
             const double radius = q(244) / 2.0;
             places.push_back({q(216) + radius * direction.cos, q(217) + radius * direction.sin});
         }
         return places;
     }
-    const double columns = std::round(q(242));
-    const double rows = std::round(q(243));
+    const int columns = whole(q(242));
+    const int rows = whole(q(243));
     const trig::SinCos direction = trig::sin_cos(q(224));
-    for (double row = 0.0; row < rows; ++row) {
-        for (double i = 0.0; i < columns; ++i) {
+    for (int row = 0; row < rows; ++row) {
+        for (int i = 0; i < columns; ++i) {
             // Every second line runs back.
-            const double column = std::fmod(row, 2.0) == 0.0 ? i : columns - 1.0 - i;
+            const int column = row % 2 == 0 ? i : columns - 1 - i;
             const double x = column * q(237);
             const double y = row * q(238);
             places.push_back({q(225) + x * direction.cos - y * direction.sin,

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace ncsim::gcode {
 namespace {
@@ -104,7 +103,7 @@ bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask
     held.word = command.corner_span;
     held.file = file_;
     if (arc) held.arc = *arc;
-    control_.corner = std::move(held);
+    control_.corner = held;
     record_move(state_, mask, false);
     state_.position = end;
     return true;
@@ -321,7 +320,7 @@ bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask)
     held.span = span_;
     held.word = has_corner ? command.corner_span : command.angle_span;
     held.file = file_;
-    control_.corner = std::move(held);
+    control_.corner = held;
     return true;
 }
 
