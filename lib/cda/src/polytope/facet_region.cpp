@@ -3,6 +3,8 @@
 // Clipping of planar regions in doubles.
 #include "polytope/facet_region.h"
 
+#include "ncsim/cda/predicates.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -168,6 +170,33 @@ double FacetRegion::area() const {
     for (const Polygon& polygon : polygons_)
         sum += flat_area(polygon);
     return area_ratio_ * sum;
+}
+
+bool FacetRegion::clip_to(const Plane& facet, std::span<const Plane> planes) {
+    return std::ranges::all_of(planes, [&](const Plane& cut) {
+        if (!cut.is_parallel_to(facet)) return clip(cut);
+        const bool same = same_direction(facet, cut);
+        const int beyond = distance_beyond(facet, cut, same);
+        return beyond > 0 || (beyond == 0 && same);
+    });
+}
+
+bool cuts_of_facet(const Plane& facet, std::span<const Plane> planes, bool takes_same,
+                   bool takes_opposite, std::vector<const Plane*>& cuts) {
+    bool has_same = false;
+    bool has_opposite = false;
+    cuts.clear();
+    for (const Plane& cut : planes) {
+        if (!cut.is_parallel_to(facet)) {
+            cuts.push_back(&cut);
+            continue;
+        }
+        const bool same = same_direction(facet, cut);
+        const int beyond = distance_beyond(facet, cut, same);
+        if (beyond < 0 || (beyond == 0 && !(same ? takes_same : takes_opposite))) return false;
+        if (beyond == 0) (same ? has_same : has_opposite) = true;
+    }
+    return !(has_same && has_opposite);  // two opposite planes: the cell is flat
 }
 
 }  // namespace ncsim::cda

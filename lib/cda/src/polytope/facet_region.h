@@ -40,6 +40,10 @@ public:
     bool assign(const Plane& plane, const HalfBox& box);
     /// Keeps the part below `cut`; false if the part is empty.
     bool clip(const Plane& cut);
+    /// Keeps the part below all of `planes`; false if the part is empty. Planes parallel to
+    /// `facet`, the plane of the region, are decided exactly: they keep the whole region or
+    /// nothing.
+    bool clip_to(const Plane& facet, std::span<const Plane> planes);
     /// False if one cut has the whole region above, so that no part is below all of `cuts`.
     bool meets(std::span<const Plane* const> cuts) const;
     /// Removes the part below all of `cuts` and returns the removed area.
@@ -84,5 +88,12 @@ private:
     std::vector<Polygon> polygons_, remaining_, removed_;
     std::vector<Line> lines_;
 };
+
+/// Sets `cuts` to the planes of a cell that bound the part that the cell removes from a region of
+/// `facet`; false if the part is empty. Parallel planes are decided exactly. `takes_same` and
+/// `takes_opposite`: true if the cell owns the facet where it has a facet of the same or the
+/// opposite direction in the plane.
+bool cuts_of_facet(const Plane& facet, std::span<const Plane> planes, bool takes_same,
+                   bool takes_opposite, std::vector<const Plane*>& cuts);
 
 }  // namespace ncsim::cda

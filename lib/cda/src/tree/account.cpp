@@ -58,8 +58,9 @@ private:
     void divide_among_steps();
     void follow_facet(const Plane& plane, double sign, const LocalCell& self, Cover last);
     bool find_cuts(const LocalCell& other, const Plane& plane, bool takes_same,
-                   bool takes_opposite);
-    bool clip_to(const Plane& plane, std::span<const Plane> planes);
+                   bool takes_opposite) {
+        return cuts_of_facet(plane, planes_of(other), takes_same, takes_opposite, cuts_);
+    }
     std::span<const Plane> planes_of(const LocalCell& local) const {
         return std::span(planes_).subspan(local.first, local.count);
     }
@@ -229,37 +230,6 @@ void BlockTree::Accounting::split(const HalfBox& box, std::size_t axis, std::siz
         divide(box.half(axis, upper), begin, end, fruitless, parent_load, last);
 }
 
-// Sets cuts_ to the planes of `other` that bound the part that `other` removes from a facet in
-// `plane`; false if the part is empty. `takes_same`: true if `other` owns the facet where both
-// cells have a facet in the same plane.
-bool BlockTree::Accounting::find_cuts(const LocalCell& other, const Plane& plane, bool takes_same,
-                                      bool takes_opposite) {
-    bool has_same = false;
-    bool has_opposite = false;
-    cuts_.clear();
-    for (const Plane& cut : planes_of(other)) {
-        if (!cut.is_parallel_to(plane)) {
-            cuts_.push_back(&cut);
-            continue;
-        }
-        const bool same = same_direction(plane, cut);
-        const int beyond = distance_beyond(plane, cut, same);
-        if (beyond < 0 || (beyond == 0 && !(same ? takes_same : takes_opposite))) return false;
-        if (beyond == 0) (same ? has_same : has_opposite) = true;
-    }
-    return !(has_same && has_opposite);  // two opposite planes: the cell is flat
-}
-
-// Clips facet_ to the part below `planes`. A parallel plane keeps the whole facet or nothing.
-bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane> planes) {
-    return std::ranges::all_of(planes, [&](const Plane& cut) {
-        if (!cut.is_parallel_to(plane)) return facet_.clip(cut);
-        const bool same = same_direction(plane, cut);
-        const int beyond = distance_beyond(plane, cut, same);
-        return beyond > 0 || (beyond == 0 && same);
-    });
-}
-
 // Follows all facets in a leaf.
 void BlockTree::Accounting::account_for_leaf(const HalfBox& box, std::size_t begin, Cover last) {
     const BoxFrame frame(box);
@@ -316,11 +286,11 @@ void BlockTree::Accounting::follow_facet(const Plane& plane, double sign, const 
             }
         }
     }
-    if (is_wall &&
-        (std::ranges::find(stock_, plane) != stock_.end() || !clip_to(plane, planes_of(self)))) {
+    if (is_wall && (std::ranges::find(stock_, plane) != stock_.end() ||
+                    !facet_.clip_to(plane, planes_of(self)))) {
         return;
     }
-    if (!clip_to(plane, stock_)) return;
+    if (!facet_.clip_to(plane, stock_)) return;
     const double height = sign * distance_about(plane, input_->centre) / 3.0;
     // The latest cells first: a later cell usually contains the region that the tool has passed.
     for (std::size_t i = begin_of_later; i-- > 0;) {

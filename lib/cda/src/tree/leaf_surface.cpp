@@ -42,43 +42,13 @@ SurfaceRecorder::Hash LeafSurface::read(const BlockTree& tree, const HalfBox& bo
     return hash;
 }
 
-// Sets cuts_ to the planes of `other` that bound the part that `other` removes from a facet in
-// `plane`; false if the part is empty.
-bool LeafSurface::find_cuts(const LocalCell& other, const Plane& plane, bool takes_same,
-                            bool takes_opposite) {
-    bool has_same = false;
-    bool has_opposite = false;
-    cuts_.clear();
-    for (const Plane& cut : planes_of(other)) {
-        if (!cut.is_parallel_to(plane)) {
-            cuts_.push_back(&cut);
-            continue;
-        }
-        const bool same = same_direction(plane, cut);
-        const int beyond = distance_beyond(plane, cut, same);
-        if (beyond < 0 || (beyond == 0 && !(same ? takes_same : takes_opposite))) return false;
-        if (beyond == 0) (same ? has_same : has_opposite) = true;
-    }
-    return !(has_same && has_opposite);
-}
-
-// Clips facet_ to the part below `planes`; false if the part is empty.
-bool LeafSurface::clip_to(const Plane& plane, std::span<const Plane> planes) {
-    return std::ranges::all_of(planes, [&](const Plane& cut) {
-        if (!cut.is_parallel_to(plane)) return facet_.clip(cut);
-        const bool same = same_direction(plane, cut);
-        const int beyond = distance_beyond(plane, cut, same);
-        return beyond > 0 || (beyond == 0 && same);
-    });
-}
-
 // Removes the part of facet_ that cell `other` removes; `self`: the facet's cell, or kNone for the
 // stock. False if nothing is left.
 bool LeafSurface::remove(const Plane& plane, std::size_t other, std::size_t self) {
     const bool is_wall = self != kNone;
     const bool takes_same =
         !is_wall || table_.comes_before(cells_[other].number, cells_[self].number);
-    if (!find_cuts(cells_[other], plane, takes_same, is_wall)) return true;
+    if (!cuts_of_facet(plane, planes_of(cells_[other]), takes_same, is_wall, cuts_)) return true;
     facet_.remove(cuts_);
     return !facet_.is_empty();
 }
@@ -88,7 +58,7 @@ void LeafSurface::add_polygons(const RecordGrid& grid, double unit_mm,
     // The cell that covered the previous facet usually covers the next facet, too.
     std::size_t last_cover = 0;
     const auto follow = [&](const Plane& plane, std::size_t self) {
-        if (!clip_to(plane, stock_)) return;
+        if (!facet_.clip_to(plane, stock_)) return;
         const bool has_last = last_cover < cells_.size() && last_cover != self;
         if (has_last && !remove(plane, last_cover, self)) return;
         for (std::size_t other = 0; other < cells_.size(); ++other) {
@@ -116,7 +86,7 @@ void LeafSurface::add_polygons(const RecordGrid& grid, double unit_mm,
     for (std::size_t self = 0; self < cells_.size(); ++self) {
         for (const Plane& plane : planes_of(cells_[self])) {
             if (std::ranges::find(stock_, plane) != stock_.end()) continue;
-            if (facet_.assign(plane, box_) && clip_to(plane, planes_of(cells_[self])))
+            if (facet_.assign(plane, box_) && facet_.clip_to(plane, planes_of(cells_[self])))
                 follow(plane, self);
         }
     }

@@ -41,9 +41,6 @@ private:
     std::span<const Plane> planes_of(const LocalCell& cell) const {
         return std::span(planes_).subspan(cell.first, cell.count);
     }
-    bool find_cuts(const LocalCell& other, const Plane& plane, bool takes_same,
-                   bool takes_opposite);
-    bool clip_to(const Plane& plane, std::span<const Plane> planes);
     bool remove(const Plane& plane, std::size_t other, std::size_t self);
 
     std::span<const Plane> all_stock_;
