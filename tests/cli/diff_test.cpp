@@ -130,6 +130,23 @@ TEST(Diff, NamesFeedsSpeedsCoolantAndDwellsThatDiffer) {
         0);
 }
 
+// The options of the command line hold for both jobs, also a switch that is off.
+TEST(Diff, OfJobsHasTheOptionsOfTheCommandLine) {
+    Folder folder;
+    folder.write("a.nc", replaced("G1 X30. F500.", "/G1 X30. F500."));
+    folder.write("a.toml", "version = 2\nprogram = \"a.nc\"\n");
+    folder.write("b.toml", "version = 2\nprogram = \"a.nc\"\n");
+    const auto volume_of = [&](const char* option) {
+        const Ran ran = folder.run({"diff", "a.toml", "b.toml", option, "--json", "d.json"});
+        EXPECT_EQ(ran.exit_code, 0) << option << ran.out << ran.err;
+        const json d = json::parse(folder.read("d.json"));
+        EXPECT_EQ(d["old_mm3"], d["new_mm3"]) << option;
+        return d["new_mm3"].get<double>();
+    };
+    EXPECT_DOUBLE_EQ(volume_of("--block-delete=off"), 11200.0);
+    EXPECT_DOUBLE_EQ(volume_of("--block-delete=on"), 12000.0);
+}
+
 TEST(Diff, LetsATolerancePass) {
     Folder folder;
     folder.write("a.nc", kSlot);

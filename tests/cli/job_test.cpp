@@ -162,6 +162,25 @@ TEST(JobOfTwoSetUps, ShowsItsMachine) {
     EXPECT_TRUE(contains(ran.out, "set-up 1, top\n  G54 at 1, 2, 3\n  fixture vise")) << ran.out;
 }
 
+// The stock of set-up 2 is kept for set-up 3; the verdict of set-up 3 still depends on top.nc.
+TEST(JobOfThreeSetUps, KnowsTheFilesOfAllEarlierSetUps) {
+    JobFolder folder;
+    std::string job = folder.read("job.toml");
+    folder.write("job.toml", job + "[[setup]]\nprogram = \"last.nc\"\nfixture = []\n");
+    folder.write("last.nc", folder.read("back.nc"));
+    const auto stock_of_last = [&] {
+        const json report = folder.report({"--cache", "cache"});
+        EXPECT_EQ(report["programs"].size(), 3U);
+        return report["programs"][2]["ledger"]["stock_mm3"].get<double>();
+    };
+    const double before = stock_of_last();
+    std::string top = folder.read("top.nc");
+    folder.write("top.nc", top.replace(top.find("G1 Z-2"), 6, "G1 Z-1"));
+    const double after = stock_of_last();
+    EXPECT_GT(after, before + 1000.0);
+    EXPECT_DOUBLE_EQ(stock_of_last(), after);
+}
+
 TEST(JobOfTwoSetUps, OneIsSelectedByNumberOrName) {
     const JobFolder folder;
     for (const char* name : {"2", "back"}) {

@@ -28,6 +28,28 @@ std::string refusal(const std::vector<std::string>& arguments) {
     return farewell->text;
 }
 
+// Tiles are of one run if their words are equal.
+TEST(Options, WordsOfAPartTellASwitchThatIsOff) {
+    const auto words = [](const std::vector<std::string>& more) {
+        std::vector<std::string> all{"run", "a.nc", "--stl", "a.stl"};
+        all.insert(all.end(), more.begin(), more.end());
+        return options(all).words;
+    };
+    EXPECT_NE(words({"--block-delete", "off"}), words({"--block-delete"}));
+    EXPECT_EQ(words({"--block-delete", "on"}), words({"--block-delete"}));
+    EXPECT_NE(words({"--block-delete", "off"}), words({}));
+}
+
+TEST(Options, ASetUpIsSelectedOnce) {
+    EXPECT_NE(
+        refusal({"run", "a.nc", "--job", "j.toml", "--setup", "2"}).find("and 'a.nc' another"),
+        std::string::npos);
+    EXPECT_NE(refusal({"diff", "a.nc", "b.nc", "--job", "j.toml", "--setup", "2"})
+                  .find("expected the job alone"),
+              std::string::npos);
+    EXPECT_NE(refusal({"run", "a.nc", "--setup", "2"}).find("of a job file"), std::string::npos);
+}
+
 TEST(Options, RefusalsOfferOnlyWhatTheCommandAccepts) {
     const auto message = [](std::vector<std::string> words) {
         words.insert(words.end(), {"--model", "?"});

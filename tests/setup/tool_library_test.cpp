@@ -202,6 +202,11 @@ TEST_F(ToolLibrary, RefusesWhatIsNone) {
     write("broken.fctb", "{");
     EXPECT_THROW(tools_in(write("e.fctl", R"({"tools": [{"nr": 1, "path": "broken.fctb"}]})")),
                  std::runtime_error);
+    write("good.fctb", bit("x", "endmill.fcstd", R"("Diameter": "5 mm")"));
+    EXPECT_EQ(tools_in(write("f.fctl",
+                             R"({"tools": [{"nr": 4294967297, "path": "good.fctb"},
+                                           {"nr": -1, "path": "good.fctb"}]})")),
+              "FreeCAD tool library\n");
     EXPECT_EQ(tools_in(write("d.fctl", R"({"tools": []})")), "FreeCAD tool library\n");
 }
 

@@ -271,8 +271,10 @@ int run(const RulesOptions& options) {
         options.id.empty() ? report::rules_text() : report::rule_text(options.id);
     if (text.empty()) {
         std::vector<std::string> known;
-        for (const verify::RuleInfo& rule : verify::rules())
+        for (const verify::RuleInfo& rule : verify::rules()) {
             known.emplace_back(rule.id);
+            known.emplace_back(verify::name_of(rule.category));
+        }
         for (const verify::ReasonInfo& reason : verify::reasons())
             known.emplace_back(reason.id);
         const std::string meant = nearest(options.id, known);

@@ -155,7 +155,7 @@ void complete(DiffOptions& o) {
         throw Refusal{fmt::format("'{}' is a job, '{}' is not; expected OLD as a job, too",
                                   o.new_program, o.program)};
     take_job(o, o.program);
-    if (!o.set_up.empty() && o.job.empty()) throw Refusal{"--setup selects a set-up of a job file"};
+    require_job_of_set_up(o);
 }
 
 int run(const DiffOptions& options) {

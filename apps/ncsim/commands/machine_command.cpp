@@ -87,7 +87,8 @@ std::string text_of(const std::map<int, cda::Vec3>& offsets,
         text += fmt::format("  {} at {:g}, {:g}, {:g}\n", setup::name_of_system(system), at.x + 0.0,
                             at.y + 0.0, at.z + 0.0);
     for (const verify::Fixture& fixture : fixtures)
-        text += fmt::format("  fixture {}: {}\n", fixture.name, report::describe(fixture.box));
+        text += fmt::format("  fixture {}: {}\n", report::one_line(fixture.name),
+                            report::describe(fixture.box));
     return text;
 }
 

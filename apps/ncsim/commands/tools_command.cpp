@@ -60,7 +60,7 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
                 OutputSet& outputs, std::string* json) {
     const SimulationOptions usual;
     simulation::Plan plan = plan_for(options, usual, options.machine, inputs);
-    // What the program shows without the machine.
+    // Counted without the machine.
     const report::Plunges plunges = simulation::plunges_of(plan);
     if (const auto machine = machine_for(options.machine, plan.job, inputs))
         (void)simulation::apply_machine(plan, *machine);
@@ -132,6 +132,9 @@ void complete(ToolsOptions& o) {
     if (!o.program.empty() || !o.job.empty())
         throw Refusal{
             "--convert is about --tool-table alone; --save-job writes the tools of a program"};
+    if (o.json || !o.save_job.empty() || !o.tools.empty())
+        throw Refusal{
+            "--convert is about --tool-table alone; expected no --json, --save-job, --tool"};
     if (o.tool_tables.empty()) throw Refusal{"--convert: name the tools: --tool-table FILE"};
 }
 

@@ -85,6 +85,10 @@ bool Option::is_positional() const {
 bool Option::is_flag() const {
     return option_->get_expected_max() == 0;
 }
+bool Option::is_on() const {
+    const std::vector<std::string> results = option_->results();
+    return results.empty() || CLI::detail::to_flag_value(results.back()) > 0;
+}
 std::size_t Option::count() const {
     return option_->count();
 }

@@ -51,6 +51,8 @@ public:
     bool is_positional() const;
     /// True if the option takes no value.
     bool is_flag() const;
+    /// False if the last value of the option switches it off.
+    bool is_on() const;
     /// Returns the number of occurrences on the command line.
     std::size_t count() const;
     std::vector<std::string> values() const;

@@ -182,10 +182,19 @@ void take_job(ProgramOptions& options, std::string& program) {
     options.job = std::exchange(program, {});
 }
 
+void require_job_of_set_up(const ProgramOptions& options) {
+    if (options.set_up.empty()) return;
+    if (options.job.empty()) throw Refusal{"--setup selects a set-up of a job file"};
+    if (!options.program.empty())
+        throw Refusal{
+            fmt::format("--setup selects a set-up of '{}', and '{}' another; expected the "
+                        "job alone",
+                        options.job, options.program)};
+}
+
 void complete(ProgramOptions& options) {
     take_job(options, options.program);
-    if (!options.set_up.empty() && options.job.empty())
-        throw Refusal{"--setup selects a set-up of a job file"};
+    require_job_of_set_up(options);
     if (options.program.empty() && options.job.empty()) {
         throw Refusal{"an NC program is needed, or a job file that names one (job.toml)"};
     }
@@ -363,7 +372,7 @@ std::vector<std::string> words_of(const cli::App& command,
         const std::string name = option->long_names().front();
         if (!matters(name)) continue;
         if (option->is_flag()) {
-            words.push_back("--" + name);
+            words.push_back("--" + name + (option->is_on() ? "" : "=off"));
             continue;
         }
         for (const std::string& value : option->values())

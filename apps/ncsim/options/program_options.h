@@ -91,6 +91,9 @@ std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// Checks `options` after all options were read.
 /// Throws: Refusal if no program is named.
 void complete(ProgramOptions& options);
+/// Throws: Refusal if a set-up is selected without a job, or together with a program, which selects
+/// its set-up.
+void require_job_of_set_up(const ProgramOptions& options);
 /// Makes a positional `program` with the ending .toml the job. Throws: Refusal if there is a job.
 void take_job(ProgramOptions& options, std::string& program);
 /// Models that `--model` offers in the help of a command.

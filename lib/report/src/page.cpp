@@ -162,7 +162,10 @@ Json play_json(const PlayData& play) {
         rapid.push_back(move.is_rapid ? 1 : 0);
         first.push_back(move.first_point);
         last.push_back(move.last_point);
-        times.push_back(static_cast<std::uint32_t>(std::llround(1000.0 * move.seconds)));
+        // 49 days; a dwell may be longer.
+        constexpr double kMost = 4294967295.0;
+        times.push_back(
+            static_cast<std::uint32_t>(std::llround(std::min(1000.0 * move.seconds, kMost))));
     }
     bool is_upright = true;
     for (std::size_t i = 0; i < play.points.size(); ++i) {

@@ -97,7 +97,7 @@ std::string type_of_shape(const std::string& shape) {
 }
 
 // Returns a tool bit as a tool of Fusion; null for a shape that is not read.
-Json tool_of_bit(const Json& bit, int number) {
+Json tool_of_bit(const Json& bit, const Json& number) {
     const std::string shape = lower(std::filesystem::path(text_of(bit, "shape")).stem().string());
     const std::string type = type_of_shape(shape);
     const auto parameters = bit.find("parameter");
@@ -177,7 +177,7 @@ Json tools_of_freecad(const Json& library, const std::string& path, InputSet& in
             continue;
         }
         const Json bit = parsed(file, inputs.read(file, kMostSetUpBytes));
-        Json tool = bit.is_object() ? tool_of_bit(bit, number->get<int>()) : Json();
+        Json tool = bit.is_object() ? tool_of_bit(bit, *number) : Json();
         if (tool.is_null()) {
             warn(Message::BitShapeUnknown, text_of(bit, "shape"));
         } else {
