@@ -251,6 +251,7 @@ async function makeView(holder) {
   let moves = play ? play.lines.length : 0, tip = null;
   let section = null, segments = [], matrix = Matrix.unit(), eye = [0, 0, 0];
   let isDark = false, isWaiting = false, pixelRatio = 1, frames = 0;
+  let isFitted = true;  // the camera is as fit() left it
 
   // Axes of the camera: right, up, and towards the viewer.
   function frameOfCamera() {
@@ -292,6 +293,7 @@ async function makeView(holder) {
       }
     }
     camera.distance = distance;
+    isFitted = true;
   }
   function machineCorners() {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -454,27 +456,28 @@ async function makeView(holder) {
 
   addGestures(canvas, {
     turn(dx, dy) {
+      isFitted = false;
       camera.azimuth -= dx / 150;
       camera.height = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, camera.height + dy / 150));
       request();
     },
     shift(dx, dy) {
+      isFitted = false;
       const [right, up] = frameOfCamera();
       const step = 2 * camera.distance * Math.tan(kFieldOfView / 2) / canvas.clientHeight;
       camera.target = plus(plus(camera.target, right, -dx * step), up, dy * step);
       request();
     },
     zoom(factor) {
+      isFitted = false;
       camera.distance = Math.max(radius / 50, Math.min(40 * Math.max(radius, extent),
         camera.distance * factor));
       request();
     },
     click(x, y) { showPicked(pick(x, y)); },
   });
-  let isFitted = false;
   new ResizeObserver(() => {
-    if (!isFitted && canvas.clientWidth > 0) fit();
-    isFitted = canvas.clientWidth > 0;
+    if (isFitted && canvas.clientWidth > 0) fit();
     request();
   }).observe(canvas);
 
@@ -514,6 +517,7 @@ async function makeView(holder) {
         step[axis] = size;
         return [minus(point, step), plus(point, step)];
       }));
+      isFitted = false;
       camera.target = point;
       camera.distance = Math.min(camera.distance, 5 * radius);
       request();

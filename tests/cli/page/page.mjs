@@ -110,6 +110,23 @@ try {
   expect(round > 10 && round < triangles, `${round} of ${triangles} triangles are round`);
   await picture(page, "check");
 
+  // The stock stays in the picture when the window changes, until the user moves the camera.
+  const stockIsSeen = () => page.evaluate(() => {
+    const frame = window.ncsim.view.canvas.getBoundingClientRect();
+    return [-40, 40].every((x) => [-30, 30].every((y) => [-20, 0].every((z) => {
+      const at = window.ncsim.view.project(x, y, z);
+      return at.x > frame.left && at.x < frame.right && at.y > frame.top && at.y < frame.bottom;
+    })));
+  });
+  for (const size of [[1280, 900], [500, 900], [2000, 700], [1280, 900]]) {
+    await page.setViewportSize({ width: size[0], height: size[1] });
+    // The browser reports the new size with the next picture.
+    await page.evaluate(() => new Promise((done) => {
+      requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)));
+    }));
+    expect(await stockIsSeen(), `a window of ${size} cuts the stock off`);
+  }
+
   // Faces of the part that are seen from where the camera begins, and the lines that cut them.
   for (const [x, y, z, line] of [[-10, 5, -2, 7], [15, -20, -2, 11], [-20, 22, -1, 15],
     [-30, -20, 0, 0]]) {
