@@ -22,7 +22,7 @@ std::string sample(const std::string& name) {
 
 // Returns the first length in mm in `text`.
 std::string length_in_mm(const std::string& text) {
-    static const std::regex kLength("[^\\n]*[0-9] ?(mm|mm[23]|cm3)\\b[^\\n]*");
+    static const std::regex kLength("[^\\n]*[0-9] ?(mm|mm[23]|cm3|m/min)\\b[^\\n]*");
     std::smatch found;
     return std::regex_search(text, found, kLength) ? found.str() : std::string();
 }
@@ -111,7 +111,7 @@ TEST(ReportUnits, ArePutInTheSheetThePictureAndTheProject) {
     std::string sheet = folder.read("in.html");
     sheet.erase(0, sheet.find("</style>"));
     EXPECT_EQ(length_in_mm(sheet), "");
-    EXPECT_TRUE(contains(sheet, "lengths in in")) << sheet;
+    EXPECT_TRUE(contains(sheet, "lengths in inches")) << sheet;
     EXPECT_TRUE(contains(sheet, "turned X180")) << sheet;
     folder.write("a.nc", kSlot);
     folder.run({"run", "a.nc", "-q", "--png", "mm.png", "--size", "320x240"});

@@ -21,6 +21,7 @@ TEST(LengthUnit, ConvertsNumbersWithAUnit) {
     EXPECT_EQ(inches("0.002 mm missed"), "7.87e-05 in missed");
     EXPECT_EQ(inches("16387.064 mm3, 645.16 mm2, 16.387064 cm3"), "1 in3, 1 in2, 1 in3");
     EXPECT_EQ(inches("254 mm/min, 2.54 mm/rev"), "10 in/min, 0.1 in/rev");
+    EXPECT_EQ(inches("rapid 1:56 min at 10 m/min"), "rapid 1:56 min at 393.7008 in/min");
     EXPECT_EQ(inches("645.16 mm3/mm, 16387.064 mm3/min"), "1 in3/in, 1 in3/min");
 }
 

@@ -240,7 +240,7 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     put_baseline(text, printable_path(checked.baseline));
     if (!checked.stock.empty())
         append(text, "  stock    {}\n", one_line(in_unit(checked.stock, options.unit)));
-    if (!checked.time.empty()) append(text, "  time     {}\n", checked.time);
+    if (!checked.time.empty()) append(text, "  time     {}\n", in_unit(checked.time, options.unit));
     if (checked.design)
         append(text, "  design   {}\n", one_line(in_unit(text_of(*checked.design), options.unit)));
     return text;

@@ -64,7 +64,7 @@ struct Unit {
 
 constexpr double kSquare = kInch * kInch, kCube = kSquare * kInch;
 // A unit before the units that it begins with.
-constexpr std::array<Unit, 11> kUnits{{{"mm3/min", 1 / kCube, "in3/min"},
+constexpr std::array<Unit, 12> kUnits{{{"mm3/min", 1 / kCube, "in3/min"},
                                        {"mm3/mm", 1 / kSquare, "in3/in"},
                                        {"mm3", 1 / kCube, "in3"},
                                        {"mm2", 1 / kSquare, "in2"},
@@ -73,6 +73,7 @@ constexpr std::array<Unit, 11> kUnits{{{"mm3/min", 1 / kCube, "in3/min"},
                                        {"mm³", 1 / kCube, "in³"},
                                        {"mm²", 1 / kSquare, "in²"},
                                        {"mm", 1 / kInch, "in"},
+                                       {"m/min", 1000 / kInch, "in/min"},
                                        {"cm3", 1000 / kCube, "in3"},
                                        {"cm³", 1000 / kCube, "in³"}}};
 

@@ -146,14 +146,15 @@ void write_set_up_sheet(std::ostream& out, const std::string& job,
         for (const auto& [name, value] : set_up.values)
             out << "<tr><th>" << escaped(name) << "</th><td>" << escaped(in_unit(value, unit))
                 << "</td></tr>\n";
-        out << "<tr><th>time</th><td>" << escaped(time_line(verify::total(set_up.facts->distances)))
+        out << "<tr><th>time</th><td>"
+            << escaped(in_unit(time_line(verify::total(set_up.facts->distances)), unit))
             << "</td></tr>\n"
             << "</table>\n";
         write_tools(out, set_up, unit);
         write_list(out, "Fixtures", "fixtures", set_up.fixtures, unit);
         write_list(out, "To measure at the machine", "open", set_up.assumed, unit);
-        out << "<footer>ncsim " << kVersion << "; lengths in " << name_of(unit)
-            << "</footer>\n</section>\n";
+        out << "<footer>ncsim " << kVersion << "; lengths in "
+            << (unit == LengthUnit::Inch ? "inches" : "mm") << "</footer>\n</section>\n";
     }
     out << "</body>\n</html>\n";
 }

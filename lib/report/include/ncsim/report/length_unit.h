@@ -19,7 +19,7 @@ std::string_view name_of(LengthUnit unit);
 double in_unit(double mm, LengthUnit unit);
 
 /// Returns `text`, a text of ncsim in mm, in `unit`. Converted are numbers, ranges ("3 to 5 mm")
-/// and products ("3 x 4 x 5 mm") before a unit of mm, mm2, mm3, cm3, their quotients by min, rev
+/// and products ("3 x 4 x 5 mm") before a unit of mm, mm2, mm3, cm3 or m/min, quotients by min, rev
 /// and mm, the ranges of X, Y and Z that follow a size, and places such as "X3 Y4". Inches have
 /// four decimals, or three digits below 0.01 inch. Text in single quotes and the angles after
 /// "turned" stay as they are.
