@@ -111,13 +111,13 @@ std::vector<std::vector<std::uint8_t>> find_loops(std::uint8_t inside) {
 }  // namespace
 
 const std::vector<std::vector<std::uint8_t>>& loops_of(std::uint8_t inside) {
-    static const auto kAll = [] {
+    static const auto all_of = [] {
         std::array<std::vector<std::vector<std::uint8_t>>, 256> all;
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = find_loops(static_cast<std::uint8_t>(i));
         return all;
     }();
-    return kAll[inside];
+    return all_of[inside];
 }
 
 int first_corner(int edge) {
@@ -130,13 +130,13 @@ int edge_from(int corner, int axis) {
 }
 
 const CellComponents& components_of(std::uint8_t inside) {
-    static const std::array<CellComponents, 256> kAll = [] {
+    static const std::array<CellComponents, 256> all_of = [] {
         std::array<CellComponents, 256> all;
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = find_components(static_cast<std::uint8_t>(i));
         return all;
     }();
-    return kAll[inside];
+    return all_of[inside];
 }
 
 }  // namespace ncsim::dexel

@@ -159,6 +159,7 @@ public:
                     const Place cell{x, y, cells_[i].z};
                     for (const auto& loop : loops_of(cells_[i].inside)) {
                         std::vector<std::uint32_t> corners;
+                        corners.reserve(loop.size());
                         for (const int edge : loop)
                             corners.push_back(corner_on(corner_at(cell, first_corner(edge)),
                                                         static_cast<std::size_t>(edge / 4)));

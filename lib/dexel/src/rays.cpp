@@ -74,7 +74,7 @@ std::int64_t Ray::length() const {
 }
 
 std::size_t Ray::bytes() const {
-    return list_ ? sizeof(*list_) + list_->capacity() * sizeof(Interval) : 0;
+    return list_ ? sizeof(std::vector<Interval>) + list_->capacity() * sizeof(Interval) : 0;
 }
 
 Rays::Rays(const Grid& grid, std::size_t axis)

@@ -60,7 +60,7 @@ std::span<const ModelInfo> models() {
 }
 
 const ModelInfo* find_model(std::string_view name) {
-    const auto found = std::ranges::find(kModels, name, &ModelInfo::name);
+    const auto* const found = std::ranges::find(kModels, name, &ModelInfo::name);
     return found == kModels.end() ? nullptr : &*found;
 }
 

@@ -10,12 +10,11 @@
 #include "ncsim/export/render.h"
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/shading.h"
+#include "ncsim/trig/angles.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -44,7 +43,7 @@ report::FaceForm form_of(const brep::Surface& surface) {
     } else if (const auto* cone = std::get_if<brep::Cone>(&surface.form)) {
         form.origin = cone->apex;
         form.axis = cone->axis;
-        form.dimensions = {2 * std::atan(cone->slope) * 180 / std::numbers::pi};
+        form.dimensions = {2 * trig::angle_of(1.0, cone->slope)};
     } else if (const auto* sphere = std::get_if<brep::Sphere>(&surface.form)) {
         form.origin = sphere->centre;
         form.dimensions = {2 * sphere->radius};

@@ -363,8 +363,7 @@ bool leave_out_air(cda::Box& box, const std::vector<AirDisc>& discs, const cda::
             const double low = disc.p[axis] + disc.r, high = disc.p[axis] - disc.r;
             if (low <= box.min[axis] || high >= box.max[axis]) {
                 axis_of_least = -1;
-                least = 0.0;  // outside of the block
-                break;
+                break;  // outside of the block
             }
             // Share of the block that is cut off.
             const double size = box.max[axis] - box.min[axis];

@@ -338,6 +338,7 @@ private:
             corners.push_back(X * p);
         const auto turned = [&X](const std::vector<Vec3>& directions) {
             std::vector<Vec3> result;
+            result.reserve(directions.size());
             for (const Vec3& d : directions)
                 result.push_back({dot(X.rows[0], d), dot(X.rows[1], d), dot(X.rows[2], d)});
             return result;

@@ -380,7 +380,7 @@ struct OppositeLoop {
 std::optional<OppositeLoop> opposite_loop(const Part& part, const std::vector<Numbers>& faces_of,
                                           std::uint32_t f, const Loop& loop) {
     if (loop.empty()) return std::nullopt;
-    const Numbers shared = faces_of[loop.front().edge];
+    const Numbers& shared = faces_of[loop.front().edge];
     if (shared.size() != 2 || shared[0] == shared[1]) return std::nullopt;
     const std::uint32_t other = shared[0] == f ? shared[1] : shared[0];
     const Face& face = part.faces[other];

@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace ncsim::brep {
 
@@ -83,7 +82,7 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc) {
     constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
     const auto plane = static_cast<std::size_t>(arc.plane);
     if (plane >= kAxes.size()) return std::nullopt;
-    const auto [first, second, third] = kAxes[plane];
+    const int first = kAxes[plane][0], second = kAxes[plane][1], third = kAxes[plane][2];
     const Vec3 from = toolpath::linear_axes(arc.from), to = toolpath::linear_axes(arc.to);
     ArcPath path;
     path.centre = from;
@@ -209,7 +208,7 @@ std::vector<SplinePath> spline_paths(const gcode::Spline& spline, const toolpath
                          Plane{path.to, direction(path.to)}};
             path.arc = arc;
         }
-        paths.push_back(std::move(path));
+        paths.push_back(path);
     }
     return paths;
 }

@@ -57,16 +57,17 @@ public:
 private:
     // Tool positions at a time, and at steps before and after.
     using ToolFrames = std::array<ToolFrame, 2 * kStepsAway + 1>;
+    static std::size_t index_of(int step) { return static_cast<std::size_t>(step) + kStepsAway; }
     ToolFrames tool_frames_at(double t) const {
         ToolFrames tool_frames;
         for (int i = -kStepsAway; i <= kStepsAway; ++i)
-            tool_frames[static_cast<std::size_t>(i + kStepsAway)] = sweep_.at(t + i * step_along_);
+            tool_frames[index_of(i)] = sweep_.at(t + i * step_along_);
         return tool_frames;
     }
 
     Bent bent(double across, const ToolFrames& tool_frames) const {
         const auto point = [&](int ahead, int cross_step) {
-            return point_across(sweep_, tool_frames[static_cast<std::size_t>(ahead + kStepsAway)],
+            return point_across(sweep_, tool_frames[index_of(ahead)],
                                 across + cross_step * step_around_);
         };
         const auto on_way = [&](int ahead) { return point(ahead, 0); };
@@ -155,7 +156,7 @@ private:
     // Adds a knot in the middle of pieces that are too far off, in both directions. Returns true if
     // a knot was added.
     bool refine() {
-        std::vector<bool> wide(around_.size(), false), long_(along_.size(), false);
+        std::vector<bool> wide(around_.size(), false), lengthy(along_.size(), false);
         for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
             for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
                 double across = 0.0, ahead = 0.0, inside = 0.0;
@@ -166,11 +167,11 @@ private:
                 }
                 if (std::max({across, ahead, inside}) <= kNearEnough) continue;
                 wide[i] = wide[i] || across > kNearEnough || across >= ahead;
-                long_[j] = long_[j] || ahead > kNearEnough || ahead > across;
+                lengthy[j] = lengthy[j] || ahead > kNearEnough || ahead > across;
             }
         }
         const bool more_around = halve(around_, wide);
-        return halve(along_, long_) || more_around;
+        return halve(along_, lengthy) || more_around;
     }
 
     static bool halve(std::vector<double>& knots, const std::vector<bool>& which) {
@@ -229,6 +230,7 @@ private:
 std::vector<double> evenly(double from, double to, double piece) {
     const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / piece)));
     std::vector<double> knots;
+    knots.reserve(static_cast<std::size_t>(pieces) + 1);
     for (int i = 0; i < pieces; ++i)
         knots.push_back(from + i * ((to - from) / pieces));
     knots.push_back(to);

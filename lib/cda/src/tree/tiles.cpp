@@ -187,7 +187,7 @@ Tiles::Tiles(std::size_t count, Read read, std::size_t threads)
         throw std::invalid_argument("not all blocks of the part are there");
 }
 
-Tiles::Tiles(std::vector<std::string> tiles)
+Tiles::Tiles(const std::vector<std::string>& tiles)
     : Tiles(tiles.size(), [kept = std::make_shared<const std::vector<std::string>>(tiles)](
                               std::size_t i) { return (*kept)[i]; }) {}
 

@@ -19,9 +19,9 @@ using brep::FlatPoint;
 std::string drawn(double number) {
     std::array<char, 64> digits{};
     constexpr int kNanometres = 6;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
-                                   std::chars_format::fixed, kNanometres)
-                         .ptr;
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                    std::chars_format::fixed, kNanometres)
+                          .ptr;
     std::string text(digits.data(), end);
     while (text.back() == '0')
         text.pop_back();

@@ -25,9 +25,10 @@ std::vector<JointKey> divided_keys(const SceneJoint& joint, double most_degrees)
         const JointKey& to = joint.keys[i];
         if (i > 0 && joint.turns) {
             const JointKey& from = joint.keys[i - 1];
-            const double parts = std::ceil(std::abs(to.value - from.value) / most_degrees);
-            for (double part = 1.0; part < parts; ++part) {
-                const double share = part / parts;
+            const auto parts =
+                static_cast<std::size_t>(std::ceil(std::abs(to.value - from.value) / most_degrees));
+            for (std::size_t part = 1; part < parts; ++part) {
+                const double share = static_cast<double>(part) / static_cast<double>(parts);
                 keys.push_back({from.seconds + share * (to.seconds - from.seconds),
                                 from.value + share * (to.value - from.value)});
             }

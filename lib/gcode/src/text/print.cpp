@@ -105,10 +105,11 @@ void print_number(std::string& out, double value) {
     std::array<char, 40> text{};
     const bool ordinary = std::abs(value) < 1e15 && (value == 0.0 || std::abs(value) > 1e-9);
     const auto format = ordinary ? std::chars_format::fixed : std::chars_format::scientific;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format).ptr;
+    const auto* const end =
+        std::to_chars(text.data(), text.data() + text.size(), value, format).ptr;
     const char* first = text.data();
     if (value == 0.0 && *first == '-') ++first;
-    out.append(first, static_cast<const char*>(end));
+    out.append(first, end);
 }
 
 void print(std::string& out, const Block& block) {

@@ -4,12 +4,12 @@
 #include "job/three_points.h"
 
 #include "ncsim/setup/stock_file.h"
+#include "ncsim/trig/angles.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -44,10 +44,10 @@ void require_same_distances(const std::array<cda::Vec3, 3>& before,
     }
 }
 
-// Returns an angle of atan2() in degrees.
+// Returns the angle of (x, y) in degrees; a right angle where it is one but for rounding.
 double degrees(double y, double x) {
     constexpr double kSnap = 1e-6, kRight = 90.0;
-    const double angle = std::atan2(y, x) * 180.0 / std::numbers::pi;
+    const double angle = trig::angle_of(x, y);
     const double right = std::round(angle / kRight) * kRight;
     return std::abs(angle - right) < kSnap ? right : angle;
 }
@@ -65,7 +65,7 @@ TurnAndMove motion_of(const std::array<cda::Vec3, 3>& before, const std::array<c
     using V = cda::Vec3;
     // About X, then Y, then Z. If Y is a right angle, X and Z turn about one axis, and X does it.
     const double sine = -entry(&V::z, &V::x);
-    const double cosine = std::hypot(entry(&V::z, &V::y), entry(&V::z, &V::z));
+    const double cosine = trig::length_of(entry(&V::z, &V::y), entry(&V::z, &V::z));
     constexpr double kLeastCosine = 1e-8;
     const bool is_upright = cosine < kLeastCosine;
     const double about_x = is_upright ? degrees(-entry(&V::y, &V::z), entry(&V::y, &V::y))

@@ -44,6 +44,8 @@ void add_extremes(cda::Box& box, const gcode::Arc& arc, const PolarArc& p) {
     const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
     const double beyond = growth == 0.0 ? 0.0 : 90.0;
+    // Multiples of 90 degrees are exact.
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter)
     for (double q = std::ceil((low - beyond) / 90.0) * 90.0; q <= high + beyond; q += 90.0) {
         // Radii grow or shrink monotonically, so the first and the last turn are farthest out.
         if (q > low + 450.0 && q < high - 450.0) q = std::floor((high - 450.0) / 90.0) * 90.0;
@@ -87,7 +89,7 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
     const double turn = degrees(from->a, to->a) + degrees(from->b, to->b) +
                         degrees(from->c, to->c) + std::abs(p.sweep_degrees);
     const double steps = std::clamp(std::ceil(turn / kStep), 1.0, kMost);
-    for (double i = 0.0; i <= steps; ++i) {
+    for (int i = 0; i <= static_cast<int>(steps); ++i) {
         const Position at =
             arc ? arc_position(*arc, p, i / steps) : interpolate(*from, *to, i / steps);
         machine::Values now = values_of(at);

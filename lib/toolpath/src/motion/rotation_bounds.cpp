@@ -31,13 +31,13 @@ struct Body {
 // Returns the gain of a cylinder whose axis rotates from one direction to another at the distance s
 // <= 1 and bends by `bend` on the way. See "Cylinders" in the header.
 double gained_by_cylinder(double s, double bend, double height, double across) {
-    const double kTurned = 0.051 * s + bend / 32;  // t (1-t) times the angle between axis and m
-    const double leans = 0.53 * s + bend / 8;      // largest angle between axis and m
-    const double beyond_side = s * (height / 4 + kTurned * across);
+    const double turned = 0.051 * s + bend / 32;  // t (1-t) times the angle between axis and m
+    const double leans = 0.53 * s + bend / 8;     // largest angle between axis and m
+    const double beyond_side = s * (height / 4 + turned * across);
     // Largest |z1 - z2| if the point is beyond an end.
     const double apart = s * (across + leans * height);
-    const double beyond_end = s * (across / 4 + kTurned * std::min(height, apart));
-    const double aside = 0.149 * s * apart + s * kTurned * across;
+    const double beyond_end = s * (across / 4 + turned * std::min(height, apart));
+    const double aside = 0.149 * s * apart + s * turned * across;
     return std::max(beyond_side, length_of(beyond_end, aside));
 }
 
@@ -55,15 +55,15 @@ double first_order_gain(const Pose& X_WA, const Pose& X_WB, double bend, const B
     if (body.is_cylinder && s <= 1.0) {
         at_once = std::min(at_once, gained_by_cylinder(s, bend, height, across));
     }
-    const Vec3 D = X_WB.translation - X_WA.translation;
-    const double along = dot(D, tilt) / s;
+    const Vec3 moved = X_WB.translation - X_WA.translation;
+    const double along = dot(moved, tilt) / s;
     const double v1 = along + s * body.low_mm;
     const double v2 = along + s * body.high_mm;
     if (!(v1 > 0.0 && v2 > 0.0) && !(v1 < 0.0 && v2 < 0.0)) return at_once;
     const double r1 = std::sqrt(std::abs(v1));
     const double r2 = std::sqrt(std::abs(v2));
     const double later = std::abs(r2 - r1) / (r2 + r1);
-    const double aside = norm(D - (along / s) * tilt) + s * body.radius_mm;
+    const double aside = norm(moved - (along / s) * tilt) + s * body.radius_mm;
     return std::min(at_once, later * aside + s * across / 4);
 }
 
@@ -204,13 +204,13 @@ ToolExtent below(ToolExtent tool, double top_mm) {
 std::vector<Slab> slabs_of(const PieceExtent& piece, double slab_mm) {
     const double length = piece.high_mm - piece.straight_mm;
     if (!(slab_mm < length)) return {{piece.low_mm, piece.high_mm}};
-    const double count = std::ceil(length / slab_mm);
-    const double height = length / count;
+    const auto count = static_cast<std::size_t>(std::ceil(length / slab_mm));
+    const double height = length / static_cast<double>(count);
     std::vector<Slab> slabs;
-    for (double i = 0.0; i < count; ++i) {
-        const double low = piece.straight_mm + i * height;
-        const double high = i + 1.0 < count ? low + height : piece.high_mm;
-        slabs.push_back({i > 0.0 ? low - std::min(kOverlap, height) : piece.low_mm, high});
+    for (std::size_t i = 0; i < count; ++i) {
+        const double low = piece.straight_mm + static_cast<double>(i) * height;
+        const double high = i + 1 < count ? low + height : piece.high_mm;
+        slabs.push_back({i > 0 ? low - std::min(kOverlap, height) : piece.low_mm, high});
     }
     return slabs;
 }

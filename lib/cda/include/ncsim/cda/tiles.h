@@ -34,7 +34,7 @@ public:
     /// to different parts; and the exceptions of `read`.
     Tiles(std::size_t count, Read read, std::size_t threads = 0);
     /// The same for tiles in memory.
-    explicit Tiles(std::vector<std::string> tiles);
+    explicit Tiles(const std::vector<std::string>& tiles);
     ~Tiles();
     Tiles(const Tiles&) = delete;
     Tiles& operator=(const Tiles&) = delete;

@@ -214,9 +214,10 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     if (!(count <= kMostChords))
         return fail(Message::CylinderArc, command.span, {name, "a smaller radius"});
     const Axes from = state_.position;
-    for (double i = 1.0; i <= count; ++i) {
+    const auto chords = static_cast<int>(count);
+    for (int i = 1; i <= chords; ++i) {
         Axes at = end;
-        if (i < count) {
+        if (i < chords) {
             const double t = i / count;
             for (std::size_t k = 0; k < at.size(); ++k)
                 at[k] = from[k] + t * (end[k] - from[k]);
