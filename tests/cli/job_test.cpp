@@ -423,8 +423,10 @@ TEST(Sheet, OfAJobHasAllThatTheOperatorNeeds) {
         EXPECT_TRUE(contains(page, text)) << text << '\n' << page;
     EXPECT_TRUE(contains(page, "194 mm feed")) << page;
     EXPECT_TRUE(contains(page, "origin of G54 in machine coordinates")) << page;
-    // A name from the file stays text.
+    EXPECT_FALSE(contains(page, "<h2>Operations</h2>")) << page;
+    // Names from files stay text.
     folder.change("name = \"back\"", "name = \"<b>back\"");
+    folder.write("top.nc", "(FACE <b>)\n" + folder.read("top.nc"));
     ASSERT_EQ(folder.run({"sheet", "job.toml", "--html", "sheet.html"}).exit_code, 0);
     EXPECT_FALSE(contains(folder.read("sheet.html"), "<b>"));
     EXPECT_EQ(folder.run({"sheet", "job.toml"}).exit_code, 2);

@@ -32,6 +32,41 @@ TEST(Run, SaysWhatItStandsOnAndWhatIsLeft) {
     EXPECT_EQ(folder.files(), std::vector<std::string>{"slot.nc"});
 }
 
+// The volumes are those of the tools, and add up.
+TEST(Run, TellsPathTimeAndVolumeOfOperations) {
+    Folder folder;
+    folder.write("part.nc",
+                 "(T1 D=10. CR=0. - flat end mill)\n(T2 D=4. CR=0. - flat end mill)\n"
+                 "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\nG21 G90\n(FACE <1>)\nT1 M6\nS8000 M3\n"
+                 "G0 X-30. Y0. Z5.\nG0 Z-2.\nG1 X30. F300.\nG0 Z5.\n(POCKET 2 mm)\n"
+                 "G0 X-30. Y10.\nG0 Z-4.\nG1 X30. F300.\n(NOTE)\nG0 Z5.\nT2 M6\nM3\n"
+                 "G0 X0. Y-20. Z5.\nG0 Z-1.\nG1 Y20.\nG0 Z5.\nM30\n");
+    const Ran ran = folder.run({"run", "part.nc", "--report", "part.json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(
+        contains(ran.out, "    line 5, 'FACE <1>': 0.800 cm3 removed, 60.0 mm at feed, ") &&
+        contains(ran.out, "    line 12, 'POCKET 2 mm': 1.600 cm3 removed, 60.0 mm at feed, "))
+        << ran.out;
+    const json report = json::parse(folder.read("part.json"));
+    ASSERT_EQ(report["operations"].size(), 3U);
+    double removed = 0.0, seconds = 0.0, of_tools = 0.0;
+    for (const json& operation : report["operations"]) {
+        removed += operation["removed_mm3"].get<double>();
+        seconds += operation["time"]["total_seconds"].get<double>();
+    }
+    for (const json& tool : report["tools"])
+        of_tools += tool["time"]["total_seconds"].get<double>();
+    EXPECT_NEAR(removed, report["volume_mm3"]["removed"].get<double>(), 1e-6);
+    EXPECT_NEAR(seconds, of_tools, 1e-6);
+    EXPECT_FALSE(report["operations"][2].contains("name"));
+    const Ran inches = folder.run({"run", "part.nc", "--report-units", "inch"});
+    EXPECT_TRUE(contains(inches.out, "'POCKET 2 mm': ")) << inches.out;
+    EXPECT_FALSE(contains(inches.out, "mm at feed")) << inches.out;
+    // Paths and times are those of the whole program.
+    const Ran stopped = folder.run({"run", "part.nc", "--at-line", "10"});
+    EXPECT_FALSE(contains(stopped.out, "POCKET 2")) << stopped.out;
+}
+
 TEST(Run, IsSilentWhenAskedTo) {
     Folder folder;
     folder.write("slot.nc", kSlot);

@@ -5,6 +5,7 @@ ncsim_add_test(toolpath
     kinematics_test.cpp
     machine_test.cpp
     messages_test.cpp
+    operation_name_test.cpp
     sampler_test.cpp
     spline_arcs_test.cpp
     stock_test.cpp

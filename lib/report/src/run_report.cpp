@@ -6,6 +6,7 @@
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
+#include "ncsim/report/plain_text.h"
 #include "ncsim/report/value_source.h"
 #include "ncsim/report/version.h"
 #include "ncsim/verify/machine_description.h"
@@ -15,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -223,6 +225,66 @@ std::string tool_line(const RunFacts& run, int number) {
     return text + "\n";
 }
 
+// True if the volumes are those of the operations of the survey.
+bool has_volumes(const RunFacts& run) {
+    return run.part && run.part->removed_by_operation.size() == run.program->operations.size();
+}
+
+// Returns a name in quotation marks, so that no number in it counts as a length.
+std::string quoted(const std::string& name) {
+    std::string text = one_line(name);
+    std::ranges::replace(text, '\'', '"');
+    return "'" + text + "'";
+}
+
+// Returns a line for each operation of a tool that has several, if any has a name.
+std::string operation_lines(const RunFacts& run, int tool) {
+    const auto& operations = run.program->operations;
+    const auto is_shown = [tool](const ProgramFacts::Operation& operation) {
+        return operation.tool == tool && operation.distances.feed_mm > 0.0;
+    };
+    const auto has_name = [&](const ProgramFacts::Operation& operation) {
+        return is_shown(operation) && !operation.name.empty();
+    };
+    std::string text;
+    if (run.cutting.at_line || std::ranges::count_if(operations, is_shown) < 2 ||
+        std::ranges::none_of(operations, has_name))
+        return text;
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        const ProgramFacts::Operation& operation = operations[i];
+        if (!is_shown(operation)) continue;
+        append(text, "    {}: ",
+               operation.name.empty()
+                   ? "without a name"
+                   : fmt::format("line {}, {}", operation.line, quoted(operation.name)));
+        if (has_volumes(run))
+            append(text, "{} removed, ", volume_text(run.part->removed_by_operation[i]));
+        append(text, "{:.1f} mm at feed", operation.distances.feed_mm);
+        const std::optional<double> seconds = time_of(operation.distances).total();
+        if (seconds && !run.on_machine) append(text, ", {}", time_text(*seconds));
+        text += "\n";
+    }
+    return text;
+}
+
+Json operations_json(const RunFacts& run) {
+    Json operations = Json::array();
+    for (const ProgramFacts::Operation& operation : run.program->operations) {
+        Json json{{"tool", operation.tool}};
+        if (!operation.name.empty()) {
+            json["name"] = operation.name;
+            json["line"] = operation.line;
+        }
+        json["rapid_mm"] = round_value(operation.distances.rapid_mm);
+        json["feed_mm"] = round_value(operation.distances.feed_mm);
+        json["time"] = time_json(operation.distances);
+        if (has_volumes(run))
+            json["removed_mm3"] = round_value(run.part->removed_by_operation[operations.size()]);
+        operations.push_back(std::move(json));
+    }
+    return operations;
+}
+
 }  // namespace
 
 std::string summary(const RunFacts& run) {
@@ -237,7 +299,7 @@ std::string summary(const RunFacts& run) {
         }
         if (s.aliasing) text += aliasing_text(*s.aliasing, run.cutting.resolution);
         for (const auto& [number, used] : run.program->tools)
-            text += tool_line(run, number);
+            text += tool_line(run, number) + operation_lines(run, number);
         if (run.boundary) {
             const cda::Box box = cda::bounds(*run.boundary);
             append(text, "extents   {}\n", box.is_empty() ? "nothing is left" : describe(box));
@@ -357,6 +419,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
     if (run.on_machine) json["time_on_machine"] = machine_time_json(*run.on_machine);
     json["tip_extents"] = to_json(run.program->tip_positions);
     json["tools"] = tools_json(run);
+    json["operations"] = operations_json(run);
     if (run.part && !run.part->removed_by_block.empty()) {
         Json blocks = Json::array();
         for (const auto& [place, removed] : run.part->removed_by_block) {

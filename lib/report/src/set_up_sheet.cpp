@@ -118,6 +118,34 @@ void write_tools(std::ostream& out, const SheetSetUp& set_up, LengthUnit unit) {
     out << "</table>\n";
 }
 
+// Writes the operations that cut, if there are several and any has a name.
+void write_operations(std::ostream& out, const ProgramFacts& program, LengthUnit unit) {
+    const auto cuts = [](const ProgramFacts::Operation& operation) {
+        return operation.distances.feed_mm > 0.0;
+    };
+    const auto has_name = [&](const ProgramFacts::Operation& operation) {
+        return cuts(operation) && !operation.name.empty();
+    };
+    if (std::ranges::count_if(program.operations, cuts) < 2 ||
+        std::ranges::none_of(program.operations, has_name))
+        return;
+    out << "<h2>Operations</h2>\n<table>\n<tr><th>line</th><th>operation</th><th>tool</th>"
+           "<th>path</th><th>time</th></tr>\n";
+    for (const ProgramFacts::Operation& operation : program.operations) {
+        if (!cuts(operation)) continue;
+        const auto seconds = time_of(operation.distances).total();
+        out << fmt::format(
+            "<tr><td>{}</td><td>{}</td><td>T{}</td><td>{}</td><td>{}</td></tr>\n",
+            operation.line > 0 ? std::to_string(operation.line) : "", escaped(operation.name),
+            operation.tool,
+            in_unit(fmt::format("{:.0f} mm feed, {:.0f} mm rapid", operation.distances.feed_mm,
+                                operation.distances.rapid_mm),
+                    unit),
+            seconds ? time_text(*seconds) : "?");
+    }
+    out << "</table>\n";
+}
+
 void write_list(std::ostream& out, const char* title, const char* kind,
                 const std::vector<std::string>& lines, LengthUnit unit) {
     if (lines.empty()) return;
@@ -151,6 +179,7 @@ void write_set_up_sheet(std::ostream& out, const std::string& job,
             << "</td></tr>\n"
             << "</table>\n";
         write_tools(out, set_up, unit);
+        write_operations(out, *set_up.facts, unit);
         write_list(out, "Fixtures", "fixtures", set_up.fixtures, unit);
         write_list(out, "To measure at the machine", "open", set_up.assumed, unit);
         out << "<footer>ncsim " << kVersion << "; lengths in "

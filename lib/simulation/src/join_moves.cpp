@@ -44,12 +44,23 @@ bool is_same_kind(const gcode::Motion& a, const gcode::Motion& b) {
 
 }  // namespace
 
-MoveJoiner::MoveJoiner(double tolerance_mm, gcode::MotionSink sink)
-    : tolerance_mm_(tolerance_mm), sink_(std::move(sink)) {}
+MoveJoiner::MoveJoiner(double tolerance_mm, gcode::MotionSink sink,
+                       std::span<const toolpath::OperationName> names)
+    : tolerance_mm_(tolerance_mm), sink_(std::move(sink)), names_(names) {}
+
+// True if a name of an operation may be read between the held move and `next`.
+bool MoveJoiner::has_name_before(const gcode::Motion& next) const {
+    if (names_.empty() || next.file != 0) return false;
+    if (next.span.line < last_line_) return true;
+    const auto after =
+        std::ranges::upper_bound(names_, last_line_, {}, &toolpath::OperationName::line);
+    return after != names_.end() && after->line <= next.span.line;
+}
 
 bool MoveJoiner::can_join(const gcode::Motion& next) const {
     const gcode::Linear* line = plain_line(next);
-    if (!held_ || !line || !is_same_kind(*held_, next) || intermediate_ends_.size() >= kMostPlaces)
+    if (!held_ || !line || !is_same_kind(*held_, next) || has_name_before(next) ||
+        intermediate_ends_.size() >= kMostPlaces)
         return false;
     const auto& row = std::get<gcode::Linear>(held_->action);
     if (!(row.to == line->from)) return false;
@@ -74,12 +85,14 @@ void MoveJoiner::take(const gcode::Motion& motion) {
         auto& row = std::get<gcode::Linear>(held_->action);
         intermediate_ends_.push_back(place(row.to));
         has_joined_ = true;
+        last_line_ = motion.span.line;
         row.to = std::get<gcode::Linear>(motion.action).to;
         return;
     }
     flush();
     if (!plain_line(motion)) return sink_(motion);
     held_ = motion;
+    last_line_ = motion.span.line;
 }
 
 void MoveJoiner::flush() {

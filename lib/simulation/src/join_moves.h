@@ -7,8 +7,11 @@
 
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/interpreter.h"
+#include "ncsim/toolpath/operation_name.h"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -18,8 +21,10 @@ class MoveJoiner {
 public:
     /// Passes motions on to `sink`, in order. A joined move stays within `tolerance_mm` of every
     /// end of its moves, passes the ends in order, and has the block of its first move; 0 joins no
-    /// moves.
-    MoveJoiner(double tolerance_mm, gcode::MotionSink sink);
+    /// moves. Moves in front of and behind one of `names`, which must outlive the object, are not
+    /// joined.
+    MoveJoiner(double tolerance_mm, gcode::MotionSink sink,
+               std::span<const toolpath::OperationName> names);
 
     /// Adds a motion. Cost: the length of the current row, at most 256 places.
     void take(const gcode::Motion& motion);
@@ -30,9 +35,12 @@ public:
 
 private:
     bool can_join(const gcode::Motion& next) const;
+    bool has_name_before(const gcode::Motion& next) const;
 
     double tolerance_mm_;
     gcode::MotionSink sink_;
+    std::span<const toolpath::OperationName> names_;
+    std::uint32_t last_line_ = 0;  ///< Of the held move.
     /// Joined move from the start of the row to its current end.
     std::optional<gcode::Motion> held_;
     std::vector<cda::Vec3> intermediate_ends_;  ///< Intermediate ends, mm.

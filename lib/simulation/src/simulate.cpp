@@ -12,6 +12,7 @@
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
+#include "operation_course.h"
 #include "simulation_messages.h"
 #include "until_line.h"
 
@@ -99,7 +100,8 @@ public:
           // Volumes measured by tiles are in their files, in the order of the tool changes.
           tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
-          volume_(result.stock_volume) {
+          volume_(result.stock_volume),
+          course_(plan.job.operations) {
         if (result.part->supports_sweeps()) walk_.prefer_sweeps();
         if (verification.own_lines) walk_.disable_merged_cells();
         for (const auto& [number, used] : survey.tools) {
@@ -125,6 +127,7 @@ public:
         verify::add(result_.distances, motion, machine_.get());
         if (machine_ && start_of(motion)) result_.last_move = motion;
         if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
+        if (course_.take(motion)) begin_operation();
         if (motion.tool != tool_) change_tool(motion.tool);
         const std::uint64_t hulls_before = result_.hulls;
         const cda::Origin origin = begin_cut();
@@ -179,6 +182,7 @@ public:
         if (tiles_ && next_contact_ != tiles_->stock_contacts.size()) refuse_tiles();
         const auto tool_position = result_.tool_position;
         change_tool(0);
+        if (tool_volumes_ && !verifier_) result_.removed_by_operation.resize(operation_ + 1);
         result_.tool_position = tool_position;
         result_.part_volume = verifier_ || !tool_volumes_ ? result_.part->volume() : volume_;
         result_.part_volume_error = result_.part->volume_error();
@@ -285,14 +289,25 @@ private:
         return !tile_ && has_met;
     }
 
-    // Sets the tool. The volume that a tool removed is the difference of volumes.
-    void change_tool(int next) {
+    // Accounts the volume that was removed since the last call to the tool and the operation.
+    void account_removal() {
         if (is_near_stock_ && tool_volumes_ && !verifier_) {
             const double volume = result_.part->volume();
             result_.removed_by_tool[tool_] += volume_ - volume;
+            result_.removed_by_operation.resize(operation_ + 1);
+            result_.removed_by_operation[operation_] += volume_ - volume;
             volume_ = volume;
         }
         is_near_stock_ = false;
+    }
+
+    void begin_operation() {
+        account_removal();
+        operation_ = course_.number();
+    }
+
+    void change_tool(int next) {
+        account_removal();
         tool_ = next;
         result_.tool_position.reset();
     }
@@ -331,8 +346,10 @@ private:
     int tool_ = 0;
     bool tool_volumes_;
     std::optional<cda::Box> place_of_tile_;
-    double volume_;                          // at the last tool change
-    bool is_near_stock_ = false;             // whether the tool was near the stock since its change
+    double volume_;               // at the last tool change
+    bool is_near_stock_ = false;  // whether the tool was near the stock since its change
+    OperationCourse course_;
+    std::size_t operation_ = 0;
     bool has_covered_ = false;               // whether combined cells belong to the current motion
     std::vector<cda::Cell> combined_cells_;  // combined cells of steps that are not near
     std::size_t next_contact_ = 0;           // index into the motions of tiles_
@@ -374,8 +391,9 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
     mill.stop_after(verification.only_motion.value_or(most));
     std::uint64_t motions = 0;
     std::uint64_t moves = 0;
-    MoveJoiner joiner(verification.verifier ? 0.0 : plan.join_tolerance,
-                      [&](const gcode::Motion& motion) { mill.take(motion); });
+    MoveJoiner joiner(
+        verification.verifier ? 0.0 : plan.join_tolerance,
+        [&](const gcode::Motion& motion) { mill.take(motion); }, plan.job.operations);
     gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
         joiner.take(motion);
         ++motions;

@@ -99,10 +99,13 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
     });
     // On specified machines, any move may rotate the tool.
-    MoveJoiner joiner(plan.join_tolerance, [&](const gcode::Motion& motion) {
-        if (plan.placed) runs.flush();
-        runs.take(motion);
-    });
+    MoveJoiner joiner(
+        plan.join_tolerance,
+        [&](const gcode::Motion& motion) {
+            if (plan.placed) runs.flush();
+            runs.take(motion);
+        },
+        plan.job.operations);
     gcode::InterpreterOptions silent = plan.job.interpreter;
     silent.observe_frame = nullptr;
     gcode::interpret(plan.job.program, silent,

@@ -11,6 +11,7 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/trace.h"
 
+#include "operation_course.h"
 #include "place_kinematics.h"
 #include "simulation_messages.h"
 
@@ -21,6 +22,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,8 +46,9 @@ void add_diagnostic(Survey& survey, const gcode::MessageText& message, gcode::So
 class MotionSurvey {
 public:
     /// Uses the specified machine, or the default machine if null.
-    MotionSurvey(Survey& result, const toolpath::Kinematics* specified)
-        : result_(result), specified_machine_(specified) {}
+    MotionSurvey(Survey& result, const toolpath::Kinematics* specified,
+                 std::span<const toolpath::OperationName> names)
+        : result_(result), specified_machine_(specified), course_(names) {}
 
     struct ToolTrack {
         gcode::SourceSpan first;
@@ -63,14 +66,17 @@ public:
     };
 
     void take(const gcode::Motion& motion) {
+        note_operation(motion);
         const gcode::Position* from = start_of(motion);
         const gcode::Position* to = end_of(motion);
         if (!from || !to) {
             const auto* change = std::get_if<gcode::ToolChange>(&motion.action);
             const int tool = change ? change->tool : motion.tool;
             result_.calls_tools |= change != nullptr;
-            if (change || std::holds_alternative<gcode::Dwell>(motion.action))
+            if (change || std::holds_alternative<gcode::Dwell>(motion.action)) {
                 verify::add_rest(result_.distances[tool], motion);
+                verify::add_rest(result_.operations.back().distances, motion);
+            }
             return;
         }
         if (result_.moves++ == 0) result_.first_move = motion.span;
@@ -134,6 +140,7 @@ public:
             }
         }
         verify::add_path(result_.distances[motion.tool], motion, samples);
+        verify::add_path(result_.operations.back().distances, motion, samples);
     }
 
     // Call after the last motion.
@@ -190,6 +197,16 @@ private:
         ++path_.moves;
     }
 
+    void note_operation(const gcode::Motion& motion) {
+        if (course_.take(motion)) result_.operations.emplace_back();
+        Survey::Operation& operation = result_.operations.back();
+        operation.tool = course_.tool();
+        if (const auto* name = course_.name()) {
+            operation.name = name->name;
+            operation.line = name->line;
+        }
+    }
+
     void note_slanting_rapid(const gcode::Motion& motion, const gcode::Position& from,
                              const gcode::Position& to, bool is_turned) {
         constexpr std::size_t kMost = 100'000;
@@ -223,6 +240,7 @@ private:
 
     Survey& result_;
     const toolpath::Kinematics* specified_machine_;
+    OperationCourse course_;
     std::map<int, ToolTrack> tracks_;
     std::array<bool, 3> specified_{};
     gcode::SourceSpan first_cut_without_start_;
@@ -540,7 +558,7 @@ BlockEstimate estimate_block(const Plan& plan, const std::array<bool, 3>& unspec
     BlockEstimate look;
     Survey& result = look.survey;
     result.unspecified = unspecified;
-    MotionSurvey motions(result, plan.placed.get());
+    MotionSurvey motions(result, plan.placed.get(), plan.job.operations);
     result.interpretation = gcode::interpret(plan.job.program, plan.job.interpreter,
                                              [&](const gcode::Motion& m) { motions.take(m); });
     motions.finish();

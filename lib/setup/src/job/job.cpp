@@ -411,6 +411,7 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
         inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
     job.diagnostics.insert(job.diagnostics.end(), notes.diagnostics.begin(),
                            notes.diagnostics.end());
+    job.operations = std::move(notes.operations);
     for (const toolpath::ToolEntry& entry : from_file.tools)
         add_tool(job, entry);
     for (const toolpath::ToolFile& table : tables) {

@@ -57,6 +57,21 @@ bool is_move(const Block& block) {
     });
 }
 
+// True for a line that holds a comment alone, after its number.
+bool is_comment_alone(const Block& block) {
+    std::string_view text = block.text;
+    const auto skip = [&text](std::string_view bytes) {
+        text.remove_prefix(std::min(text.find_first_not_of(bytes), text.size()));
+    };
+    skip(" \t");
+    if (text.starts_with('N') || text.starts_with('n')) text.remove_prefix(1);
+    skip("0123456789 \t");
+    // In languages other than G-code, the text has no comments.
+    constexpr std::string_view kBegin = "(;*";
+    return block.words.empty() &&
+           (text.empty() || kBegin.find(text.front()) != std::string_view::npos);
+}
+
 void scale(ToolSpec& spec, double factor) {
     for (auto* length : {&spec.diameter, &spec.corner_radius, &spec.tip_diameter, &spec.length,
                          &spec.neck_diameter, &spec.neck_length, &spec.shank_diameter,
@@ -80,8 +95,8 @@ public:
         for (const gcode::Comment& comment : block.comments) {
             if (const int tool = gcode::tool_called_in(comment); tool > 0) {
                 call_tool(tool);
-            } else {
-                read(comment);
+            } else if (!read(comment) && is_comment_alone(block)) {
+                note_operation(comment);
             }
         }
         for (const gcode::Word& word : block.words) {
@@ -95,6 +110,7 @@ public:
 
     ProgramNotes finish() {
         end_waiting();
+        choose_operations();
         place_listed();
         for (PlacedRemark& placed : remarks_)
             keep(placed);
@@ -128,20 +144,22 @@ private:
         return is_inch ? 25.4 : 1.0;
     }
 
-    void read(const gcode::Comment& comment) {
+    // Returns true if the comment is about the tools or the stock.
+    bool read(const gcode::Comment& comment) {
         const bool after_heading = std::exchange(size_expected_, false);
         if (after_heading) {
             if (const auto size = read_size_remark(comment.text)) {
                 StockRemark remark;
                 remark.what = StockRemark::What::Size;
                 remark.first = *size;
-                return take_stock(remark, comment);
+                take_stock(remark, comment);
+                return true;
             }
         }
         const std::string heading = text::upper(text::trimmed(comment.text));
         if (heading == "REQUIRED TOOLS:") {
             in_list_ = true;
-            return;
+            return true;
         }
         // Nested parentheses are a single comment; the inner pair may be the remark.
         if (auto stock = read_stock_remark(comment.text)) {
@@ -153,11 +171,31 @@ private:
             placed.owner = placed.remark.spec.number;
             if (placed.owner == 0 && in_list_) {
                 listed_.push_back(std::move(placed));
-                return;
+                return true;
             }
             if (placed.owner == 0) waiting_.push_back(remarks_.size());
             remarks_.push_back(std::move(placed));
+        } else {
+            return false;
         }
+        return true;
+    }
+
+    static constexpr int kMostOfOneName = 5;
+    static constexpr std::size_t kMostNames = 200;
+
+    void note_operation(const gcode::Comment& comment) {
+        if (names_.size() > kMostNames) return;
+        auto name = operation_name_of(comment.text);
+        if (!name || ++names_[*name] > kMostOfOneName) return;
+        notes_.operations.push_back({comment.span.line, std::move(*name)});
+    }
+
+    // Remarks that are repeated over and over are no names, and neither are very many.
+    void choose_operations() {
+        std::erase_if(notes_.operations, [this](const OperationName& operation) {
+            return names_.size() > kMostNames || names_[operation.name] > kMostOfOneName;
+        });
     }
 
     // Reads a PowerMill comment, with a key per comment. A repeated key starts the next tool.
@@ -319,7 +357,8 @@ private:
     }
 
     ProgramNotes notes_;
-    std::vector<bool> certain_;  // parallel to notes_.tools
+    std::vector<bool> certain_;                      // parallel to notes_.tools
+    std::map<std::string, int, std::less<>> names_;  // of operations: how often each stands there
     std::vector<PlacedRemark> remarks_;
     std::vector<std::size_t> waiting_;  // remarks without an owner yet
     std::map<int, bool> tool_inches_;   // units at the first call

@@ -48,6 +48,14 @@ struct ProgramFacts {
     cda::Box tip_positions;  ///< Tip positions of all moves with a known start, mm, in W.
     std::map<int, verify::Distances> distances;  ///< By tool number.
     std::map<int, UsedTool> tools;               ///< Tools that move.
+    /// Operation: blocks of a tool between names in comments.
+    struct Operation {
+        std::string name;        ///< Empty if the comments name none.
+        std::uint32_t line = 0;  ///< Line of the name; 0 without one.
+        int tool = 0;
+        verify::Distances distances;
+    };
+    std::vector<Operation> operations;  ///< In the order of execution.
     /// Tools that cut without a description: the block that first moves each tool.
     std::map<int, gcode::SourceSpan> unknown_tools;
     std::optional<toolpath::StockEntry> stock;
@@ -96,6 +104,8 @@ struct PartFacts {
     std::optional<AliasingFacts> aliasing;  ///< Only for models with a resolution.
     std::uint64_t hulls = 0;                ///< Number of hulls subtracted.
     std::map<int, double> removed_by_tool;  ///< mm³; not computed in a verification.
+    /// mm³, by index in ProgramFacts::operations; not computed in a verification.
+    std::vector<double> removed_by_operation;
     /// mm³; only on request.
     std::map<BlockPlace, double> removed_by_block;
     std::map<int, CutterFacts> cutters;

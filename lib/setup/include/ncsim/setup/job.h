@@ -41,6 +41,7 @@ struct Job {
     /// counts.
     std::vector<toolpath::ToolEntry> tools;
     std::optional<toolpath::StockEntry> stock;
+    std::vector<toolpath::OperationName> operations;  ///< Names in the order of lines.
     /// Fixtures of the job file, in addition to the fixtures of the machine.
     std::vector<verify::Fixture> fixtures;
     bool fixtures_specified = false;    ///< Also true if the specified list is empty.

@@ -6,6 +6,7 @@
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/operation_name.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool_spec.h"
 
@@ -46,6 +47,9 @@ struct ProgramNotes {
     std::vector<ToolEntry> tools;  ///< At most one per number, in the order of the program.
     std::optional<StockEntry> stock;
     std::optional<cda::Vec3> start;  ///< FROM/X,Y,Z, in mm.
+    /// Names of operations in the order of lines. Empty if there are too many different ones, or
+    /// one is repeated too often, for names.
+    std::vector<OperationName> operations;
     gcode::Diagnostics diagnostics;  ///< Warnings about contradictory comments.
 };
 
