@@ -56,14 +56,16 @@ Operations operations_of(const std::string& text, double join_tolerance = 0.0) {
 using Rows = std::vector<std::string>;
 
 TEST(Operations, BeginAtNamesAndAtToolChanges) {
-    EXPECT_EQ(operations_of(kHead + "T1 M6\nS8000 M3\n(SLOT1)\n" + slot("10.", "2.") + "(SLOT2)\n" +
-                            slot("20.", "5.") + "(SLOT3)\nG28 G91 Z0\nG90\nT2 M6\nM3\n" +
-                            slot("30.", "1.") + kEnd)
-                  .rows,
-              (Rows{"T1 SLOT1 50 mm 480 mm3", "T1 SLOT2 50 mm 1200 mm3", "T2 SLOT3 50 mm 240 mm3"}));
+    EXPECT_EQ(
+        operations_of(kHead + "T1 M6\nS8000 M3\n(SLOT1)\n" + slot("10.", "2.") + "(SLOT2)\n" +
+                      slot("20.", "5.") + "(SLOT3)\nG28 G91 Z0\nG90\nT2 M6\nM3\n" +
+                      slot("30.", "1.") + kEnd)
+            .rows,
+        (Rows{"T1 SLOT1 50 mm 480 mm3", "T1 SLOT2 50 mm 1200 mm3", "T2 SLOT3 50 mm 240 mm3"}));
     // The name may stand before or behind the tool change.
-    for (const char* change : {"(SLOT2)\nT2 M6\nM3\n", "T2 M6\nM3\n(SLOT2)\n", "T2 (SLOT2)\nM6\nM3\n"
-                                                                              "(SLOT2)\n"})
+    for (const char* change : {"(SLOT2)\nT2 M6\nM3\n", "T2 M6\nM3\n(SLOT2)\n",
+                               "T2 (SLOT2)\nM6\nM3\n"
+                               "(SLOT2)\n"})
         EXPECT_EQ(operations_of(kHead + "(SLOT1)\nT1 M6\nM3\n" + slot("10.", "2.") + change +
                                 slot("20.", "5.") + kEnd)
                       .rows,
@@ -89,8 +91,9 @@ TEST(Operations, BeginAtFeedMovesAboveThePart) {
 }
 
 TEST(Operations, OfDraftsAreTheSame) {
-    const std::string text = kHead + "T1 M6\nM3\n(SLOT1)\nG0 X-5. Y10. Z5.\nG0 Z-2.\nG1 X20. F300.\n"
-                                     "X30.\nX45.\n(SLOT2)\nX50.\nX55.\nG0 Z5.\n(SLOT3)\n" +
+    const std::string text = kHead +
+                             "T1 M6\nM3\n(SLOT1)\nG0 X-5. Y10. Z5.\nG0 Z-2.\nG1 X20. F300.\n"
+                             "X30.\nX45.\n(SLOT2)\nX50.\nX55.\nG0 Z5.\n(SLOT3)\n" +
                              slot("20.", "5.") + kEnd;
     EXPECT_EQ(operations_of(text, 0.01).rows, operations_of(text).rows);
 }

@@ -47,12 +47,14 @@ TEST(OperationNames, StandAloneInTheirBlock) {
 }
 
 TEST(OperationNames, AreReadInEveryLanguage) {
-    EXPECT_EQ(names_in("0 BEGIN PGM A MM\n1 ; FACE 1\n2 TOOL CALL 1 Z S8000\n3 L X+5 FMAX ; LIFT OFF\n"
-                       "4 * - POCKET 2\n5 END PGM A MM\n",
-                       "part.h"),
-              (std::vector<std::string>{"2 FACE 1", "5 POCKET 2"}));
-    EXPECT_EQ(names_in("N10 G71 G90\nN20 ; FACE 1\nN30 T1 M6 ; CHANGE IT\n; POCKET 2\nM30\n", "part.mpf"),
-              (std::vector<std::string>{"2 FACE 1", "4 POCKET 2"}));
+    EXPECT_EQ(
+        names_in("0 BEGIN PGM A MM\n1 ; FACE 1\n2 TOOL CALL 1 Z S8000\n3 L X+5 FMAX ; LIFT OFF\n"
+                 "4 * - POCKET 2\n5 END PGM A MM\n",
+                 "part.h"),
+        (std::vector<std::string>{"2 FACE 1", "5 POCKET 2"}));
+    EXPECT_EQ(
+        names_in("N10 G71 G90\nN20 ; FACE 1\nN30 T1 M6 ; CHANGE IT\n; POCKET 2\nM30\n", "part.mpf"),
+        (std::vector<std::string>{"2 FACE 1", "4 POCKET 2"}));
 }
 
 TEST(OperationNames, AreNotRepeatedOverAndOver) {

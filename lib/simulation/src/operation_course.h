@@ -13,10 +13,10 @@
 
 namespace ncsim::simulation {
 
-/// Follows the operations of a program. A name begins an operation if the next move starts above the
-/// cuts of the operation before, as high as the tool was since the first of them: a comment between
-/// cuts is no name. A tool change begins one, too. What comes before the first cut belongs to the
-/// operation after it.
+/// Follows the operations of a program. A name begins an operation if the next move starts above
+/// the cuts of the operation before, as high as the tool was since the first of them: a comment
+/// between cuts is no name. A tool change begins one, too. What comes before the first cut belongs
+/// to the operation after it.
 class OperationCourse {
 public:
     /// Requires: the lines of `names` rise; `names` outlives the object.

@@ -18,10 +18,9 @@ constexpr std::size_t kMostBytes = 60, kMostWords = 6;
 constexpr std::array<std::string_view, 6> kIntroductions{
     "BEGIN OPERATION:", "START OPERATION:", "OPERATION NAME:", "OPERATION:", "OP:", "TOOLPATH:"};
 // Comments that begin so name no operation: ends of operations, and what controls act on.
-constexpr std::array<std::string_view, 12> kOthers{"FINISH OPERATION", "END OPERATION", "END ",
-                                                   "PATH:",            "MSG,",          "DEBUG,",
-                                                   "PRINT,",           "LOG",           "PROBEOPEN",
-                                                   "PROBECLOSE",       "AXIS,",         "HTTP"};
+constexpr std::array<std::string_view, 12> kOthers{
+    "FINISH OPERATION", "END OPERATION", "END ",      "PATH:",      "MSG,",  "DEBUG,",
+    "PRINT,",           "LOG",           "PROBEOPEN", "PROBECLOSE", "AXIS,", "HTTP"};
 
 bool is_letter(char c) {
     const auto byte = static_cast<unsigned char>(c);
