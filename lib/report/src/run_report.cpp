@@ -304,7 +304,7 @@ std::string summary(const RunFacts& run) {
             const cda::Box box = cda::bounds(*run.boundary);
             append(text, "extents   {}\n", box.is_empty() ? "nothing is left" : describe(box));
         }
-        if (run.simplified) {
+        if (run.simplified && run.boundary) {
             append(text, "simpler   {} faces instead of {}, {:.3g} mm off at most\n",
                    run.simplified->faces, run.boundary->faces.size(), run.simplified->deviation_mm);
         }
