@@ -426,7 +426,6 @@ TEST(Sheet, OfAJobHasAllThatTheOperatorNeeds) {
     EXPECT_FALSE(contains(page, "<h2>Operations</h2>")) << page;
     // Names from files stay text.
     folder.change("name = \"back\"", "name = \"<b>back\"");
-    folder.write("top.nc", "(FACE <b>)\n" + folder.read("top.nc"));
     ASSERT_EQ(folder.run({"sheet", "job.toml", "--html", "sheet.html"}).exit_code, 0);
     EXPECT_FALSE(contains(folder.read("sheet.html"), "<b>"));
     EXPECT_EQ(folder.run({"sheet", "job.toml"}).exit_code, 2);

@@ -98,6 +98,15 @@ TEST(Operations, OfDraftsAreTheSame) {
     EXPECT_EQ(operations_of(text, 0.01).rows, operations_of(text).rows);
 }
 
+// Each operation costs an evaluation of the part: a loop over two names must not cost two a turn.
+TEST(Operations, OfALoopAreAsManyAsItsNames) {
+    std::string loop = "#1=0\nO100 WHILE [#1 LT 30]\n(FIRST)\n" + slot("10.", "2.") + "(SECOND)\n" +
+                       slot("20.", "5.") + "#1=[#1+1]\nO100 ENDWHILE\n";
+    EXPECT_EQ(
+        operations_of(kHead + "T1 M6\nM3\n" + loop + "(THIRD)\n" + slot("30.", "1.") + kEnd).rows,
+        (Rows{"T1 FIRST 50 mm 480 mm3", "T1 SECOND 2950 mm 1200 mm3", "T1 THIRD 50 mm 240 mm3"}));
+}
+
 // A second call of a subprogram continues the operation.
 TEST(Operations, HoldTheSubprogramsTheyCall) {
     EXPECT_EQ(operations_of("O100 SUB\n(INSIDE)\n" + slot("10.", "2.") + "O100 ENDSUB\n" + kHead +

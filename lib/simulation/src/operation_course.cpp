@@ -24,10 +24,15 @@ void OperationCourse::read_names(const gcode::Motion& motion) {
 
 void OperationCourse::begin(const toolpath::OperationName* name) {
     ++count_;
-    name_ = name;
+    set_name(name);
     has_cut_ = false;
     highest_mm_ = -std::numeric_limits<double>::infinity();
     lowest_mm_ = -highest_mm_;
+}
+
+void OperationCourse::set_name(const toolpath::OperationName* name) {
+    name_ = name;
+    if (name) has_begun_[static_cast<std::size_t>(name - names_.data())] = true;
 }
 
 bool OperationCourse::take(const gcode::Motion& motion) {
@@ -43,12 +48,13 @@ bool OperationCourse::take(const gcode::Motion& motion) {
     if (!from || !to) return count_ != before;
     if (const auto* const next = std::exchange(waiting_, nullptr)) {
         constexpr double kLevel = 1e-6, kLift = 0.1;
-        const bool is_same = name_ && name_->name == next->name;
+        const bool is_known = (name_ && name_->name == next->name) ||
+                              has_begun_[static_cast<std::size_t>(next - names_.data())];
         const double z = from->z.mm();
-        if (has_cut_ && !is_same && z >= highest_mm_ - kLevel && z > lowest_mm_ + kLift)
+        if (has_cut_ && !is_known && z >= highest_mm_ - kLevel && z > lowest_mm_ + kLift)
             begin(next);
         else if (!has_cut_)
-            name_ = next;
+            set_name(next);
     }
     has_cut_ |= motion.kind == gcode::MoveKind::Feed;
     if (has_cut_) {

@@ -9,18 +9,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
+#include <vector>
 
 namespace ncsim::simulation {
 
 /// Follows the operations of a program. A name begins an operation if the next move starts above
 /// the cuts of the operation before, as high as the tool was since the first of them: a comment
 /// between cuts is no name. A tool change begins one, too. What comes before the first cut belongs
-/// to the operation after it.
+/// to the operation after it. In a loop, a name begins an operation the first time alone.
 class OperationCourse {
 public:
     /// Requires: the lines of `names` rise; `names` outlives the object.
-    explicit OperationCourse(std::span<const toolpath::OperationName> names) : names_(names) {}
+    explicit OperationCourse(std::span<const toolpath::OperationName> names)
+        : names_(names), has_begun_(names.size()) {}
 
     /// Takes the next motion. Returns true if it begins an operation.
     bool take(const gcode::Motion& motion);
@@ -34,8 +35,10 @@ public:
 private:
     void read_names(const gcode::Motion& motion);
     void begin(const toolpath::OperationName* name);
+    void set_name(const toolpath::OperationName* name);
 
     std::span<const toolpath::OperationName> names_;
+    std::vector<bool> has_begun_;  // by index in names_
     const toolpath::OperationName* name_ = nullptr;
     const toolpath::OperationName* waiting_ = nullptr;  // of the next move
     std::size_t count_ = 0;
