@@ -67,6 +67,32 @@ TEST(Run, TellsPathTimeAndVolumeOfOperations) {
     EXPECT_FALSE(contains(stopped.out, "POCKET 2")) << stopped.out;
 }
 
+// What a tool does again under the same name is one row; names from a file stay text on the sheet.
+TEST(Run, SumsOperationsOfToolsThatComeBack) {
+    Folder folder;
+    std::string program =
+        "(T1 D=10. CR=0. - flat end mill)\n(T2 D=4. CR=0. - flat end mill)\n"
+        "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\nG21 G90\n(FACE <b>)\nT1 M6\nS8000 M3\n"
+        "G0 X-30. Y0. Z5.\nG0 Z-2.\nG1 X30. F300.\nG0 Z5.\n";
+    for (int i = 0; i < 3; ++i)
+        program +=
+            "T2 M6\nM3\nG0 X0. Y-20. Z5.\nG0 Z-1.\nG1 Y20.\nG0 Z5.\nT1 M6\nM3\n"
+            "G0 X-30. Y10. Z5.\nG0 Z-4.\nG1 X30.\nG0 Z5.\n";
+    folder.write("part.nc", program + "M30\n");
+    const Ran ran = folder.run({"run", "part.nc"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "    line 5, 'FACE <b>': 0.800 cm3 removed, 60.0 mm at feed, ") &&
+                contains(ran.out, "    without a name: 1.560 cm3 removed, 180.0 mm at feed, "))
+        << ran.out;
+    EXPECT_EQ(test::count(ran.out, "mm at feed"), 5U) << ran.out;
+    ASSERT_EQ(folder.run({"sheet", "part.nc", "--html", "sheet.html"}).exit_code, 0);
+    const std::string page = folder.read("sheet.html");
+    EXPECT_TRUE(
+        contains(page, "<tr><td>5</td><td>FACE &lt;b&gt;</td><td>T1</td><td>60 mm feed, ") &&
+        contains(page, "<tr><td></td><td></td><td>T2</td><td>120 mm feed, "))
+        << page;
+}
+
 TEST(Run, IsSilentWhenAskedTo) {
     Folder folder;
     folder.write("slot.nc", kSlot);

@@ -13,6 +13,7 @@
 
 #include "append.h"
 #include "json.h"
+#include "operation_rows.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace ncsim::report {
 
@@ -239,26 +241,18 @@ std::string quoted(const std::string& name) {
 
 // Returns a line for each operation of a tool that has several, if any has a name.
 std::string operation_lines(const RunFacts& run, int tool) {
-    const auto& operations = run.program->operations;
-    const auto is_shown = [tool](const ProgramFacts::Operation& operation) {
-        return operation.tool == tool && operation.distances.feed_mm > 0.0;
-    };
-    const auto has_name = [&](const ProgramFacts::Operation& operation) {
-        return is_shown(operation) && !operation.name.empty();
-    };
     std::string text;
-    if (run.cutting.at_line || std::ranges::count_if(operations, is_shown) < 2 ||
-        std::ranges::none_of(operations, has_name))
-        return text;
-    for (std::size_t i = 0; i < operations.size(); ++i) {
-        const ProgramFacts::Operation& operation = operations[i];
-        if (!is_shown(operation)) continue;
+    if (run.cutting.at_line) return text;
+    const bool has_removed = has_volumes(run);
+    for (const OperationRow& row : operation_rows(
+             *run.program, has_removed ? run.part->removed_by_operation : std::vector<double>{},
+             tool)) {
+        const ProgramFacts::Operation& operation = row.operation;
         append(text, "    {}: ",
                operation.name.empty()
                    ? "without a name"
                    : fmt::format("line {}, {}", operation.line, quoted(operation.name)));
-        if (has_volumes(run))
-            append(text, "{} removed, ", volume_text(run.part->removed_by_operation[i]));
+        if (has_removed) append(text, "{} removed, ", volume_text(row.removed_mm3));
         append(text, "{:.1f} mm at feed", operation.distances.feed_mm);
         const std::optional<double> seconds = time_of(operation.distances).total();
         if (seconds && !run.on_machine) append(text, ", {}", time_text(*seconds));

@@ -8,6 +8,7 @@
 #include "ncsim/report/version.h"
 
 #include "markup.h"
+#include "operation_rows.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace ncsim::report {
 
@@ -118,21 +120,12 @@ void write_tools(std::ostream& out, const SheetSetUp& set_up, LengthUnit unit) {
     out << "</table>\n";
 }
 
-// Writes the operations that cut, if there are several and any has a name.
 void write_operations(std::ostream& out, const ProgramFacts& program, LengthUnit unit) {
-    const auto cuts = [](const ProgramFacts::Operation& operation) {
-        return operation.distances.feed_mm > 0.0;
-    };
-    const auto has_name = [&](const ProgramFacts::Operation& operation) {
-        return cuts(operation) && !operation.name.empty();
-    };
-    if (std::ranges::count_if(program.operations, cuts) < 2 ||
-        std::ranges::none_of(program.operations, has_name))
-        return;
+    const std::vector<OperationRow> rows = operation_rows(program);
+    if (rows.empty()) return;
     out << "<h2>Operations</h2>\n<table>\n<tr><th>line</th><th>operation</th><th>tool</th>"
            "<th>path</th><th>time</th></tr>\n";
-    for (const ProgramFacts::Operation& operation : program.operations) {
-        if (!cuts(operation)) continue;
+    for (const auto& [operation, removed] : rows) {
         const auto seconds = time_of(operation.distances).total();
         out << fmt::format(
             "<tr><td>{}</td><td>{}</td><td>T{}</td><td>{}</td><td>{}</td></tr>\n",
