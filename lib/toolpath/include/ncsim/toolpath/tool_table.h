@@ -47,8 +47,8 @@ struct ProgramNotes {
     std::vector<ToolEntry> tools;  ///< At most one per number, in the order of the program.
     std::optional<StockEntry> stock;
     std::optional<cda::Vec3> start;  ///< FROM/X,Y,Z, in mm.
-    /// Names of operations in the order of lines: none if there are more than 200 different ones, and
-    /// none that stands there more than five times.
+    /// Names of operations in the order of lines: none if there are more than 200 different ones,
+    /// and none that stands there more than five times.
     std::vector<OperationName> operations;
     gcode::Diagnostics diagnostics;  ///< Warnings about contradictory comments.
 };
