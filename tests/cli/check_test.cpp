@@ -371,6 +371,34 @@ TEST(Check, WritesALedgerThatAddsUp) {
     EXPECT_TRUE(contains(json, "\"removed_mm3\": 800.0"));
 }
 
+// Names in comments divide a ledger and its page; a name is a field of its own.
+TEST(Check, WritesOperationsOfALedger) {
+    Folder folder;
+    folder.write("part.nc",
+                 "G21 G90 G17\n(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,60,40,20,0,0,20)\n"
+                 "T1 M6\nS5000 M3\n(FACING, \"TOP\")\nG0 X-10 Y10 Z5\nG1 Z-1 F500\nG1 X70\nG0 Z5\n"
+                 "(POCKET <1>)\nG0 X30 Y20\nG1 Z-5\nG1 X40\nG0 Z20\nM30\n");
+    folder.run({"check", "part.nc", "--csv", "a.csv", "--html", "a.html"});
+    const std::string csv = folder.read("a.csv");
+    EXPECT_TRUE(contains(csv, "contact_max_z,operation\n")) << csv;
+    EXPECT_TRUE(contains(csv,
+                         "part.nc,part.nc,9,4,4,1,feed,80,600,9.6,3750,0,5,-1,60,15,0,"
+                         "\"FACING, \"\"TOP\"\"\"\n"))
+        << csv;
+    EXPECT_TRUE(contains(csv,
+                         "part.nc,part.nc,14,8,8,1,feed,10,500,1.2,25000,25,15,-5,45,25,0,"
+                         "POCKET <1>\n"))
+        << csv;
+    const std::string page = folder.read("a.html");
+    EXPECT_TRUE(contains(page,
+                         "<tr><td>6</td><td>FACING, &quot;TOP&quot;</td><td>T1</td>"
+                         "<td>86 mm</td><td>0:00:10</td><td>600 mm³</td></tr>"))
+        << page.substr(page.find("<h2>Ledger"), 20000);
+    EXPECT_TRUE(contains(page,
+                         "<td>POCKET &lt;1&gt;</td><td>T1</td><td>20 mm</td>"
+                         "<td>0:00:02</td><td>894.958 mm³</td></tr>"));
+}
+
 TEST(Check, KeepsTheBooksOfABar) {
     // The stock is the polygon around the circle, not the bounding box of the polygon.
     Folder folder;

@@ -104,6 +104,27 @@ TEST(ReportUnits, OfTheLedgerAreInItsHeading) {
     EXPECT_NEAR(sum("in.csv", "length_in") * 25.4, sum("mm.csv", "length_mm"), 1e-6);
 }
 
+// All texts of a page, and the unit of its viewer when it opens. The source of the program stays.
+TEST(ReportUnits, OfPagesAreThoseOfTheirTexts) {
+    Folder folder;
+    folder.write("a.nc",
+                 "G21 G90 G17 (FROM/0.,0.,101.6)\nT1 M6\nS1000 M3\nG0 X-63.5 Y0. Z25.4\n"
+                 "G0 Z-12.7\nG0 X63.5\nG1 X0 F300\nG0 Z25.4\nM30\n");
+    for (const char* const command : {"run", "check"}) {
+        folder.run({command, "a.nc", "--tool", "T1=flat:D25.4", "--stock", "76.2x50.8x25.4",
+                    "--html", "a.html", "--report-units", "inch"});
+        std::string page = folder.read("a.html");
+        page.erase(0, page.find("</style>"));
+        const std::size_t data = page.find("<script id=\"data\"");
+        ASSERT_NE(data, std::string::npos);
+        EXPECT_TRUE(contains(page, "\"inches\":true"));
+        page.erase(data);
+        EXPECT_EQ(length_in_mm(page), "") << command;
+        EXPECT_TRUE(contains(page, " in³") || contains(page, " in3")) << page;
+        EXPECT_FALSE(contains(page, "mm³")) << page;
+    }
+}
+
 TEST(ReportUnits, ArePutInTheSheetThePictureAndTheProject) {
     Folder folder;
     const std::string job = sample("two-sides/job.toml");

@@ -86,8 +86,8 @@ TEST(StepInput, VerdictsTellThatACastingIsItsTriangles) {
     folder.write("air.nc", kAir);
     const std::string words = "triangles within 0.01 mm of its surfaces";
     const std::string curved = cases() + "curved.step";
-    const Ran text = folder.run(
-        {"check", "air.nc", "--stock", curved, "--json", "a.json", "--html", "a.html"});
+    const Ran text =
+        folder.run({"check", "air.nc", "--stock", curved, "--json", "a.json", "--html", "a.html"});
     EXPECT_TRUE(contains(text.out, "stock    curved.step in ")) << text.out;
     EXPECT_TRUE(contains(text.out, words)) << text.out;
     EXPECT_TRUE(contains(folder.read("a.json"), words));

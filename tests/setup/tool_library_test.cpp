@@ -141,6 +141,40 @@ TEST_F(ToolLibrary, OfHsmWorksMayBeUtf16AndInInches) {
     EXPECT_EQ(tools_in(write("b.hsmlib", wide)).substr(0, expected.size()), expected);
 }
 
+// A section of a holder ends at its diameter; one without length is a step. Angles of drills are
+// included angles, of chamfer mills those of one side.
+TEST_F(ToolLibrary, OfHsmWorksHasHolders) {
+    const std::string path = write(
+        "a.hsmlib",
+        "<tool-table xmlns=\"http://www.hsmworks.com/xml/2004/cnc/tool-library\">"
+        "<tool type=\"flat end mill\" unit=\"inches\"><nc number=\"1\"/>"
+        "<body diameter=\"0.5\" flute-length=\"1\" body-length=\"2\" shaft-diameter=\"0.5\"/>"
+        "<holder><section diameter=\"1\" length=\"0\"/><section diameter=\"1.5\" length=\"0.1\"/>"
+        "<section diameter=\"1.5\" length=\"0.5\"/><section diameter=\"1.2\" length=\"0\"/>"
+        "<section diameter=\"1.2\" length=\"1\"/></holder></tool>"
+        "<tool type=\"spot drill\" unit=\"millimeters\"><nc number=\"2\"/>"
+        "<body diameter=\"6\" taper-angle=\"90\"/></tool>"
+        "<tool type=\"drill\" unit=\"millimeters\"><nc number=\"3\"/>"
+        "<body diameter=\"6\" taper-angle=\"135\"/></tool>"
+        "<tool type=\"chamfer mill\" unit=\"millimeters\"><nc number=\"4\"/>"
+        "<body diameter=\"6\" taper-angle=\"45\"/></tool></tool-table>");
+    InputSet inputs;
+    const toolpath::ToolFile file = read_tool_library(path, inputs);
+    ASSERT_EQ(file.tools.size(), 4U);
+    const auto& holder = file.tools[0].spec.holder;
+    ASSERT_EQ(holder.size(), 3U);
+    const double expected[3][3] = {{25.4, 38.1, 2.54}, {38.1, 38.1, 12.7}, {30.48, 30.48, 25.4}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(holder[i].lower_diameter, expected[i][0], 1e-9);
+        EXPECT_NEAR(holder[i].upper_diameter, expected[i][1], 1e-9);
+        EXPECT_NEAR(holder[i].height, expected[i][2], 1e-9);
+    }
+    EXPECT_EQ(file.tools[1].spec.angle, 90.0);
+    EXPECT_EQ(file.tools[2].spec.angle, 135.0);
+    EXPECT_EQ(file.tools[3].spec.angle, 90.0);
+    EXPECT_TRUE(file.tools[1].spec.holder.empty());
+}
+
 // An archive with "notes.txt" and "tools.json".
 std::string archive(const std::string& json, zip_uint64_t least_files = 2) {
     zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, nullptr);

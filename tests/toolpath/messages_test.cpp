@@ -48,8 +48,13 @@ const std::vector<Case>& cases() {
          "mill"},
         {false, "G0 X1\n",
          "tool-table: this is no tool table that is known: neither LinuxCNC's (T1 P1 D10 ;end "
-         "mill) nor JSON of CAMotics, Fusion or Kiri:Moto"},
+         "mill) nor CSV with columns such as number and diameter nor JSON of CAMotics, Fusion or "
+         "Kiri:Moto"},
         {false, "; nothing\n", "tool-table: this tool table is empty"},
+        {false, "T,D\nfirst,6\n", "tool-unknown: 'FIRST' is no tool number; the line is left out"},
+        {false, "T,D\n1,thick\n",
+         "tool-unknown: tool 1 has the value 'thick', which is no number or no possible length; it "
+         "is left out"},
         {false, "[1,", "tool-table: this JSON is broken here"},
         {false, "[1e9999]", "tool-table: a number in this JSON is beyond what a computer can hold"},
         {false, "[1,2]",

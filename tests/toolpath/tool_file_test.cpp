@@ -174,6 +174,52 @@ TEST(ToolFile, OfKiriIsAList) {
               "T7 v-cutter D6 L3\n");
 }
 
+// Columns as Carbide Create writes them.
+TEST(ToolFile, OfCsvHasNamedColumns) {
+    EXPECT_EQ(
+        tools_of("number,vendor,model,URL,name,type,diameter,cornerradius,flutelength,"
+                 "shaftdiameter,angle,numflutes,stickout,coating,metric,notes\r\n"
+                 "201,Carbide 3D,#201,,\"#201 .25\"\" Flat\",end,0.25,0,0.75,0.25,0,3,0,,0,\r\n"
+                 "202,Carbide 3D,#202,,Ball,ball,6,3,19,6,0,2,0,,1,\"two\r\nlines\"\r\n"
+                 "302,Carbide 3D,#302,,Vee,vee,12.7,0,0,6.35,60,2,0,,1,\r\n"
+                 ",,,,,,,,,,,,,,,\r\n"
+                 "0,,,,nothing,end,3,0,0,0,0,0,0,,1,\r\n"
+                 "202,Carbide 3D,,,again,end,3,0,0,0,0,0,0,,1,\r\n"
+                 "9,,,,broken,end,wide,0,0,0,0,0,0,,1,\r\n"
+                 "x,,,,broken,end,3,0,0,0,0,0,0,,1,\r\n"
+                 "10,,,,no size,end,,0,0,0,0,0,0,,1,"),
+        "CSV tool table\n"
+        "T201 flat end mill D6.35 L19.05, D6.35 to 38.1\n"
+        "T202 ball end mill D6 L19, D6 to 37\n"
+        "T302 v-cutter D12.7 L50, D6.35 to 69.05\n"
+        "8:1 tool-conflict\n"
+        "9:1 tool-unknown\n"
+        "10:1 tool-unknown\n"
+        "11:1 tool-unknown\n");
+    const ToolFile file =
+        read_tool_file({"tools", "T,Diameter,Type,Angle\n1,6,vee,60\n2,8,drill,140\n"});
+    EXPECT_EQ(file.tools.at(0).spec.angle, 60.0);
+    EXPECT_EQ(file.tools.at(1).spec.angle, 140.0);
+}
+
+TEST(ToolFile, OfCsvHasUnitsOfItsNamesAndValues) {
+    const std::string six = "CSV tool table\nT1 flat end mill D6.35 L19.05\n";
+    for (const char* const table : {"Tool No.,Dia (in),Flute length [mm]\n1,.25,19.05\n",
+                                    "tool number;diameter_mm;flute_length_mm\n1;6,35;19,05\n",
+                                    "Unit\tT\tD\tFLUTELENGTH\nINCH\tT1\t0.25\t3/4\n",
+                                    "\xef\xbb\xbf\nnr,d,flute length\n1,1/4,19.05mm\n",
+                                    "Description,D,T,flute length\n1/4 end mill,6.35,1,19.05\n"}) {
+        EXPECT_EQ(tools_of(table), six) << table;
+    }
+    EXPECT_EQ(tools_of("T,D,flute length\n1,.25,.75\n", true), six);
+    EXPECT_EQ(tools_of("T,D,Height,Description\n3,8,40.5,8mm drill\n"),
+              "CSV tool table\nT3 drill D8 L50 Z40.500000\n");
+    EXPECT_EQ(tools_of("T,D\n"), "CSV tool table\n1:1 tool-table\n");
+    // A remark of LinuxCNC.
+    EXPECT_EQ(tools_of("; tool, dia\nT1 P1 D6\n"),
+              "LinuxCNC tool table\nT1 flat end mill D6 L50\n");
+}
+
 TEST(ToolFile, ThatIsNoneIsAnErrorWithItsPlace) {
     const std::pair<const char*, const char*> table[] = {
         {"", "\n1:1 tool-table\n"},

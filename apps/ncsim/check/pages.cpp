@@ -85,6 +85,7 @@ Pages::Pages(const CheckOptions& options, const std::vector<std::string>& progra
              OutputSet& outputs)
     : outputs_(outputs), names_(names_of(programs)) {
     if (options.html.empty()) return;
+    unit_ = options.report_unit;
     index_ = page_file(options.html);
     has_index_ = names_folder(options.html) || programs.size() > 1;
     folder_ = page_folder(options.html);
@@ -98,6 +99,7 @@ Pages::Pages(const CheckOptions& options, const std::vector<std::string>& progra
 
 void Pages::add(std::size_t number, report::Checked checked) {
     if (index_.empty()) return;
+    if (checked.page_data) checked.page_data->unit = unit_;
     const std::lock_guard lock(mutex_);
     if (has_index_) return write_one(number, checked);
     kept_.emplace_back(number, std::move(checked));

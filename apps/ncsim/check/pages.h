@@ -41,6 +41,7 @@ private:
     std::string folder_;  // folder of the pages
     std::string prefix_;  // from the index to a page
     bool has_index_ = false;
+    report::LengthUnit unit_ = report::LengthUnit::Millimetre;
     OutputSet& outputs_;
     std::vector<std::string> names_;  // of pages, by program
     std::mutex mutex_;

@@ -360,6 +360,7 @@ int run(Options options) {
             page_data = simulation::page_data(plan, survey, *simulation, *outcome.boundary,
                                               placed_fixtures(plan, survey, machine), false);
             page_data->play = simulation::finish_play(*play, *simulation);
+            page_data->unit = options.report_unit;
             outcome.page_data = &*page_data;
         }
         if (o.simplify && outcome.boundary) {

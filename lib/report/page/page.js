@@ -13,7 +13,7 @@ let player = null;
 
 // --- Lengths -------------------------------------------------------------------------------------
 
-let inInches = false;
+let inInches = data.inches === true;
 function numberText(mm) {
   const text = inInches ? (mm / 25.4).toFixed(4) : mm.toFixed(3);
   return Number(text) === 0 ? text.replace("-", "") : text;
@@ -830,6 +830,7 @@ function makeTools() {
   const unit = element("select", { "aria-label": "unit", title: "unit (U)" },
     element("option", { value: "mm", textContent: "mm" }),
     element("option", { value: "inch", textContent: "inch" }));
+  unit.value = inInches ? "inch" : "mm";
   unit.addEventListener("change", () => {
     inInches = unit.value === "inch";
     cut();

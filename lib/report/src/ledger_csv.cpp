@@ -6,6 +6,7 @@
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
 
+#include "ledger_operations.h"
 #include "shares.h"
 
 #include <fmt/format.h>
@@ -23,8 +24,7 @@ std::string number(std::optional<double> value) {
     return value ? fmt::format("{:.9g}", *value) : std::string();
 }
 
-std::string csv_path(const std::string& path) {
-    std::string text = printable_path(path);
+std::string csv_text(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) {
@@ -32,6 +32,10 @@ std::string csv_path(const std::string& path) {
         quoted += c;
     }
     return quoted + '"';
+}
+
+std::string csv_path(const std::string& path) {
+    return csv_text(printable_path(path));
 }
 
 }  // namespace
@@ -56,6 +60,9 @@ std::string ledger_csv_share(const Checked& checked, LengthUnit unit) {
                 if (!row.contact.is_empty()) out += scaled(corner[axis], length);
             }
         }
+        const CheckedOperation* const operation = operation_of(checked, row.first_motion);
+        out += ',';
+        if (operation) out += csv_text(one_line(operation->name));
         out += '\n';
     }
     return out;
@@ -66,7 +73,7 @@ void write_ledger_csv(std::ostream& out, const Entries& all, LengthUnit unit) {
     out << fmt::format(
         "program,file,line,first_motion,last_motion,tool,kind,length_{0},removed_{0}3,seconds,"
         "{0}3_per_minute,contact_min_x,contact_min_y,contact_min_z,contact_max_x,contact_max_y,"
-        "contact_max_z\n",
+        "contact_max_z,operation\n",
         name);
     all([&](const Entry& entry) { out << entry.csv; });
 }

@@ -12,12 +12,11 @@
 #include "json.h"
 #include "markup.h"
 #include "page_arrays.h"
-#include "plot.h"
+#include "page_ledger.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -278,6 +277,7 @@ Json data_json(const Checked& checked, const PageData& page_data) {
     for (const auto& [line, volume] : removed)
         data["removed"][std::to_string(line)] = std::stod(fmt::format("{:.6g}", volume));
     const cda::Box& stock = page_data.stock;
+    data["inches"] = page_data.unit == LengthUnit::Inch;
     data["stock"] = {stock.min.x, stock.min.y, stock.min.z, stock.max.x, stock.max.y, stock.max.z};
     data["findings"] = Json::array();
     for (const Finding& f : checked.verdict.findings) {
@@ -308,13 +308,7 @@ std::string for_script(const Json& json) {
     return out;
 }
 
-std::string seconds_text(const std::optional<double>& seconds) {
-    if (!seconds) return "unknown: rates are not specified";
-    const auto whole = static_cast<long>(std::lround(*seconds));
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
-std::string finding_html(const Checked& checked, std::size_t number) {
+std::string finding_html(const Checked& checked, std::size_t number, LengthUnit unit) {
     const Finding& f = checked.verdict.findings[number];
     const std::string& line = checked.lines[number];
     std::string text = fmt::format(
@@ -328,18 +322,18 @@ std::string finding_html(const Checked& checked, std::size_t number) {
     if (f.place.span.line > 0) where += fmt::format(":{}", f.place.span.line);
     if (f.last.span.line > f.place.span.line) where += fmt::format("-{}", f.last.span.line);
     append(text, "<b>{}</b> {} <small>{} · {}{}</small>", verify::name_of(f.severity),
-           escaped(headline(f)), escaped(where), f.rule,
+           escaped(in_unit(headline(f), unit)), escaped(where), f.rule,
            f.suppressed ? " · suppressed"
            : f.accepted ? " · in the baseline"
                         : "");
     if (!line.empty()) append(text, "<code>{}</code>", escaped(line.substr(0, 200)));
     for (const std::string& assumption : f.assumptions)
-        append(text, "<small>assumed {}</small>", escaped(assumption));
-    if (f.last_motion > 0) append(text, "<small>{}</small>", escaped(f.hint));
+        append(text, "<small>assumed {}</small>", escaped(in_unit(assumption, unit)));
+    if (f.last_motion > 0) append(text, "<small>{}</small>", escaped(in_unit(f.hint, unit)));
     return text + "</div>\n";
 }
 
-std::string findings_html(const Checked& checked) {
+std::string findings_html(const Checked& checked, LengthUnit unit) {
     const auto& findings = checked.verdict.findings;
     std::string text = "<section><h2>Findings</h2>\n";
     if (findings.empty()) text += "<p>Nothing was found.</p>\n";
@@ -350,13 +344,13 @@ std::string findings_html(const Checked& checked) {
         return std::pair{findings[i].counts(), findings[i].severity};
     });
     for (const std::size_t i : order)
-        text += finding_html(checked, i);
+        text += finding_html(checked, i, unit);
     for (const auto& [rule, more] : checked.verdict.unlisted)
         text += fmt::format("<p>{} more findings of {} are not listed.</p>\n", more, rule);
     return text + "</section>\n";
 }
 
-std::string doubts_html(const Checked& checked) {
+std::string doubts_html(const Checked& checked, LengthUnit unit) {
     if (checked.verdict.doubts.empty()) return {};
     std::string text = "<section><h2>Doubts</h2>\n";
     for (const verify::Doubt& d : checked.verdict.doubts) {
@@ -369,38 +363,10 @@ std::string doubts_html(const Checked& checked) {
                d.place.file == 0 && d.place.span.line > 0
                    ? fmt::format(" data-line=\"{}\"", d.place.span.line)
                    : "",
-               d.accepted ? "accepted" : "doubt", escaped(d.message), escaped(where), d.reason,
-               escaped(std::string(verify::find_reason(d.reason)->fix)));
+               d.accepted ? "accepted" : "doubt", escaped(in_unit(d.message, unit)), escaped(where),
+               d.reason, escaped(std::string(verify::find_reason(d.reason)->fix)));
     }
     return text + "</section>\n";
-}
-
-std::string ledger_html(const Checked& checked) {
-    const verify::Ledger& l = checked.verdict.ledger;
-    std::string text = "<section><h2>Ledger</h2>\n";
-    text += removed_plot(l);
-    text += rate_plot(l);
-    const auto row = [&text](const char* name, const std::string& value) {
-        append(text, "<tr><th>{}</th><td>{}</td></tr>\n", name, escaped(value));
-    };
-    text += "<table>\n";
-    if (checked.simulated) {
-        row("stock", fmt::format("{:.6g} mm³", l.stock_mm3));
-        if (l.measured) row("removed", fmt::format("{:.9g} mm³", l.removed_mm3));
-        row("rest", fmt::format("{:.9g} mm³", l.rest_mm3));
-        if (l.measured) {
-            row("self-check",
-                fmt::format("removed + rest - stock = {:.2g} of the stock", l.imbalance()));
-        }
-        if (l.air_known && l.feed_mm > 0.0) {
-            row("air", fmt::format("{:.3g} % of the feed path", 100 * l.air_mm / l.feed_mm));
-        }
-    }
-    if (checked.design) row("design", text_of(*checked.design));
-    row("feed", fmt::format("{:.6g} mm, {}", l.feed_mm, seconds_text(l.feed_seconds)));
-    row("rapid", fmt::format("{:.6g} mm, {}", l.rapid_mm, seconds_text(l.rapid_seconds)));
-    text += "</table></section>\n";
-    return text;
 }
 
 std::string skipped_html(const Checked& checked) {
@@ -428,7 +394,7 @@ std::string title_of(const Checked& checked) {
     return relative_path(checked.path) + program;
 }
 
-std::string header_html(const Checked& checked) {
+std::string header_html(const Checked& checked, LengthUnit unit) {
     const verify::Verdict& v = checked.verdict;
     const std::string scope = scope_of(checked);
     std::string text = fmt::format(
@@ -438,8 +404,9 @@ std::string header_html(const Checked& checked) {
         v.count(Severity::Warning), v.count(Severity::Note), v.suppressed(), v.open_doubts(),
         kVersion, scope.empty() ? "" : fmt::format(" ({})", escaped(scope)));
     if (!checked.failure.empty()) text += "<p>not verified: " + escaped(checked.failure) + "</p>";
-    if (!checked.stock.empty()) text += "<p>stock " + escaped(checked.stock) + "</p>";
-    if (!checked.time.empty()) text += "<p>time " + escaped(checked.time) + "</p>";
+    if (!checked.stock.empty())
+        text += "<p>stock " + escaped(in_unit(checked.stock, unit)) + "</p>";
+    if (!checked.time.empty()) text += "<p>time " + escaped(in_unit(checked.time, unit)) + "</p>";
     if (!checked.not_simulated.empty()) {
         text += "<p>not simulated: " + escaped(checked.not_simulated) + "</p>";
     }
@@ -481,11 +448,13 @@ void write_document(std::ostream& out, const std::string& title, const std::stri
 }  // namespace
 
 void write_page(std::ostream& out, const Checked& checked) {
-    std::string body = header_html(checked);
     const bool verified = checked.page_data.has_value();
+    const LengthUnit unit = verified ? checked.page_data->unit : LengthUnit::Millimetre;
+    std::string body = header_html(checked, unit);
     if (verified) {
         body += "<main>\n" + viewer_html(*checked.page_data);
-        body += findings_html(checked) + doubts_html(checked) + ledger_html(checked);
+        body += findings_html(checked, unit) + doubts_html(checked, unit);
+        body += ledger_html(checked, unit);
         if (!checked.page_data->pictures.empty()) body += pictures_html(*checked.page_data);
         body += skipped_html(checked) + "</main>\n";
     }

@@ -29,15 +29,16 @@ struct Course {
     bool is_time = true;
 };
 
-Course course_of(const verify::Ledger& ledger) {
+Course course_of(const verify::Ledger& ledger, LengthUnit unit) {
+    const double length = in_unit(1.0, unit), volume = length * length * length;
     Course course;
     // A first move from an unknown position has no length and no time, and it removes no material.
     course.is_time = std::ranges::all_of(ledger.rows, [](const verify::LedgerRow& row) {
         return row.seconds.has_value() || row.length_mm <= 0.0;
     });
     for (const verify::LedgerRow& row : ledger.rows) {
-        const double step = course.is_time ? row.seconds.value_or(0.0) : row.length_mm;
-        course.spans.push_back({course.length, course.length + step, row.removed_mm3});
+        const double step = course.is_time ? row.seconds.value_or(0.0) : length * row.length_mm;
+        course.spans.push_back({course.length, course.length + step, volume * row.removed_mm3});
         course.length += step;
     }
     return course;
@@ -126,8 +127,8 @@ std::vector<double> bin_volumes(const Course& course) {
     return bins;
 }
 
-std::string plot(const verify::Ledger& ledger, bool rate) {
-    const Course course = course_of(ledger);
+std::string plot(const verify::Ledger& ledger, bool rate, LengthUnit unit) {
+    const Course course = course_of(ledger, unit);
     if (course.length <= 0.0 || ledger.removed_mm3 <= 0.0) return {};
     std::vector<double> values = bin_volumes(course);
     const double width = course.length / static_cast<double>(kBins);
@@ -142,21 +143,22 @@ std::string plot(const verify::Ledger& ledger, bool rate) {
     }
     const double most = *std::ranges::max_element(values);
     if (most <= 0.0) return {};
-    const std::string y_name = !rate            ? "removed, mm³"
-                               : course.is_time ? "rate, mm³/min"
-                                                : "per path, mm³/mm";
-    return frame(course.length, most, course.is_time ? "time, s" : "path, mm", y_name) +
+    const std::string name(name_of(unit));
+    const std::string y_name = !rate            ? "removed, " + name + "³"
+                               : course.is_time ? "rate, " + name + "³/min"
+                                                : "per path, " + name + "³/" + name;
+    return frame(course.length, most, course.is_time ? "time, s" : "path, " + name, y_name) +
            curve(values, most, rate);
 }
 
 }  // namespace
 
-std::string removed_plot(const verify::Ledger& ledger) {
-    return plot(ledger, false);
+std::string removed_plot(const verify::Ledger& ledger, LengthUnit unit) {
+    return plot(ledger, false, unit);
 }
 
-std::string rate_plot(const verify::Ledger& ledger) {
-    return plot(ledger, true);
+std::string rate_plot(const verify::Ledger& ledger, LengthUnit unit) {
+    return plot(ledger, true, unit);
 }
 
 }  // namespace ncsim::report

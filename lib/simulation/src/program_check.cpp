@@ -480,6 +480,8 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     const Survey& survey = all.survey;
     const verify::Setup& specified = all.setup;
     checked.moves = survey.moves;
+    for (const Survey::Operation& o : survey.operations)
+        checked.operations.push_back({o.name, o.line, o.tool, o.first_motion});
     checked.simulated = all.is_simulated();
     if (specified.not_simulated) checked.not_simulated = *specified.not_simulated;
     if (survey.is_ready()) {

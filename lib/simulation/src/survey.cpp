@@ -198,7 +198,8 @@ private:
     }
 
     void note_operation(const gcode::Motion& motion) {
-        if (course_.take(motion)) result_.operations.emplace_back();
+        ++motions_;
+        if (course_.take(motion)) result_.operations.emplace_back().first_motion = motions_;
         Survey::Operation& operation = result_.operations.back();
         operation.tool = course_.tool();
         if (const auto* name = course_.name()) {
@@ -241,6 +242,7 @@ private:
     Survey& result_;
     const toolpath::Kinematics* specified_machine_;
     OperationCourse course_;
+    std::uint64_t motions_ = 0;
     std::map<int, ToolTrack> tracks_;
     std::array<bool, 3> specified_{};
     gcode::SourceSpan first_cut_without_start_;

@@ -209,11 +209,33 @@ std::string as_utf8(const std::string& path, std::string bytes) {
     return text;
 }
 
+// Returns the holder of a tool as Fusion writes one. A section ends at its diameter, above its
+// length; one without a length is a step.
+Json holder_of_hsm(const tinyxml2::XMLElement& tool) {
+    Json segments = Json::array();
+    const auto* holder = tool.FirstChildElement("holder");
+    std::optional<double> below;
+    for (const auto* section = holder ? holder->FirstChildElement("section") : nullptr; section;
+         section = section->NextSiblingElement("section")) {
+        const double diameter = section->DoubleAttribute("diameter");
+        const double length = section->DoubleAttribute("length");
+        if (length > 0) {
+            segments.push_back({{"height", length},
+                                {"lower-diameter", below.value_or(diameter)},
+                                {"upper-diameter", diameter}});
+        }
+        below = diameter;
+    }
+    return {{"segments", std::move(segments)}};
+}
+
 // Reads <tool type="flat end mill" unit="inches"><nc number="5"/><body diameter="0.25"/></tool>.
 Json tools_of_hsm(const std::string& path, const std::string& text) {
     tinyxml2::XMLDocument document;
+    const bool is_table = text.find("<tool-table") != std::string::npos;
     const tinyxml2::XMLElement* root =
-        xml_root(document, text, name_of_input(path), "tool-library", ", a library of HSMWorks");
+        xml_root(document, text, name_of_input(path), is_table ? "tool-table" : "tool-library",
+                 ", a library of HSMWorks");
     static constexpr std::pair<const char*, const char*> kValues[] = {
         {"diameter", "DC"},         {"flute-length", "LCF"},
         {"corner-radius", "RE"},    {"taper-angle", "TA"},
@@ -232,15 +254,20 @@ Json tools_of_hsm(const std::string& path, const std::string& text) {
             if (body->QueryDoubleAttribute(attribute, &value) == tinyxml2::XML_SUCCESS)
                 geometry[key] = value;
         }
+        const char* const type = tool->Attribute("type");
+        // Of drills it is the included angle, of chamfer mills the angle of one side.
+        if (type && std::string_view(type).ends_with("drill") && !geometry.contains("SIG") &&
+            geometry.contains("TA"))
+            geometry["SIG"] = geometry["TA"];
         const auto* description = tool->FirstChildElement("description");
         const char* const words = description ? description->GetText() : nullptr;
-        const char* const type = tool->Attribute("type");
         const char* const unit = tool->Attribute("unit");
         tools.push_back({{"type", type ? type : ""},
                          {"description", words ? words : ""},
                          {"unit", unit && std::string_view(unit) == "inches" ? "inches" : "mm"},
                          {"post-process", {{"number", nc->IntAttribute("number")}}},
-                         {"geometry", std::move(geometry)}});
+                         {"geometry", std::move(geometry)},
+                         {"holder", holder_of_hsm(*tool)}});
     }
     return tools;
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Readers of tool tables: LinuxCNC, and JSON of CAMotics, Fusion and Kiri:Moto.
+// Readers of tool tables: LinuxCNC, CSV, and JSON of CAMotics, Fusion and Kiri:Moto.
 #include "ncsim/toolpath/tool_file.h"
 
 #include "ncsim/trig/angles.h"
 
 #include "tools/comment_text.h"
-#include "tools/tool_comment.h"
+#include "tools/csv_tools.h"
+#include "tools/tool_collector.h"
 #include "tools/tool_messages.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 namespace ncsim::toolpath {
@@ -23,66 +23,7 @@ using Json = nlohmann::json;
 
 constexpr double kMostTools = 1e8;
 
-class Collector {
-public:
-    explicit Collector(ToolFile& result, const std::string& file) : result_(result), file_(file) {}
-
-    void add_remark(const gcode::MessageText& message, gcode::SourceSpan span,
-                    std::initializer_list<std::string_view> arguments = {}) {
-        gcode::Diagnostic d = gcode::diagnostic_of(message, span, arguments);
-        d.file = file_;
-        result_.diagnostics.push_back(std::move(d));
-    }
-
-    void keep(ToolSpec spec, cda::Vec3 offset, gcode::SourceSpan span, std::string text) {
-        const std::string number = std::to_string(spec.number);
-        if (find_tool(result_.tools, spec.number))
-            return add_remark(Message::ToolTwice, span, {number});
-        if (!is_complete(spec)) return add_remark(Message::NoDiameter, span, {number});
-        ToolEntry entry;
-        entry.spec = std::move(spec);
-        entry.specified_by = ValueSource::Table;
-        entry.span = span;
-        entry.text = std::move(text);
-        entry.file = file_;
-        entry.offset = offset;
-        result_.tools.push_back(std::move(entry));
-    }
-
-private:
-    ToolFile& result_;
-    const std::string& file_;
-};
-
 // --- LinuxCNC ---
-
-// Adds kind and shape from a remark to `spec`. The diameter of the column counts; for a V-cutter it
-// may be the tip diameter.
-void take_kind(std::string_view remark, ToolSpec& spec) {
-    auto said = read_tool_remark(remark);
-    if (!said && spec.diameter) {
-        const std::string size = text::number(*spec.diameter);
-        said = read_tool_remark("T1 D" + size + "MM " + std::string(remark));
-    }
-    if (!said) return;
-    const double factor = said->unit == text::Unit::Inch ? 25.4 : 1.0;
-    const auto in_mm = [factor](std::optional<double> length) {
-        if (length) *length *= factor;
-        return length;
-    };
-    spec.kind = said->spec.kind;
-    spec.angle = said->spec.angle;
-    spec.taper = said->spec.taper;
-    spec.pitch = said->spec.pitch;
-    spec.left_hand = said->spec.left_hand;
-    const auto corner = in_mm(said->spec.corner_radius);
-    if (corner && spec.diameter && *corner <= 0.505 * *spec.diameter) spec.corner_radius = corner;
-    const auto tip = in_mm(said->spec.tip_diameter);
-    if (!tip || !spec.diameter) return;
-    spec.tip_diameter = tip;
-    constexpr double kSame = 1e-6;  // mm; both numbers are typed by hand, perhaps in two units
-    if (std::abs(*tip - *spec.diameter) < kSame) spec.diameter.reset();
-}
 
 // Reads a line: T1 P1 Z0.511 D0.125 ;1/8 end mill. False if the line has another form.
 bool read_table_line(std::string_view line, std::uint32_t number, double unit, Collector& out) {
@@ -129,7 +70,7 @@ bool read_table_line(std::string_view line, std::uint32_t number, double unit, C
 }
 
 void read_table(const gcode::SourceFile& file, double unit, ToolFile& result) {
-    Collector out(result, file.name);
+    Collector out(result.tools, result.diagnostics, file.name);
     std::uint32_t number = 0;
     bool any = false;
     for (std::string_view line : text::split(file.text, '\n')) {
@@ -421,7 +362,7 @@ gcode::SourceSpan place_of(std::string_view text, std::size_t byte) {
 }
 
 void read_json(const gcode::SourceFile& file, ToolFile& result) {
-    Collector out(result, file.name);
+    Collector out(result.tools, result.diagnostics, file.name);
     Json json;
     try {
         json = Json::parse(file.text);
@@ -457,6 +398,12 @@ ToolFile read_tool_file(const gcode::SourceFile& file, bool machine_inches) {
     if (opening == '{' || opening == '[') {
         read_json(file, result);
         if (result.stock) result.stock->file = file.name;
+    } else if (is_csv_table(file.text)) {
+        Collector out(result.tools, result.diagnostics, file.name);
+        read_csv_table(file, machine_inches ? 25.4 : 1.0, out);
+        if (result.tools.empty() && result.diagnostics.empty())
+            out.add_remark(Message::TableEmpty, {1, 1, 0});
+        result.format = "CSV tool table";
     } else {
         read_table(file, machine_inches ? 25.4 : 1.0, result);
     }

@@ -7,6 +7,7 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/vec.h"
 #include "ncsim/report/design_facts.h"
+#include "ncsim/report/length_unit.h"
 #include "ncsim/report/play_data.h"
 #include "ncsim/verify/finding.h"
 #include "ncsim/verify/verdict.h"
@@ -62,9 +63,10 @@ struct FaceForm {
 
 /// Additional data for a page.
 struct PageData {
-    std::string source;      ///< Text of the program.
-    std::string title;       ///< Name of the program file.
-    cda::Box stock;          ///< mm
+    LengthUnit unit = LengthUnit::Millimetre;  ///< Of texts, and at first of the viewer.
+    std::string source;                        ///< Text of the program.
+    std::string title;                         ///< Name of the program file.
+    cda::Box stock;                            ///< mm
     cda::TriangleMesh mesh;  ///< Surface of the part; empty if nothing was simulated.
     /// For each triangle, the line that cut the triangle; 0: the stock.
     std::vector<std::uint32_t> lines;
@@ -85,6 +87,14 @@ struct ResolvedFinding {
     std::string rule, severity;
     std::uint32_t line = 0;  ///< Line in the baseline.
     std::string what;        ///< Message and quantity.
+};
+
+/// Operation: blocks of a tool between names in comments.
+struct CheckedOperation {
+    std::string name;        ///< Empty if the comments name none.
+    std::uint32_t line = 0;  ///< Line of the name; 0 without one.
+    int tool = 0;
+    std::uint64_t first_motion = 0;  ///< As in LedgerRow.
 };
 
 /// Result of the verification of one program.
@@ -110,8 +120,9 @@ struct Checked {
     std::string time;                       ///< Machining time, as text; empty: no motion.
     std::optional<double> seconds;          ///< Machining time; empty: not known.
     std::uint64_t moves = 0;
-    std::optional<DesignFacts> design;  ///< Only if the part was compared with a design.
-    std::optional<PageData> page_data;  ///< Only if a page is written.
+    std::vector<CheckedOperation> operations;  ///< In the order of execution.
+    std::optional<DesignFacts> design;         ///< Only if the part was compared with a design.
+    std::optional<PageData> page_data;         ///< Only if a page is written.
 };
 
 /// Returns "part.nc (O0101)": the path, and the program if the file has several.

@@ -53,6 +53,7 @@ struct ProgramFacts {
         std::string name;        ///< Empty if the comments name none.
         std::uint32_t line = 0;  ///< Line of the name; 0 without one.
         int tool = 0;
+        std::uint64_t first_motion = 0;  ///< Number in the program, counted from 1.
         verify::Distances distances;
     };
     std::vector<Operation> operations;  ///< In the order of execution.

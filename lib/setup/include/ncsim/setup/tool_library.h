@@ -16,8 +16,7 @@ namespace ncsim::setup {
 /// - libraries of FreeCAD (.fctl, JSON) with their tool bits (.fctb), which are in the folder of
 /// the
 ///   library or in the folder Bit next to it;
-/// - libraries of HSMWorks, HSM Express and Inventor CAM (.hsmlib, XML in UTF-8 or UTF-16), without
-///   their holders;
+/// - libraries of HSMWorks, HSM Express and Inventor CAM (.hsmlib, XML in UTF-8 or UTF-16);
 /// - libraries of Fusion as ZIP archives (.tools);
 /// - all formats of toolpath::read_tool_file(), with `machine_inches` as the unit of LinuxCNC.
 ///

@@ -27,6 +27,8 @@ struct ToolFile {
 ///
 /// - LinuxCNC's tool.tbl: diameters and offsets are in the units of the machine, inches if
 ///   `machine_inches`; the kind of a tool is in its remark, if given;
+/// - CSV with a line of column names (tool number, diameter …), as spreadsheets and Carbide Create
+///   write it; lengths without a unit as in tool.tbl;
 /// - CAMotics projects (.camotics, JSON) with their workpiece, whose bounds are in mm;
 /// - tool libraries of Fusion 360 and related programs (JSON): the tools that have a number
 ///   (post-process.number);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tool tables as CSV with a line of names, from spreadsheets and CAM programs.
+#pragma once
+
+#include "ncsim/gcode/source.h"
+
+#include "tools/tool_collector.h"
+
+#include <string_view>
+
+namespace ncsim::toolpath {
+
+/// Returns true if the first line with text names columns, among them a tool number and a diameter.
+bool is_csv_table(std::string_view text);
+
+/// Reads a table with fields as in RFC 4180, separated by comma, semicolon or tab. Names of columns
+/// decide, in any order and case; other columns are not read. Lengths are in the unit of the value,
+/// of the name, of a column `metric` or `unit`, or else `unit` mm.
+/// Requires: is_csv_table(file.text).
+/// Source: RFC 4180; columns of Carbide Create as its community's converters write them.
+void read_csv_table(const gcode::SourceFile& file, double unit, Collector& out);
+
+}  // namespace ncsim::toolpath

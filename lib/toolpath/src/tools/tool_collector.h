@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What readers of tool files share: the list of tools, and the kind of a tool from its remark.
+#pragma once
+
+#include "ncsim/gcode/diagnostic.h"
+#include "ncsim/toolpath/tool_table.h"
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::toolpath {
+
+/// Collects the tools of a file, one per number.
+class Collector {
+public:
+    /// Requires: the arguments outlive the object. `file`: its name.
+    Collector(std::vector<ToolEntry>& tools, gcode::Diagnostics& diagnostics,
+              const std::string& file)
+        : tools_(tools), diagnostics_(diagnostics), file_(file) {}
+
+    void add_remark(const gcode::MessageText& message, gcode::SourceSpan span,
+                    std::initializer_list<std::string_view> arguments = {});
+
+    /// Adds a tool; with a warning instead if there is one of this number, or if `spec` is not
+    /// complete.
+    void keep(ToolSpec spec, cda::Vec3 offset, gcode::SourceSpan span, std::string text);
+
+private:
+    std::vector<ToolEntry>& tools_;
+    gcode::Diagnostics& diagnostics_;
+    const std::string& file_;
+};
+
+/// Adds kind and shape from a remark to `spec`. The diameter of `spec` counts; for a V-cutter it
+/// may be the tip diameter.
+void take_kind(std::string_view remark, ToolSpec& spec);
+
+}  // namespace ncsim::toolpath
