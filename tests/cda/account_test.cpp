@@ -6,6 +6,7 @@
 
 #include "support/oracle.h"
 #include "support/passes.h"
+#include "support/rounds.h"
 #include "support/straight_ways.h"
 
 #include <gtest/gtest.h>
@@ -64,14 +65,14 @@ void expect_booked(const std::vector<Cell>& cuts, double tolerance = 1e-11) {
 }
 
 TEST(RemovalByMotion, OfHullsOfAllKinds) {
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(12U); ++seed) {
         SCOPED_TRACE(seed);
         expect_booked(test::random_cuts(seed, 60, 60000 + static_cast<std::int64_t>(seed) * 15000));
     }
 }
 
 TEST(RemovalByMotion, OfPassesOnFloorsAndWallsOfEachOther) {
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(12U); ++seed) {
         SCOPED_TRACE(seed);
         expect_booked(test::passes_of_several_tools(seed, 120));
     }
@@ -80,7 +81,7 @@ TEST(RemovalByMotion, OfPassesOnFloorsAndWallsOfEachOther) {
 // Passes a lattice unit or two apart, in part repeated. Nearly parallel planes meet in lines that
 // doubles resolve only to a hundredth of a unit.
 TEST(RemovalByMotion, OfPassesNextToEachOther) {
-    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(6U); ++seed) {
         SCOPED_TRACE(seed);
         auto passes = test::jittered_passes(seed, 60);
         for (std::size_t i = 10; i < passes.size(); i += 3) {
@@ -93,7 +94,7 @@ TEST(RemovalByMotion, OfPassesNextToEachOther) {
 
 // An arc is many cells with the same origin. In a loop, an origin returns later.
 TEST(RemovalByMotion, OfOriginsWithManyCells) {
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(8U); ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
         auto passes = test::passes_of_several_tools(seed + 100, 120);
@@ -107,7 +108,7 @@ TEST(RemovalByMotion, OfOriginsWithManyCells) {
 }
 
 TEST(RemovalByMotion, OfStepsThatWentStraightOn) {
-    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(6U); ++seed) {
         SCOPED_TRACE(seed);
         const std::vector<test::StraightWay> ways = test::straight_ways(seed, 20);
         std::vector<Cell> steps;

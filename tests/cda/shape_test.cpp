@@ -3,6 +3,7 @@
 // Tests stock of any shape: from meshes, in convex pieces, placed, and in files.
 #include "ncsim/cda/shape.h"
 
+#include "support/rounds.h"
 #include "support/scene.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +135,7 @@ TEST(ShapeOf, ManyTriangles) {
 // The pieces together are the body, without overlap, gap or excess.
 TEST(ConvexPieces, FillTheBodyOnce) {
     std::size_t most = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(60U); ++seed) {
         SCOPED_TRACE(seed);
         const TreeCda part = cut_block(seed, seed % 2 == 1);
         if (part.volume() == 0.0) continue;

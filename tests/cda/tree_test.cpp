@@ -12,6 +12,7 @@
 #include "support/oracle.h"
 #include "support/passes.h"
 #include "support/random_shapes.h"
+#include "support/rounds.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
 
 // Compares the tree with the simple aggregate, face by face and corner by corner.
 TEST(TreeCda, HasTheSameBoundaryAsTheFlatAggregate) {
-    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(40U); ++seed) {
         SCOPED_TRACE(seed);
         const auto cuts = random_cuts(seed, 10, 60000 + static_cast<std::int64_t>(seed) * 5000);
         expect_same(milled(TreeCda(kStock, kLattice), cuts),
@@ -142,7 +143,7 @@ TEST(TreeCda, AnOutlineThatTouchesItselfInItsLeastCornerHasOneBeginning) {
 // Unit cubes: all coincidences occur, and volume and exposed area are exact.
 TEST(TreeCda, AgreesWithUnitCubesFiveThousandTimes) {
     Random random(42);
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < test::rounds(5000); ++i) {
         SCOPED_TRACE(i);
         test::UnitCubes cubes;
         TreeCda part(mm_box(0, 0, 0, 6, 6, 6), kLattice, {12});
@@ -197,7 +198,7 @@ TEST(TreeCda, MeasuresWhatACutRemovesBeforeItIsMade) {
 }
 
 TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(12U); ++seed) {
         SCOPED_TRACE(seed);
         const auto passes = jittered_passes(seed, 100);
         TreeCda measured(kStock, kLattice);
@@ -209,7 +210,7 @@ TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
 
 // Shared normals save work and do not change the result. Neither do normals of a different pass.
 TEST(TreeCda, IsTheSameWhetherNormalsAreSharedOrNot) {
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(12U); ++seed) {
         SCOPED_TRACE(seed);
         const auto passes = passes_of_several_tools(seed, 150);
         auto alone = passes;
@@ -235,7 +236,7 @@ TEST(TreeCda, HasContactWhereThereIsVolumeInCommon) {
     std::size_t contacts = 0;
     std::size_t inner_contacts = 0;
     std::size_t questions = 0;
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(8U); ++seed) {
         SCOPED_TRACE(seed);
         TreeCda part(kStock, kLattice);
         for (Cell& pass : jittered_passes(seed, 60)) {
@@ -256,13 +257,13 @@ TEST(TreeCda, HasContactWhereThereIsVolumeInCommon) {
             inner_contacts += inner ? 1 : 0;
         }
     }
-    EXPECT_GT(contacts, 40U);
-    EXPECT_GT(inner_contacts, 40U);
-    EXPECT_LT(inner_contacts, questions - 40U);
+    EXPECT_GT(contacts, test::rounds(40U));
+    EXPECT_GT(inner_contacts, test::rounds(40U));
+    EXPECT_LT(inner_contacts, questions - test::rounds(40U));
 }
 
 TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(20U); ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
         const auto cuts = random_cuts(seed, 40, 90000);
@@ -303,7 +304,7 @@ TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
 
 // Threads insert waiting cells while queries, copies, moves and destruction come in between.
 TEST(TreeCda, IsTheSameWhereCellsComeWhileOthersGoDown) {
-    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::rounds(6U); ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
         const auto cuts = random_cuts(seed, 300, 90000);

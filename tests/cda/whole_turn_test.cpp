@@ -9,6 +9,7 @@
 
 #include "polytope/within.h"
 #include "support/random_shapes.h"
+#include "support/rounds.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +63,7 @@ const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
 TEST(WholeTurn, IsInItsSteps) {
     Random random(1);
     int helices = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::rounds(200); ++i) {
         SCOPED_TRACE(i);
         const double radius = static_cast<double>(random.between(60000, 150000));
         const TranslationSweep body = prism(radius, static_cast<int>(random.between(6, 24)), 500000,
@@ -92,7 +93,7 @@ TEST(WholeTurn, IsInItsSteps) {
         for (const Cell& step : steps)
             EXPECT_EQ(alone.subtract(step), 0.0);
     }
-    EXPECT_GT(helices, 50);
+    EXPECT_GT(helices, test::rounds(50));
 }
 
 TEST(WholeTurn, IsNothingWhereACoreMayBe) {
@@ -149,7 +150,7 @@ TEST(LiesWithin, IsSoAndFindsTheStepsOfTurns) {
     const Box place = ConvexPolytope::of(kStock, kLattice)->bounds();
     Random random(2);
     int found = 0, missed = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::rounds(300); ++i) {
         SCOPED_TRACE(i);
         const TranslationSweep body =
             prism(100000, static_cast<int>(random.between(6, 24)), 900000);
@@ -174,7 +175,7 @@ TEST(LiesWithin, IsSoAndFindsTheStepsOfTurns) {
             missed += !is_within && is_so ? 1 : 0;
         }
     }
-    EXPECT_GT(found, 1000);
+    EXPECT_GT(found, test::rounds(1000));
     EXPECT_EQ(missed, 0);
 }
 
@@ -182,7 +183,7 @@ TEST(LiesWithin, IsSoAndFindsTheStepsOfTurns) {
 TEST(LiesWithin, FindsPartsOfAStraightWay) {
     const Box place = ConvexPolytope::of(kStock, kLattice)->bounds();
     Random random(3);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::rounds(200); ++i) {
         SCOPED_TRACE(i);
         std::vector<LatticePoint> points;
         for (int k = 0; k < 12; ++k)
