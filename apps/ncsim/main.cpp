@@ -54,8 +54,16 @@ int main(int argc, char** argv) {
     prefer_large_pages(argv);
     try {
         keep_closed_streams_closed();
-        Command command =
-            options_with_project(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+        std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+        const std::string when = take_colour(words);
+        const auto colour = colour_mode(when);
+        if (!colour) {
+            print_error("ncsim: --color '" + ncsim::report::one_line(when) +
+                        "': expected auto, always or never\n");
+            return kEnvironment;
+        }
+        set_colour_mode(*colour);
+        Command command = options_with_project(words);
         return std::visit([](auto& chosen) { return run(std::move(chosen)); }, command);
     } catch (const std::bad_alloc&) {
         std::fputs("ncsim: out of memory\n", stderr);

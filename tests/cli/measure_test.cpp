@@ -65,6 +65,8 @@ TEST(Measure, SaysTheSameAsJson) {
     Folder folder;
     folder.write("plate.nc", kPlate);
     const Ran ran = folder.run({"measure", "plate.nc", "--json", "-", "-q"});
+    EXPECT_EQ(folder.run({"measure", "plate.nc", "-q"}).out,
+              folder.run({"measure", "plate.nc"}).out);
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     const json sheet = json::parse(ran.out);
     ASSERT_EQ(sheet["bores"].size(), 2U);

@@ -286,7 +286,7 @@ TEST(Options, AreGuessedWhereSomebodyMistypes) {
     };
     EXPECT_EQ(said({"rnu", "a.nc"}),
               "ncsim: there is no command 'rnu'; did you mean run? (run, parse, tools, check, "
-              "merge, diff, machine, measure, init, sheet, rules)\nTry: ncsim --help\n");
+              "merge, diff, machine, measure, init, sheet, explain, rules)\nTry: ncsim --help\n");
     EXPECT_EQ(said({"run", "a.nc", "--pgn", "a.png"}),
               "ncsim: there is no option --pgn; did you mean --png?\nTry: ncsim run --help\n");
     EXPECT_EQ(said({"check", "a.nc", "--machin=m.toml"}),

@@ -16,9 +16,11 @@ if(TARGET ncsim)
       baseline_test.cpp
       check_test.cpp
       check_tiles_test.cpp
+      colour_test.cpp
       diff_test.cpp
       doubts_test.cpp
       draft_test.cpp
+      explain_test.cpp
       file_programs_test.cpp
       files_test.cpp
       folders_test.cpp

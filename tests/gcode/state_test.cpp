@@ -443,6 +443,39 @@ TEST(Start, OfTheMachineStaysInTheMachine) {
     EXPECT_EQ(last_line(made.motions), "L4 feed X5 Y0 Z60 F100\n");
 }
 
+// --- Observation --------------------------------------------------------------------------------
+
+// Files, lines and feeds in the order of execution; line 0 comes before the first block.
+TEST(StateObserver, SeesEachBlockOnce) {
+    const auto seen = [](const std::string& program, Dialect dialect) {
+        std::string text;
+        InterpreterOptions options;
+        options.dialect = dialect;
+        options.read_file = [](std::string_view name) -> std::optional<SourceFile> {
+            if (name != "O22") return std::nullopt;
+            return SourceFile{"O22", "O22\nG91 G1 Z-1 F5\nG90 M99\n"};
+        };
+        options.observe_state = [&](std::uint32_t file, std::uint32_t line,
+                                    const MachineState& state) {
+            text += std::to_string(file) + ':' + std::to_string(line) + '=';
+            text += std::to_string(static_cast<int>(state.feed)) + ' ';
+        };
+        run(program, options);
+        return text;
+    };
+    EXPECT_EQ(seen("G21 G90 F1\nG0 X0\n(a)\nG1 X5 F3\nM30\n", Dialect::Fanuc),
+              "0:0=0 0:1=1 0:2=1 0:3=1 0:4=3 0:5=0 ");
+    // Ends without M30 and M99, and the end of a program resets modes.
+    EXPECT_EQ(seen("G21 F1\nG1 X1\n", Dialect::Fanuc), "0:0=0 0:1=1 0:2=1 ");
+    EXPECT_EQ(seen("G21 F1\nM98 P22\nM30\n", Dialect::Fanuc),
+              "0:0=0 0:1=1 0:2=1 1:2=5 1:3=5 0:3=0 ");
+    EXPECT_EQ(seen("0 BEGIN PGM A MM\n1 LBL 1\n2 L X+1 F7\n3 CALL LBL 1 REP 1\n4 END PGM A MM\n",
+                   Dialect::Heidenhain),
+              "0:0=0 0:1=0 0:2=0 0:3=7 0:4=7 0:3=7 0:4=7 0:5=0 ");
+    EXPECT_EQ(seen("G71 F2\nR1=4\nG1 X=R1 F=R1\nM30\n", Dialect::Sinumerik),
+              "0:0=0 0:1=2 0:2=2 0:3=4 0:4=0 ");
+}
+
 // --- Tool lengths and the spindle ---------------------------------------------------------------
 
 TEST(LengthRegister, IsTheOneThatIsActive) {

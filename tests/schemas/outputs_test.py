@@ -81,7 +81,7 @@ def outputs():
 
         def add(schema, words, options, allowed=(0, 1, 4)):
             output = {"report": ["--report"], "tools": ["--json"]}.get(schema, ["--json"])
-            output += [] if schema == "tools" else ["-"]
+            output += [] if schema in ("tools", "explain") else ["-"]
             code, out, message = call([*words, *output, *options], folder)
             if code not in allowed:
                 raise AssertionError(f"{words} {options}: exit code {code}: {message}")
@@ -119,6 +119,10 @@ def outputs():
         add("tools", ["tools", "set.nc"], ["--job", "job.toml"])
         add("tools", ["tools", "tilted.nc"], [])
         add("tools", ["tools", "broken.nc"], [])
+        add("explain", ["explain", samples[1], "--line", "20"], [])
+        add("explain", ["explain", "holes.nc", "--line", "1"], [])
+        add("explain", ["explain", "holes.nc:6", "--machine", "mill.toml"], [])
+        add("explain", ["explain", "broken.nc:2"], [])
         add("diff", ["diff", "holes.nc", "other.nc"], ["-q", "--process"])
         add("diff", ["diff", "holes.nc", "holes.nc"], ["-q"])
     return found
@@ -166,7 +170,8 @@ class Outputs(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.outputs = outputs()
-        cls.schemas = {name: load(name) for name in ("report", "check", "measure", "tools", "diff")}
+        cls.schemas = {name: load(name) for name in ("report", "check", "measure", "tools", "diff",
+                                                        "explain")}
 
     def test_each_output_is_valid(self):
         for name, what, value in self.outputs:

@@ -104,13 +104,15 @@ cli::App* add_measure(cli::App& app, MeasureOptions& o) {
     measure->begin_group("Outputs");
     add_report_unit(*measure, o);
     measure->add_option("--json", o.json, "Dimensions, JSON")->type_name("FILE");
-    measure->add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
+    measure->add_flag("--quiet,-q", o.quiet, "With --json: no text");
     return measure;
 }
 
 void complete(MeasureOptions& o) {
     complete(static_cast<ProgramOptions&>(o));
     require_exact(o, "measure");
+    // Without a file, the dimensions are the result.
+    if (o.json.empty()) o.quiet = false;
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
 }
 

@@ -32,6 +32,7 @@ Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest
 
 constexpr const char* kFiles = R"(
 Files:  - is the standard input or the standard output; text then goes to the standard error.
+Color:  --color auto, always, never with any command. auto: on a terminal, without NO_COLOR.
 )";
 
 constexpr const char* kExitCodes = R"(
@@ -115,7 +116,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
     // Adding the options of all commands would take longer than a small program.
     constexpr std::string_view kCommands[] = {"run",   "parse", "tools",   "check",
                                               "merge", "diff",  "machine", "measure",
-                                              "rules", "init",  "sheet"};
+                                              "rules", "init",  "sheet",   "explain"};
     const bool is_named =
         !words.empty() && std::ranges::find(kCommands, words[0]) != std::ranges::end(kCommands);
     const auto add = [&](std::string_view name, auto add_command, auto& options,
@@ -136,6 +137,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
     RulesOptions rules_options;
     InitOptions init_options;
     SheetOptions sheet_options;
+    ExplainOptions explain_options;
     cli::App* run = add("run", add_run, run_options, run_example);
     add("parse", add_parse, parse_options, "ncsim parse samples/simple.nc --canonical");
     cli::App* tools = add("tools", add_tools, tools_options,
@@ -152,6 +154,8 @@ Command parse_options(const std::vector<std::string>& arguments) {
     cli::App* init = add("init", add_init, init_options, "ncsim init top.nc back.nc");
     cli::App* sheet = add("sheet", add_sheet, sheet_options,
                           "ncsim sheet samples/two-sides/job.toml --html sheet.html");
+    cli::App* explain =
+        add("explain", add_explain, explain_options, "ncsim explain samples/simple.nc:14");
     cli::App* rules = add("rules", add_rules, rules_options, nullptr);
 
     try {
@@ -195,6 +199,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
         if (chosen == sheet) {
             complete(sheet_options);
             return sheet_options;
+        }
+        if (chosen == explain) {
+            complete(explain_options);
+            return explain_options;
         }
         if (chosen == init) {
             complete(init_options);

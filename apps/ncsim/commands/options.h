@@ -5,6 +5,7 @@
 #pragma once
 
 #include "commands/diff.h"
+#include "commands/explain_command.h"
 #include "commands/init_command.h"
 #include "commands/machine_command.h"
 #include "commands/measure_command.h"
@@ -30,7 +31,7 @@ struct EarlyExit {
 /// Options of the chosen command. For each type there is a run().
 using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
                              DiffOptions, MachineOptions, MeasureOptions, RulesOptions, InitOptions,
-                             SheetOptions, EarlyExit>;
+                             SheetOptions, ExplainOptions, EarlyExit>;
 
 /// Parses the command line. Accepts any arguments.
 Command parse_options(const std::vector<std::string>& arguments);

@@ -94,6 +94,9 @@ std::set<std::string> names_of(const DiffOptions&) {
 std::set<std::string> names_of(const MeasureOptions&) {
     return names_of<MeasureOptions>(add_measure);
 }
+std::set<std::string> names_of(const ExplainOptions&) {
+    return names_of<ExplainOptions>(add_explain);
+}
 std::set<std::string> names_of(const SheetOptions&) {
     return names_of<SheetOptions>(add_sheet);
 }

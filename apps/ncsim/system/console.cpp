@@ -6,6 +6,7 @@
 #include "ncsim/report/plain_text.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -14,8 +15,23 @@
 
 namespace ncsim::app {
 
+namespace {
+
+ColourMode mode_of_all = ColourMode::Auto;
+
+std::string shown_on(int descriptor, std::string_view text) {
+    const std::string plain = report::printable(text);
+    return has_colours(mode_of_all, descriptor) ? coloured(plain) : plain;
+}
+
+}  // namespace
+
+void set_colour_mode(ColourMode mode) {
+    mode_of_all = mode;
+}
+
 void print_error(std::string_view text) {
-    const std::string shown = report::printable(text);
+    const std::string shown = shown_on(STDERR_FILENO, text);
     std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
 
@@ -31,7 +47,7 @@ void put_text(std::string_view text, bool aside) {
     if (aside) {
         print_error(text);
     } else {
-        write_stdout(report::printable(text));
+        write_stdout(shown_on(STDOUT_FILENO, text));
     }
 }
 

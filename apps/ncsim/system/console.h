@@ -6,9 +6,14 @@
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/source.h"
 
+#include "system/colour.h"
+
 #include <string_view>
 
 namespace ncsim::app {
+
+/// Sets when texts for people have colours; Auto before the first call.
+void set_colour_mode(ColourMode mode);
 
 /// Writes text for people to stderr, with unprintable characters replaced.
 void print_error(std::string_view text);

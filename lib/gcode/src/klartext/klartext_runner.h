@@ -56,6 +56,7 @@ private:
 
     bool step() override;
     std::uint32_t last_line() const override { return block_.line; }
+    std::uint32_t current_file() const override { return static_cast<std::uint32_t>(current_); }
     bool act();
     bool begin_program();
     void finish_subprogram();

@@ -23,7 +23,13 @@ ProgramRunner::ProgramRunner(const SourceFile& program, const InterpreterOptions
 }
 
 void ProgramRunner::run() {
-    while (!ended_ && step()) {
+    if (options_.observe_state) options_.observe_state(0, 0, machine_.state());
+    for (bool goes_on = true; goes_on && !ended_;) {
+        const std::uint32_t file = current_file();
+        const std::uint64_t lines = result_.lines;
+        goes_on = step();
+        if (options_.observe_state && result_.lines > lines)
+            options_.observe_state(file, last_line(), machine_.state());
     }
     machine_.flush();
     path_.finish();

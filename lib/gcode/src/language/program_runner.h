@@ -34,6 +34,8 @@ protected:
     virtual bool step() = 0;
     /// Returns the line of the last block.
     virtual std::uint32_t last_line() const = 0;
+    /// Returns the file of the next block, as an index into Interpretation::files.
+    virtual std::uint32_t current_file() const = 0;
 
     /// Reports an error.
     /// Returns: false.

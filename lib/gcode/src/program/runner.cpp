@@ -43,7 +43,13 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
 }
 
 void Runner::run() {
-    while (!ended_ && step()) {
+    if (options_.observe_state) options_.observe_state(0, 0, machine_.state());
+    for (bool goes_on = true; goes_on && !ended_;) {
+        const auto file = static_cast<std::uint32_t>(current_);
+        const std::uint64_t lines = result_.lines;
+        goes_on = step();
+        if (options_.observe_state && result_.lines > lines)
+            options_.observe_state(file, block_.line, machine_.state());
     }
     machine_.flush();
     path_.finish();

@@ -99,6 +99,9 @@ private:
 
     bool step() override;
     std::uint32_t last_line() const override { return line_.line; }
+    std::uint32_t current_file() const override {
+        return static_cast<std::uint32_t>(programs_[frames_.back().program].file);
+    }
     bool act();
     bool statement(std::string_view name, CodeScanner& scan, bool& is_done);
     bool flow_statement(std::string_view name, CodeScanner& scan, bool& is_flow);

@@ -39,6 +39,12 @@ struct ToolTableEntry {
 /// Callback that receives each motion and the frame of the program, just before the sink.
 using FrameObserver = std::function<void(const Motion&, const ProgramFrame&)>;
 
+/// Callback that receives the state of the control after each block, and before the first one, with
+/// line 0. `file`: index into Interpretation::files. Moves that cutter compensation or a corner
+/// holds back are in the state already.
+using StateObserver =
+    std::function<void(std::uint32_t file, std::uint32_t line, const MachineState& state)>;
+
 /// Callback that returns the text of a called program by the name in the call ("probe", "O1234"),
 /// or nullopt. The library itself reads no files.
 using FileReader = std::function<std::optional<SourceFile>(std::string_view name)>;
@@ -157,6 +163,7 @@ struct InterpreterOptions {
     TableOffsets fixture_offsets, setting_errors;  ///< For G54.2; for G54.4.
     FileReader read_file;
     FrameObserver observe_frame;
+    StateObserver observe_state;
     Limits limits;
 };
 

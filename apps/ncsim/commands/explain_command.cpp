@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Explains a block of a program.
+#include "commands/explain_command.h"
+
+#include "ncsim/report/explanation.h"
+#include "ncsim/simulation/apply_machine.h"
+#include "ncsim/simulation/explain.h"
+#include "ncsim/simulation/models.h"
+
+#include "options/job_steps.h"
+#include "options/plan_options.h"
+#include "system/console.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <vector>
+
+namespace ncsim::app {
+
+namespace {
+
+// Takes the line from "part.nc:120".
+void take_line(ExplainOptions& o) {
+    const std::size_t colon = o.program.rfind(':');
+    if (colon == std::string::npos) return;
+    const char* const begin = o.program.data() + colon + 1;
+    const char* const end = o.program.data() + o.program.size();
+    std::uint32_t line = 0;
+    const auto [stop, error] = std::from_chars(begin, end, line);
+    if (error != std::errc() || stop != end || line == 0) return;
+    if (o.line != 0 && o.line != line)
+        throw Refusal{fmt::format("'{}' and --line {} are two lines", o.program, o.line)};
+    o.line = line;
+    o.program.resize(colon);
+}
+
+// Returns the options for the set-up of a job. Throws: std::runtime_error if there are several.
+ExplainOptions of_set_up(const ExplainOptions& options, setup::InputSet& inputs) {
+    ExplainOptions one = options;
+    if (!has_steps_to_do(options)) return one;
+    const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
+    if (steps.size() > 1)
+        throw std::runtime_error("the job has several programs: choose a set-up (--setup 1)");
+    if (steps.empty()) return one;
+    read_ahead(options, steps, inputs);
+    one.job_step = steps.front().number;
+    return one;
+}
+
+}  // namespace
+
+cli::App* add_explain(cli::App& app, ExplainOptions& o) {
+    cli::App* explain =
+        app.add_subcommand("explain", "Explain a block: modes and their lines, moves, volume");
+    add_program_options(*explain, o);
+    add_setup_options(*explain, o);
+    add_simulation_options(*explain, o, Models::Exact);
+    explain->begin_group("Block");
+    explain->add_option("--line", o.line, "Line of the block, as in part.nc:120")->type_name("N");
+    explain->add_option("--in", o.in, "Called file that has the line")->type_name("NAME");
+    explain->begin_group("Machine");
+    explain
+        ->add_option("--machine", o.machine,
+                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
+        ->type_name("FILE");
+    explain->begin_group("Outputs");
+    explain->add_flag("--no-volume", o.no_volume,
+                      "Leave out the removed volume, which needs a simulation");
+    explain->add_flag("--json", o.json, "JSON");
+    return explain;
+}
+
+void complete(ExplainOptions& o) {
+    take_line(o);
+    complete(static_cast<ProgramOptions&>(o));
+    require_exact(o, "explain");
+    if (o.line == 0) throw Refusal{"name a line: ncsim explain part.nc:120, or --line 120"};
+    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
+}
+
+int run(const ExplainOptions& specified) {
+    setup::InputSet aside;
+    const ExplainOptions options = of_set_up(specified, aside);
+    setup::InputSet inputs;
+    simulation::Plan plan = plan_for(options, options, options.machine, inputs);
+    if (const auto machine = machine_for(options.machine, plan.job, inputs))
+        simulation::apply_machine(plan, *machine);
+    if (plan.model.empty()) plan.model = simulation::models().front().name;
+    const simulation::Survey survey = simulation::survey(plan);
+    const report::Explanation explanation =
+        simulation::explain(plan, survey, options.line, options.in, !options.no_volume);
+    const std::string text =
+        options.json ? report::json_of(explanation) : report::text_of(explanation);
+    if (options.json) {
+        write_stdout(text);
+    } else {
+        put_text(text);
+    }
+    const bool is_faulty =
+        explanation.executions == 0 || gcode::has_errors(explanation.diagnostics);
+    return is_faulty ? kFindings : kClean;
+}
+
+}  // namespace ncsim::app

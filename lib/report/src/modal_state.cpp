@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Describes the modes of a control.
+#include "ncsim/report/modal_state.h"
+
+#include "ncsim/gcode/print.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace ncsim::report {
+
+namespace {
+
+using gcode::MachineState;
+
+// Rounds to a millionth, which hides the rounding errors of units and offsets.
+std::string number(double value) {
+    std::string text;
+    gcode::print_number(text, std::round(value * 1e6) / 1e6 + 0.0);
+    return text;
+}
+
+// "G1", "G43.4"; empty for none.
+std::string code_text(gcode::Code code) {
+    const int tenths = static_cast<int>(code);
+    if (tenths < 0) return {};
+    return tenths % 10 == 0 ? fmt::format("G{}", tenths / 10)
+                            : fmt::format("G{}.{}", tenths / 10, tenths % 10);
+}
+
+std::string with_code(std::string_view words, const std::string& code, bool with_codes) {
+    return with_codes && !code.empty() ? fmt::format("{} ({})", words, code) : std::string(words);
+}
+
+// "X1 Y2" of the axes that are not 0; empty for none.
+std::string axes_text(const gcode::Axes& axes, bool zeros = false) {
+    static constexpr std::string_view kLetters = "XYZABCUVW";
+    std::string text;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (axes[i] == 0.0 && !(zeros && i < 3)) continue;
+        if (!text.empty()) text += ' ';
+        text += kLetters[i] + number(axes[i]);
+    }
+    return text;
+}
+
+const char* unit_of(const MachineState& s) {
+    return s.inches ? "inch" : "mm";
+}
+
+std::string motion_text(const MachineState& s, bool with_codes) {
+    const std::string code = code_text(s.motion);
+    switch (static_cast<int>(s.motion)) {
+        case -1: return "none yet";
+        case 0: return with_code("rapid", code, with_codes);
+        case 10: return with_code("feed", code, with_codes);
+        case 20: return with_code("clockwise arc", code, with_codes);
+        case 30: return with_code("counter-clockwise arc", code, with_codes);
+        case 800: return with_code("none", code, with_codes);
+        default: return with_codes ? code : "cycle";
+    }
+}
+
+std::string plane_text(const MachineState& s, bool with_codes) {
+    switch (s.plane) {
+        case gcode::Plane::XY: return with_code("XY", "G17", with_codes);
+        case gcode::Plane::ZX: return with_code("ZX", "G18", with_codes);
+        case gcode::Plane::YZ: return with_code("YZ", "G19", with_codes);
+        case gcode::Plane::UV: return with_code("UV", "G17.1", with_codes);
+        case gcode::Plane::WU: return with_code("WU", "G18.1", with_codes);
+        case gcode::Plane::VW: break;
+    }
+    return with_code("VW", "G19.1", with_codes);
+}
+
+std::string distance_text(const MachineState& s, bool with_codes) {
+    std::string text = s.incremental ? with_code("incremental", "G91", with_codes)
+                                     : with_code("absolute", "G90", with_codes);
+    if (s.absolute_centres) text += with_code(", centres of arcs absolute", "G90.1", with_codes);
+    return text;
+}
+
+std::string feed_text(const MachineState& s, bool with_codes) {
+    const std::string value = s.feed > 0.0 ? number(s.feed) : "not set,";
+    switch (s.feed_mode) {
+        case gcode::FeedMode::PerMinute:
+            return with_code(fmt::format("{} {}/min", value, unit_of(s)), "G94", with_codes);
+        case gcode::FeedMode::PerRevolution:
+            return with_code(fmt::format("{} {}/rev", value, unit_of(s)), "G95", with_codes);
+        case gcode::FeedMode::InverseTime: break;
+    }
+    return with_code(value + " 1/min", "G93", with_codes);
+}
+
+std::string spindle_text(const MachineState& s) {
+    const std::string speed =
+        s.spindle_rpm > 0.0 ? number(s.spindle_rpm) + (s.constant_surface_speed ? " (G96)" : "/min")
+                            : "no speed";
+    std::string text = s.spindle == gcode::SpindleTurning::Stopped     ? "stopped, "
+                       : s.spindle == gcode::SpindleTurning::Clockwise ? "clockwise, "
+                                                                       : "counter-clockwise, ";
+    text += speed;
+    if (s.spindle_in_doubt) text += ", perhaps stopped by M0";
+    if (s.spindle_oriented) text += ", oriented";
+    return text;
+}
+
+std::string coolant_text(const MachineState& s) {
+    if (s.coolant.mist && s.coolant.flood) return "mist and flood";
+    return s.coolant.mist ? "mist" : s.coolant.flood ? "flood" : "off";
+}
+
+std::string tool_text(const MachineState& s) {
+    std::string text = s.tool == 0 ? "none" : fmt::format("T{}", s.tool);
+    if (s.selected_tool > 0 && s.selected_tool != s.tool)
+        text += fmt::format(", T{} selected", s.selected_tool);
+    return text;
+}
+
+std::string length_text(const MachineState& s) {
+    const auto& offset = s.tool_offset;
+    switch (s.length_register) {
+        case gcode::kNoLength: return "none";
+        case gcode::kStatedLength: return axes_text(offset, true) + " from the program";
+        case gcode::kNegatedLength: return "negated (G44)";
+        default: break;
+    }
+    const std::string name = fmt::format("H{}", s.length_register);
+    return s.length_specified
+               ? fmt::format("{}, {} {}", name, number(offset[gcode::kZ]), unit_of(s))
+               : name + ", length not specified";
+}
+
+std::string compensation_text(const MachineState& s, bool with_codes) {
+    if (s.cutter_side == gcode::CutterSide::Off) return with_code("off", "G40", with_codes);
+    const bool is_left = s.cutter_side == gcode::CutterSide::Left;
+    return with_code(fmt::format("{} of the path, radius {} {}", is_left ? "left" : "right",
+                                 number(s.cutter_radius), unit_of(s)),
+                     is_left ? "G41" : "G42", with_codes);
+}
+
+std::string system_name(int system) {
+    if (system <= 6) return fmt::format("G{}", 53 + system);
+    return system <= 9 ? fmt::format("G59.{}", system - 6) : fmt::format("G54.1 P{}", system - 9);
+}
+
+std::string system_text(const MachineState& s) {
+    std::string text = system_name(s.system);
+    const bool is_of_machine = std::ranges::all_of(s.frame, [](int f) { return f == 0; });
+    if (is_of_machine) {
+        text += ", zero at " + axes_text(s.work_offset, true) + " in the machine";
+    } else {
+        text += ", place in the machine not specified";
+    }
+    if (s.rotation != 0.0) text += ", turned by " + number(s.rotation) + "° about Z";
+    return text;
+}
+
+std::string shift_text(const MachineState& s) {
+    const std::string shift = axes_text(s.offset_92);
+    return shift.empty() ? "none" : shift;
+}
+
+std::string transform_text(const MachineState& s) {
+    const gcode::ProgrammedTransform& t = s.programmed;
+    std::string text;
+    const auto add = [&text](const std::string& more) {
+        text += (text.empty() ? "" : ", ") + more;
+    };
+    if (t.rotated) add("rotated by " + number(t.angle) + "°");
+    if (t.scaled) {
+        add(fmt::format("scaled by {}, {}, {}", number(t.scale[0]), number(t.scale[1]),
+                        number(t.scale[2])));
+    }
+    if (t.polar) add("polar coordinates");
+    if (s.polar_interpolation) add("polar interpolation");
+    if (s.cylinder) add("cylinder of radius " + number(s.cylinder->radius));
+    return text.empty() ? "none" : text;
+}
+
+std::string tilted_text(const MachineState& s) {
+    if (!s.plane_frame) return "none";
+    const gcode::FeatureFrame& frame = *s.plane_frame;
+    const gcode::Triple normal = frame.normal();
+    return fmt::format("zero at X{} Y{} Z{}, tool along {}, {}, {}", number(frame.origin[0]),
+                       number(frame.origin[1]), number(frame.origin[2]), number(normal[0]),
+                       number(normal[1]), number(normal[2]));
+}
+
+std::string cycle_text(const MachineState& s, bool with_codes) {
+    if (!s.cycle.running) return "none";
+    const std::string code = with_codes ? code_text(s.cycle.code) + ", " : "";
+    std::string text =
+        fmt::format("{}clearance {}, depth {}", code, number(s.cycle.r), number(s.cycle.z));
+    if (s.cycle.q != 0.0) text += ", pecks of " + number(s.cycle.q);
+    return text + (s.retract_to_r ? ", back to the clearance" : ", back to the initial level");
+}
+
+}  // namespace
+
+std::string_view name_of(ModeGroup group) {
+    switch (group) {
+        case ModeGroup::Motion: return "motion";
+        case ModeGroup::Plane: return "plane";
+        case ModeGroup::Units: return "units";
+        case ModeGroup::Distance: return "distances";
+        case ModeGroup::Feed: return "feed";
+        case ModeGroup::Spindle: return "spindle";
+        case ModeGroup::Coolant: return "coolant";
+        case ModeGroup::Tool: return "tool";
+        case ModeGroup::Length: return "length";
+        case ModeGroup::Compensation: return "compensation";
+        case ModeGroup::System: return "system";
+        case ModeGroup::Shift: return "shift";
+        case ModeGroup::Transform: return "transformation";
+        case ModeGroup::TiltedPlane: return "tilted plane";
+        case ModeGroup::Controlled: return "coordinates";
+        case ModeGroup::Cycle: break;
+    }
+    return "cycle";
+}
+
+std::string text_of(ModeGroup group, const MachineState& s, bool with_codes) {
+    switch (group) {
+        case ModeGroup::Motion: return motion_text(s, with_codes);
+        case ModeGroup::Plane: return plane_text(s, with_codes);
+        case ModeGroup::Units: return with_code(unit_of(s), s.inches ? "G20" : "G21", with_codes);
+        case ModeGroup::Distance: return distance_text(s, with_codes);
+        case ModeGroup::Feed: return feed_text(s, with_codes);
+        case ModeGroup::Spindle: return spindle_text(s);
+        case ModeGroup::Coolant: return coolant_text(s);
+        case ModeGroup::Tool: return tool_text(s);
+        case ModeGroup::Length: return length_text(s);
+        case ModeGroup::Compensation: return compensation_text(s, with_codes);
+        case ModeGroup::System: return system_text(s);
+        case ModeGroup::Shift: return shift_text(s);
+        case ModeGroup::Transform: return transform_text(s);
+        case ModeGroup::TiltedPlane: return tilted_text(s);
+        case ModeGroup::Controlled:
+            return s.coordinates == gcode::Coordinates::Tip ? "of the tip, which the control keeps"
+                                                            : "of the axes";
+        case ModeGroup::Cycle: break;
+    }
+    return cycle_text(s, with_codes);
+}
+
+ModeNumbers numbers_of(const MachineState& s) {
+    ModeNumbers all{};
+    const auto set = [&all](ModeGroup group, std::initializer_list<double> numbers) {
+        std::ranges::copy(numbers, all[static_cast<std::size_t>(group)].begin());
+    };
+    const auto n = [](auto value) { return static_cast<double>(value); };
+    set(ModeGroup::Motion, {n(s.motion)});
+    set(ModeGroup::Plane, {n(s.plane)});
+    set(ModeGroup::Units, {n(s.inches)});
+    set(ModeGroup::Distance, {n(s.incremental), n(s.absolute_centres)});
+    set(ModeGroup::Feed, {s.feed, n(s.feed_mode)});
+    set(ModeGroup::Spindle, {s.spindle_rpm, n(s.spindle), n(s.constant_surface_speed),
+                             n(s.spindle_in_doubt), n(s.spindle_oriented)});
+    set(ModeGroup::Coolant, {n(s.coolant.mist), n(s.coolant.flood)});
+    set(ModeGroup::Tool, {n(s.tool), n(s.selected_tool)});
+    set(ModeGroup::Length, {n(s.length_register), n(s.length_specified), s.tool_offset[0],
+                            s.tool_offset[1], s.tool_offset[2]});
+    set(ModeGroup::Compensation, {n(s.cutter_side), s.cutter_radius});
+    set(ModeGroup::System,
+        {n(s.system), s.rotation, n(s.frame[0]), n(s.frame[1]), n(s.frame[2]), s.work_offset[0],
+         s.work_offset[1], s.work_offset[2], s.work_offset[3], s.work_offset[4], s.work_offset[5]});
+    set(ModeGroup::Shift,
+        {s.offset_92[0], s.offset_92[1], s.offset_92[2], s.offset_92[3], s.offset_92[4],
+         s.offset_92[5], s.offset_92[6], s.offset_92[7], s.offset_92[8]});
+    const gcode::ProgrammedTransform& t = s.programmed;
+    set(ModeGroup::Transform,
+        {n(t.rotated), n(t.scaled), n(t.polar), t.angle, t.centre_1, t.centre_2, t.scale[0],
+         t.scale[1], t.scale[2], t.scale_centre[0], t.scale_centre[1], t.scale_centre[2],
+         n(s.polar_interpolation.has_value()), s.cylinder ? s.cylinder->radius : -1.0});
+    if (s.plane_frame) {
+        const gcode::FeatureFrame& f = *s.plane_frame;
+        set(ModeGroup::TiltedPlane,
+            {1.0, f.origin[0], f.origin[1], f.origin[2], f.rows[0][0], f.rows[0][1], f.rows[0][2],
+             f.rows[1][0], f.rows[1][1], f.rows[1][2], f.rows[2][0], f.rows[2][1], f.rows[2][2]});
+    }
+    set(ModeGroup::Controlled, {n(s.coordinates)});
+    if (s.cycle.running) {
+        set(ModeGroup::Cycle,
+            {1.0, n(s.cycle.code), s.cycle.r, s.cycle.z, s.cycle.q, s.cycle.p, n(s.retract_to_r)});
+    }
+    return all;
+}
+
+}  // namespace ncsim::report

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Explains a block of a program.
+#pragma once
+
+#include "ncsim/report/explanation.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
+
+#include <cstdint>
+#include <string>
+
+namespace ncsim::simulation {
+
+/// Explains the block at `line` (from 1) of `file`, the name of a called file or its last part;
+/// empty: the main program.
+/// Requires: survey is survey(plan).
+/// Throws: std::runtime_error if no such file is called, or if it has fewer lines.
+/// Cost: interprets the program once, and, with the removed volume, simulates it up to the block,
+/// or to the end if the block is executed several times.
+report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_t line,
+                            const std::string& file = {}, bool with_volume = true);
+
+}  // namespace ncsim::simulation

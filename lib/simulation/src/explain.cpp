@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Follows a program up to a block, and collects what the block does.
+#include "ncsim/simulation/explain.h"
+
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/value_source.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/toolpath/tool.h"
+#include "ncsim/trig/angles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ncsim::simulation {
+
+namespace {
+
+using report::kModeGroups;
+
+// File and line; line 0: the start of the program.
+struct Place {
+    std::uint32_t file = 0, line = 0;
+};
+
+// A line of one of the files of a program.
+struct Seen {
+    std::uint64_t executions = 0;
+    gcode::MachineState before, after;
+    std::array<Place, kModeGroups> set_by;
+    std::array<bool, kModeGroups> is_changed{};
+    std::vector<gcode::Motion> motions;
+    std::uint64_t motion_count = 0;
+    verify::Distances distances;
+};
+
+// Follows a program, and keeps what each file does at one line.
+class LineWatch {
+public:
+    LineWatch(std::uint32_t line, const toolpath::Kinematics* machine)
+        : line_(line), machine_(machine) {}
+
+    void take(std::uint32_t file, std::uint32_t line, const gcode::MachineState& state) {
+        const report::ModeNumbers numbers = report::numbers_of(state);
+        std::array<bool, kModeGroups> is_changed{};
+        for (std::size_t i = 0; i < kModeGroups; ++i) {
+            is_changed[i] = line > 0 && numbers[i] != numbers_[i];
+            if (is_changed[i]) set_by_[i] = {file, line};
+        }
+        if (line == line_) {
+            Seen& seen = by_file_[file];
+            if (++seen.executions == 1) {
+                seen.before = state_;
+                seen.after = state;
+                seen.set_by = set_by_;
+                seen.is_changed = is_changed;
+            }
+        }
+        numbers_ = numbers;
+        state_ = state;
+    }
+
+    void take(const gcode::Motion& motion) {
+        if (motion.span.line != line_) return;
+        Seen& seen = by_file_[motion.file];
+        ++seen.motion_count;
+        if (seen.motions.size() < report::Explanation::kMostMotions) seen.motions.push_back(motion);
+        if (gcode::start_of(motion))
+            verify::add_path(seen.distances, motion, verify::coarse_samples(motion, machine_));
+        else
+            verify::add_rest(seen.distances, motion);
+    }
+
+    // Returns null if the line of the file was not reached.
+    const Seen* of(std::uint32_t file) const {
+        const auto found = by_file_.find(file);
+        return found == by_file_.end() ? nullptr : &found->second;
+    }
+
+private:
+    std::uint32_t line_;
+    const toolpath::Kinematics* machine_;
+    gcode::MachineState state_;
+    report::ModeNumbers numbers_{};
+    std::array<Place, kModeGroups> set_by_;
+    std::map<std::uint32_t, Seen> by_file_;
+};
+
+// Returns X, Y and Z in the machine, in active units. Under a tilted plane, tip control or
+// interpolation they are not known.
+std::optional<std::array<double, 3>> machine_position(const gcode::MachineState& s) {
+    const bool is_plain = !s.plane_frame && s.coordinates == gcode::Coordinates::Axes &&
+                          !s.polar_interpolation && !s.cylinder && !s.dynamic_offset;
+    const bool is_placed = std::ranges::all_of(s.frame, [](int frame) { return frame == 0; });
+    const bool has_length = s.length_register == gcode::kNoLength || s.length_specified;
+    if (!is_plain || !is_placed || !has_length || !s.known.all() || s.of_machine.any()) return {};
+    std::array<double, 3> p{};
+    for (std::size_t i = 0; i < 3; ++i)
+        p[i] = s.position[i] + s.offset_92[i];
+    if (s.rotation != 0.0) {
+        const auto [sine, cosine] = trig::sin_cos(s.rotation);
+        p = {cosine * p[0] - sine * p[1], sine * p[0] + cosine * p[1], p[2]};
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        p[i] += s.work_offset[i] + s.tool_offset[i];
+    return p;
+}
+
+// Returns the index of a called file; 0 for the main program.
+std::uint32_t file_number(const std::vector<std::string>& files, const std::string& name) {
+    if (name.empty()) return 0;
+    const auto found = std::ranges::find_if(files, [&](const std::string& file) {
+        return file == name || report::base_name(file) == report::base_name(name);
+    });
+    if (found == files.end())
+        throw std::runtime_error(fmt::format("the program does not call a file '{}'", name));
+    return static_cast<std::uint32_t>(found - files.begin());
+}
+
+// Returns a line of a text, without its end. Throws: std::runtime_error.
+std::string line_of(const gcode::SourceFile& file, std::uint32_t line) {
+    std::string_view rest = file.text;
+    std::uint32_t number = 1;
+    for (; number < line && !rest.empty(); ++number) {
+        const std::size_t end = rest.find('\n');
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    if (rest.empty()) {
+        throw std::runtime_error(fmt::format("{}: there is no line {}: the file has {} lines",
+                                             file.name, line, number - 1));
+    }
+    std::string text(rest.substr(0, rest.find('\n')));
+    if (text.ends_with('\r')) text.pop_back();
+    return text;
+}
+
+// Adds what the block removed, or why that is not known.
+void add_removed(const Plan& plan, const Survey& survey, std::uint32_t file,
+                 report::Explanation& explanation) {
+    if (!survey.is_ready()) {
+        explanation.not_simulated = "the program cannot be simulated";
+        return;
+    }
+    Plan cut = plan;
+    cut.block_volumes = true;
+    cut.keep_boundary = cut.keep_paths = false;
+    if (file == 0 && explanation.executions == 1) cut.at_line = explanation.line;
+    const Simulation simulation = simulate(cut, survey, {}, {});
+    const auto found = simulation.removed_by_block.find({file, explanation.line});
+    explanation.removed_mm3 = found == simulation.removed_by_block.end() ? 0.0 : found->second;
+}
+
+void add_tool(const Survey& survey, report::Explanation& explanation) {
+    const auto used = survey.tools.find(explanation.after.tool);
+    if (used == survey.tools.end()) return;
+    const report::UsedTool& tool = used->second;
+    explanation.tool = toolpath::describe(tool.tool);
+    explanation.tool_source = tool.is_guess ? "assumed"
+                                            : report::specified(tool.specified_by, tool.span,
+                                                                tool.text, tool.file, "--tool");
+}
+
+}  // namespace
+
+report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_t line,
+                            const std::string& file, bool with_volume) {
+    LineWatch watch(line, plan.placed.get());
+    gcode::InterpreterOptions options = plan.job.interpreter;
+    options.observe_state = [&](std::uint32_t of, std::uint32_t at,
+                                const gcode::MachineState& state) { watch.take(of, at, state); };
+    std::map<std::string, gcode::SourceFile> called;
+    options.read_file = [&](std::string_view name) {
+        auto source =
+            plan.job.interpreter.read_file ? plan.job.interpreter.read_file(name) : std::nullopt;
+        if (source) called.insert_or_assign(source->name, *source);
+        return source;
+    };
+    const gcode::Interpretation interpretation = gcode::interpret(
+        plan.job.program, options, [&](const gcode::Motion& motion) { watch.take(motion); });
+
+    const std::uint32_t number = file_number(interpretation.files, file);
+    report::Explanation result;
+    result.program = report::relative_path(plan.job.program.name);
+    result.file = number == 0 ? result.program : interpretation.files[number];
+    result.line = line;
+    const auto source = called.find(result.file);
+    result.text =
+        line_of(number == 0 || source == called.end() ? plan.job.program : source->second, line);
+    const Seen* const seen = watch.of(number);
+    if (!seen || seen->executions == 0) return result;
+    result.executions = seen->executions;
+    result.before = seen->before;
+    result.after = seen->after;
+    result.machine_position = machine_position(seen->after);
+    result.is_changed = seen->is_changed;
+    for (std::size_t i = 0; i < kModeGroups; ++i) {
+        const Place& place = seen->set_by[i];
+        result.set_by[i] = {place.file == 0 ? result.program : interpretation.files[place.file],
+                            place.line};
+    }
+    result.has_codes = interpretation.dialect.dialect != gcode::Dialect::Heidenhain;
+    result.motions = seen->motions;
+    result.motion_count = seen->motion_count;
+    result.distances = seen->distances;
+    result.assumptions = interpretation.inherited_modes;
+    for (const gcode::Diagnostic& d : interpretation.diagnostics) {
+        if (d.span.line == line && (number == 0 ? d.file.empty() : d.file == result.file))
+            result.diagnostics.push_back(d);
+    }
+    add_tool(survey, result);
+    if (with_volume) {
+        add_removed(plan, survey, number, result);
+    } else {
+        result.not_simulated = "--no-volume";
+    }
+    return result;
+}
+
+}  // namespace ncsim::simulation
