@@ -80,7 +80,7 @@ endif()
 if(TARGET ncsim)
   find_program(NCSIM_CHROMIUM chromium)
   set(page_tools ${CMAKE_CURRENT_BINARY_DIR}/cli/page)
-  foreach(file package.json package-lock.json page.mjs arrays.mjs)
+  foreach(file package.json package-lock.json page.mjs arrays.mjs index.mjs)
     configure_file(cli/page/${file} ${page_tools}/${file} COPYONLY)
   endforeach()
   add_test(NAME cli.install_browser_driver
@@ -92,6 +92,11 @@ if(TARGET ncsim)
     COMMAND node page.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM} ${PROJECT_SOURCE_DIR}/samples
     WORKING_DIRECTORY ${page_tools})
   set_tests_properties(cli.a_click_on_a_face_selects_its_line PROPERTIES
+    FIXTURES_REQUIRED browser_driver TIMEOUT 300)
+  add_test(NAME cli.an_index_of_pages_is_sorted_and_searched
+    COMMAND node index.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM}
+    WORKING_DIRECTORY ${page_tools})
+  set_tests_properties(cli.an_index_of_pages_is_sorted_and_searched PROPERTIES
     FIXTURES_REQUIRED browser_driver TIMEOUT 300)
   add_test(NAME cli.states_of_a_page_have_the_volume_of_the_part
     COMMAND node arrays.mjs $<TARGET_FILE:ncsim> ${PROJECT_SOURCE_DIR}/samples
