@@ -91,22 +91,24 @@ TEST(CompareLines, FindsAsManyEqualLinesAsThereAre) {
 // More edits than the search keeps at a time.
 TEST(CompareLines, OfLongTextsEndsSoon) {
     std::vector<std::string> texts;
-    for (int i = 0; i < 60000; ++i)
+    texts.reserve(12000);
+    for (int i = 0; i < 12000; ++i)
         texts.push_back("N" + std::to_string(i));
     Lines a(texts.begin(), texts.end());
-    Lines moved(a.begin() + 30000, a.end());
-    moved.insert(moved.end(), a.begin(), a.begin() + 30000);
+    Lines moved(a.begin() + 6000, a.end());
+    moved.insert(moved.end(), a.begin(), a.begin() + 6000);
     checked_equal(a, moved);
     std::mt19937 random(2);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same texts in each run
     Lines few_kinds;
-    for (int i = 0; i < 60000; ++i)
+    few_kinds.reserve(a.size());
+    for (int i = 0; i < 12000; ++i)
         few_kinds.push_back(texts[random() % 300]);
     Lines other(few_kinds.rbegin(), few_kinds.rend());
-    EXPECT_GT(checked_equal(few_kinds, other), 5000U);
+    EXPECT_GT(checked_equal(few_kinds, other), 1000U);
     // Two edits far apart in a long text.
     Lines b = a;
     b.erase(b.begin() + 10);
-    b.insert(b.begin() + 50000, "M5");
+    b.insert(b.begin() + 10000, "M5");
     EXPECT_EQ(checked_equal(a, b), a.size() - 1);
 }
 
