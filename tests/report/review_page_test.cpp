@@ -71,8 +71,8 @@ TEST(ReviewPage, LinksRegionsAndLinesOfBothPrograms) {
 TEST(ReviewPage, ShowsChangesOfValues) {
     const std::string page = page_of({deeper_pocket()});
     for (const char* row :
-         {"<tr class=\"differs\"><th scope=\"row\">volume of the part</th><td>10.000 cm3</td>"
-          "<td>9.000 cm3</td><td>-1.000 cm3 (-10.0 %)</td></tr>",
+         {"<tr class=\"differs\"><th scope=\"row\">volume of the part</th><td>10000 mm3</td>"
+          "<td>9000 mm3</td><td>-1000 mm3 (-10.0 %)</td></tr>",
           "<tr class=\"differs\"><th scope=\"row\">feed</th><td>800 mm/min</td>"
           "<td>700 mm/min</td><td>changed</td></tr>",
           "<tr><th scope=\"row\">spindle</th><td>M3 5000 rpm</td><td>M3 5000 rpm</td><td></td>",

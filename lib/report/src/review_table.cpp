@@ -3,7 +3,6 @@
 // Writes the table of values of two programs.
 #include "review_table.h"
 
-#include "ncsim/report/describe.h"
 #include "ncsim/report/machining_time.h"
 
 #include "append.h"
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <set>
 
@@ -21,10 +19,36 @@ namespace ncsim::report {
 
 namespace {
 
-using Text = std::function<std::string(double)>;
-
 // Differences below this share are rounding.
 constexpr double kRounding = 1e-9;
+constexpr double kLeastPercent = 0.05;
+
+std::string volume_text_mm3(double mm3) {
+    return fmt::format("{:.6g} mm3", mm3);
+}
+std::string path_text(double mm) {
+    return fmt::format("{:.1f} mm", mm);
+}
+std::string path_change_text(double mm) {
+    return fmt::format("{:.3g} mm", mm);
+}
+std::string time_change_text(double seconds) {
+    return seconds < 60.0 ? fmt::format("{:.3g} s", seconds) : time_text(seconds);
+}
+std::string count_text(double count) {
+    return fmt::format("{:.0f}", count);
+}
+
+// Texts of a value and of a change; smaller changes than `least` do not count.
+struct Quantity {
+    std::string (*text)(double);
+    std::string (*change)(double);
+    double least = 0.0;
+};
+constexpr Quantity kVolume{volume_text_mm3, volume_text_mm3};
+constexpr Quantity kTime{time_text, time_change_text, 1e-3};
+constexpr Quantity kPath{path_text, path_change_text, 1e-3};
+constexpr Quantity kCount{count_text, count_text};
 
 class Table {
 public:
@@ -34,34 +58,23 @@ public:
         put(name, before, after, before == after ? "" : "changed", before != after);
     }
 
-    // Adds a row of numbers, which `text` converts; empty: not known.
+    // Adds a row of numbers; empty: not known.
     void put_number(const std::string& name, std::optional<double> before,
-                    std::optional<double> after, const Text& text) {
-        put_number(name, before, after, text, text);
-    }
-    void put_time(const std::string& name, std::optional<double> before,
-                  std::optional<double> after) {
-        put_number(name, before, after, time_text, [](double seconds) {
-            return seconds < 60.0 ? fmt::format("{:.3g} s", seconds) : time_text(seconds);
-        });
-    }
-
-    void put_number(const std::string& name, std::optional<double> before,
-                    std::optional<double> after, const Text& text, const Text& change_text) {
+                    std::optional<double> after, const Quantity& quantity) {
         const auto shown = [&](const std::optional<double>& value) {
-            return value ? text(*value) : std::string("unknown");
+            return value ? quantity.text(*value) : std::string("unknown");
         };
         std::string change;
         bool differs = before.has_value() != after.has_value();
         if (before && after) {
             const double difference = *after - *before;
             const double most = std::max(std::abs(*before), std::abs(*after));
-            differs = std::abs(difference) > kRounding * most;
-            if (differs) {
-                change = (difference > 0 ? "+" : "-") + change_text(std::abs(difference));
-                if (*before > 0)
-                    change += fmt::format(" ({:+.1f} %)", 100.0 * difference / *before);
-            }
+            differs = std::abs(difference) > std::max(quantity.least, kRounding * most);
+            if (differs)
+                change = (difference > 0 ? "+" : "-") + quantity.change(std::abs(difference));
+            const double percent = *before > 0 ? 100.0 * difference / *before : 0.0;
+            if (differs && std::abs(percent) >= kLeastPercent)
+                change += fmt::format(" ({:+.1f} %)", percent);
         }
         put(name, shown(before), shown(after), change, differs);
     }
@@ -89,13 +102,6 @@ private:
     std::string rows_;
 };
 
-std::string path_text(double mm) {
-    return fmt::format("{:.1f} mm", mm);
-}
-std::string count_text(double count) {
-    return fmt::format("{:.0f}", count);
-}
-
 verify::Distances distances_of(const ReviewSide& side) {
     std::map<int, verify::Distances> all;
     for (const auto& [number, tool] : side.tools)
@@ -107,14 +113,14 @@ void put_program(Table& table, const Review& review) {
     const verify::Distances before = distances_of(review.old_side);
     const verify::Distances after = distances_of(review.new_side);
     table.put_number("volume of the part", review.difference.old_mm3, review.difference.new_mm3,
-                     volume_text);
-    table.put_time("time", time_of(before).total(), time_of(after).total());
-    table.put_number("feed path", before.feed_mm, after.feed_mm, path_text);
-    table.put_number("rapid path", before.rapid_mm, after.rapid_mm, path_text);
+                     kVolume);
+    table.put_number("time", time_of(before).total(), time_of(after).total(), kTime);
+    table.put_number("feed path", before.feed_mm, after.feed_mm, kPath);
+    table.put_number("rapid path", before.rapid_mm, after.rapid_mm, kPath);
     table.put_number("tool changes", static_cast<double>(before.tool_changes),
-                     static_cast<double>(after.tool_changes), count_text);
+                     static_cast<double>(after.tool_changes), kCount);
     if (before.dwell_seconds > 0.0 || after.dwell_seconds > 0.0)
-        table.put_time("dwells", before.dwell_seconds, after.dwell_seconds);
+        table.put_number("dwells", before.dwell_seconds, after.dwell_seconds, kTime);
 }
 
 void put_tool(Table& table, int number, const ReviewTool* before, const ReviewTool* after,
@@ -132,8 +138,8 @@ void put_tool(Table& table, int number, const ReviewTool* before, const ReviewTo
     const verify::Distances none;
     const verify::Distances& a = before ? before->distances : none;
     const verify::Distances& b = after ? after->distances : none;
-    table.put_number("feed path", a.feed_mm, b.feed_mm, path_text);
-    table.put_time("time", time_of(a).total(), time_of(b).total());
+    table.put_number("feed path", a.feed_mm, b.feed_mm, kPath);
+    table.put_number("time", time_of(a).total(), time_of(b).total(), kTime);
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ try {
   expect(await page.locator("#s1n-40").isVisible(), "a link unfolds its line");
 
   const cell = page.getByRole("row", { name: /^volume of the part/ }).getByRole("cell");
-  expect(/^-[0-9.]+ cm3 \(-[0-9.]+ %\)$/.test((await cell.allTextContents())[2]), "change of volume");
+  expect(/^-[0-9.]+ mm3 \(-[0-9.]+ %\)$/.test((await cell.allTextContents())[2]), "change of volume");
 
   page = await open("review.html", { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
   same(await page.evaluate(() => [document.documentElement.scrollWidth,
