@@ -39,6 +39,24 @@ TEST(Review, HasLinesOfBothProgramsForEachDifference) {
     EXPECT_TRUE(folder.read("s.html") == page);
 }
 
+// A ring groove around a bore: the bore is in the box of the difference, but is the same.
+TEST(Review, NamesNoLineOfASurfaceThatIsTheSame) {
+    const auto ring = [](const char* depth) {
+        return "(T1 D=4. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"
+               "(FROM/0.,0.,100.)\nG21 G90 G17 T1 M6\nS1000 M3\nG0 X10. Y0. Z5.\nG1 Z" +
+               std::string(depth) +
+               " F500.\nG2 X10. Y0. I-10. J0.\nG0 Z5.\nX0. Y0.\nG1 Z-4.\nG0 Z5.\nM30\n";
+    };
+    Folder folder;
+    folder.write("a.nc", ring("-2."));
+    folder.write("b.nc", ring("-3."));
+    EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--html", "r.html"}).exit_code, 1);
+    const std::string page = folder.read("r.html");
+    EXPECT_TRUE(contains(page, "id=\"s1o-8\"><a class=\"region\" href=\"#s1r-1\"")) << page;
+    EXPECT_TRUE(contains(page, "id=\"s1o-11\">11</td>"));
+    EXPECT_TRUE(contains(page, "id=\"s1n-11\">11</td>"));
+}
+
 TEST(Review, ShowsTheSideThatDiffers) {
     const auto slot = [](const char* depth) {
         return "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,30.,20.,20.,15.,20.)\n"
