@@ -45,6 +45,7 @@ Review deeper_pocket() {
     review.new_side.tools[1].feed = "700 mm/min";
     review.new_side.tools[1].distances.feed_seconds = 20.0;
     review.new_side.tools[2] = review.old_side.tools[1];
+    review.old_side.tools[0].distances.rapid_mm = 10.0;  // before the first tool
     review.regions.push_back(
         {true, 1000.0, box, {5, 5, -1}, {{0, 2, 2}}, {{0, 2, 2}, {1, 7, 9}}, true});
     review.pictures.push_back({"isometric", "BEFORE", "AFTER", "CHANGE", {{0, 0.25, 0.5}}});
@@ -79,6 +80,8 @@ TEST(ReviewPage, ShowsChangesOfValues) {
           "<tr class=\"differs\"><th scope=\"row\">shape</th><td>not used</td>"})
         EXPECT_TRUE(contains(page, row)) << row;
     EXPECT_TRUE(contains(page, "+5 s (+"));
+    EXPECT_TRUE(contains(page, "rapid path</th><td>110.0 mm</td><td>200.0 mm</td>"));
+    EXPECT_FALSE(contains(page, "T0"));
     EXPECT_TRUE(contains(page_of({deeper_pocket()}, LengthUnit::Inch), "<td>0.6102 in3</td>"));
 }
 

@@ -149,8 +149,9 @@ std::string review_table(const Review& review, LengthUnit unit) {
     put_program(table, review);
     std::set<int> numbers;
     for (const ReviewSide* side : {&review.old_side, &review.new_side}) {
-        for (const auto& [number, tool] : side->tools)
-            numbers.insert(number);
+        for (const auto& [number, tool] : side->tools) {
+            if (!tool.shape.empty()) numbers.insert(number);
+        }
     }
     const auto find = [](const ReviewSide& side, int number) {
         const auto found = side.tools.find(number);
