@@ -119,14 +119,16 @@ TEST(Pages, AreOneForEachProgramAndAnIndex) {
     folder.write("all/notes.txt", "words\n");
     ASSERT_EQ(folder.run({"check", "all", "--html", "pages/", "-j", "3"}).exit_code, 1);
     const std::string index = folder.read("pages/index.html");
-    for (const char* row : {"<tr class=\"clean\"><td>clean</td><td><a "
-                            "href=\"all_two.nc~O0100.html\">all/two.nc (O0100)</a>",
-                            "<tr class=\"failed\"><td>failed</td><td><a "
-                            "href=\"all_two.nc~O0101.html\">all/two.nc (O0101)</a>",
-                            "<a href=\"all_sub_a_b.nc~1.html\">all/sub/a b.nc</a>",
-                            "<a href=\"all_sub_a_b.nc~2.html\">all/sub_a b.nc</a>",
-                            "all/notes.txt: text without G-code"})
+    for (const char* row :
+         {"<a href=\"all_two.nc~O0100.html\">all/two.nc (O0100)</a>",
+          "<a href=\"all_two.nc~O0101.html\">all/two.nc (O0101)</a>",
+          "src=\"all_two.nc~O0101.png\"", "<a href=\"all_sub_a_b.nc~1.html\">all/sub/a b.nc</a>",
+          "<a href=\"all_sub_a_b.nc~2.html\">all/sub_a b.nc</a>",
+          "all/notes.txt: text without G-code"})
         EXPECT_TRUE(contains(index, row)) << row << '\n' << index.substr(index.find("<header"));
+    EXPECT_LT(index.find("<tr role=\"row\" class=\"failed\">"),
+              index.find("<tr role=\"row\" class=\"clean\">"));
+    EXPECT_EQ(folder.read("pages/all_two.nc~O0101.png").substr(1, 3), "PNG");
     EXPECT_TRUE(contains(folder.read("pages/all_two.nc~O0101.html"), "O0101: rapid move through"));
     EXPECT_FALSE(contains(folder.read("pages/all_two.nc~O0100.html"), "O0101: rapid move through"));
     EXPECT_TRUE(contains(folder.read("pages/all_sub_a_b.nc~1.html"), "all/sub/a b.nc: clean"));
@@ -142,7 +144,7 @@ TEST(Pages, AreOneForEachProgramAndAnIndex) {
     EXPECT_TRUE(contains(folder.read("two.html"), "<a href=\"two-pages/all_two.nc~O0100.html\">"));
     ASSERT_EQ(folder.run({"check", "none.nc", "all/two.nc", "--html", "p/"}).exit_code, 2);
     EXPECT_TRUE(
-        contains(folder.read("p/index.html"), "<td>not-verified</td><td><a href=\"none.nc"));
+        contains(folder.read("p/index.html"), "<a href=\"none.nc.html\">none.nc</a><small>cannot"));
     EXPECT_EQ(folder.run({"check", "all", "--html", "all/two.nc"}).exit_code, 2);
 }
 

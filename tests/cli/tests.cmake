@@ -44,6 +44,7 @@ if(TARGET ncsim)
       provenance_test.cpp
       rays_test.cpp
       report_units_test.cpp
+      review_test.cpp
       rotary_test.cpp
       run_program.cpp
       run_test.cpp
@@ -82,7 +83,7 @@ endif()
 if(TARGET ncsim)
   find_program(NCSIM_CHROMIUM chromium)
   set(page_tools ${CMAKE_CURRENT_BINARY_DIR}/cli/page)
-  foreach(file package.json package-lock.json page.mjs arrays.mjs)
+  foreach(file package.json package-lock.json page.mjs arrays.mjs index.mjs review.mjs)
     configure_file(cli/page/${file} ${page_tools}/${file} COPYONLY)
   endforeach()
   add_test(NAME cli.install_browser_driver
@@ -94,6 +95,16 @@ if(TARGET ncsim)
     COMMAND node page.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM} ${PROJECT_SOURCE_DIR}/samples
     WORKING_DIRECTORY ${page_tools})
   set_tests_properties(cli.a_click_on_a_face_selects_its_line PROPERTIES
+    FIXTURES_REQUIRED browser_driver TIMEOUT 300)
+  add_test(NAME cli.an_index_of_pages_is_sorted_and_searched
+    COMMAND node index.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM}
+    WORKING_DIRECTORY ${page_tools})
+  set_tests_properties(cli.an_index_of_pages_is_sorted_and_searched PROPERTIES
+    FIXTURES_REQUIRED browser_driver TIMEOUT 300)
+  add_test(NAME cli.a_review_shows_what_differs
+    COMMAND node review.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM}
+    WORKING_DIRECTORY ${page_tools})
+  set_tests_properties(cli.a_review_shows_what_differs PROPERTIES
     FIXTURES_REQUIRED browser_driver TIMEOUT 300)
   add_test(NAME cli.states_of_a_page_have_the_volume_of_the_part
     COMMAND node arrays.mjs $<TARGET_FILE:ncsim> ${PROJECT_SOURCE_DIR}/samples

@@ -18,6 +18,7 @@ ncsim_add_test(export
     random_programs_test.cpp
     render_test.cpp
     sheet_test.cpp
+    shrink_test.cpp
     simplify_test.cpp
     slivers_test.cpp
     step_test.cpp

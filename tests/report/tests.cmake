@@ -4,6 +4,11 @@ ncsim_add_test(report
   SOURCES
     baseline_test.cpp
     length_unit_test.cpp
+    line_diff_test.cpp
+    page_index_test.cpp
     plain_text_test.cpp
+    program_diff_test.cpp
+    review_page_test.cpp
     shard_test.cpp
     tile_file_test.cpp)
+target_include_directories(ncsim_report_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/report/src)

@@ -5,14 +5,17 @@
 
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/page.h"
+#include "ncsim/report/page_index.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <ostream>
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -83,9 +86,8 @@ std::string page_folder(const std::string& html) {
 
 Pages::Pages(const CheckOptions& options, const std::vector<std::string>& programs,
              OutputSet& outputs)
-    : outputs_(outputs), names_(names_of(programs)) {
+    : unit_(options.report_unit), outputs_(outputs), names_(names_of(programs)) {
     if (options.html.empty()) return;
-    unit_ = options.report_unit;
     index_ = page_file(options.html);
     has_index_ = names_folder(options.html) || programs.size() > 1;
     folder_ = page_folder(options.html);
@@ -107,12 +109,23 @@ void Pages::add(std::size_t number, report::Checked checked) {
 
 void Pages::write_one(std::size_t number, const report::Checked& checked) {
     const std::string program = checked.program.empty() ? "" : '~' + plain_name(checked.program);
-    const std::string name = names_.at(number) + program + ".html";
+    const std::string name = names_.at(number) + program;
     make_folder(folder_);
-    const std::string path = (fs::path(folder_) / name).string();
-    outputs_.reserve(path);
-    outputs_.write(path, [&](std::ostream& out) { report::write_page(out, checked); });
-    links_.emplace(Name(checked.path, checked.program), prefix_ + name);
+    // Returns the address of the file from the index.
+    const auto write_file = [&](const char* ending,
+                                const std::function<void(std::ostream&)>& writer) {
+        const std::string path = (fs::path(folder_) / (name + ending)).string();
+        outputs_.reserve(path);
+        outputs_.write(path, writer);
+        return prefix_ + name + ending;
+    };
+    report::IndexFacts facts = report::index_facts(checked);
+    facts.page = write_file(".html", [&](std::ostream& out) { report::write_page(out, checked); });
+    if (checked.page_data && !checked.page_data->thumbnail.empty()) {
+        facts.picture =
+            write_file(".png", [&](std::ostream& out) { out << checked.page_data->thumbnail; });
+    }
+    facts_.emplace(Name(checked.path, checked.program), std::move(facts));
 }
 
 void Pages::write(const report::Entries& all, const report::Scope& scope) {
@@ -123,12 +136,13 @@ void Pages::write(const report::Entries& all, const report::Scope& scope) {
     }
     for (const auto& [number, checked] : kept_)
         write_one(number, checked);
-    const auto link = [&](const report::Entry& entry) {
-        const auto found = links_.find(Name(entry.path, entry.program));
-        return found == links_.end() ? std::string() : found->second;
+    const auto facts = [&](const report::Entry& entry) {
+        const auto found = facts_.find(Name(entry.path, entry.program));
+        return found == facts_.end() ? nullptr : &found->second;
     };
-    outputs_.write(index_,
-                   [&](std::ostream& out) { report::write_page_index(out, all, link, scope); });
+    outputs_.write(index_, [&](std::ostream& out) {
+        report::write_page_index(out, all, facts, scope, unit_);
+    });
 }
 
 }  // namespace ncsim::app

@@ -5,6 +5,8 @@
 
 #include "ncsim/report/checked.h"
 #include "ncsim/report/entry.h"
+#include "ncsim/report/length_unit.h"
+#include "ncsim/report/page_index.h"
 #include "ncsim/report/scope.h"
 
 #include "options/check_options.h"
@@ -41,12 +43,12 @@ private:
     std::string folder_;  // folder of the pages
     std::string prefix_;  // from the index to a page
     bool has_index_ = false;
-    report::LengthUnit unit_ = report::LengthUnit::Millimetre;
+    report::LengthUnit unit_;
     OutputSet& outputs_;
     std::vector<std::string> names_;  // of pages, by program
     std::mutex mutex_;
     std::vector<std::pair<std::size_t, report::Checked>> kept_;  // pages while there is no index
-    std::map<Name, std::string> links_;
+    std::map<Name, report::IndexFacts> facts_;
 };
 
 /// Returns the file of the index or only page of `--html`: "DIR/index.html" for a folder.

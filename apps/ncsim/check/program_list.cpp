@@ -45,7 +45,8 @@ public:
         const fs::path file = whole(path);
         const fs::path folder = file.parent_path();
         if (folder == shards_ && file.extension() == ".ndjson") return true;
-        if (folder == pages_ && file.extension() == ".html") return true;
+        if (folder == pages_ && (file.extension() == ".html" || file.extension() == ".png"))
+            return true;
         if (folder.parent_path() == verdicts_ && is_digest(file.filename().string())) return true;
         return std::ranges::any_of(files_, [&](const std::string& output) {
             std::error_code error;

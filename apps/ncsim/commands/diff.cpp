@@ -5,10 +5,12 @@
 
 #include "ncsim/report/describe.h"
 #include "ncsim/report/difference.h"
+#include "ncsim/report/review_page.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/compare_parts.h"
 #include "ncsim/simulation/models.h"
+#include "ncsim/simulation/review_data.h"
 
 #include "options/job_steps.h"
 #include "options/plan_options.h"
@@ -89,10 +91,10 @@ DiffOptions options_of_new(const DiffOptions& old) {
     return old.of_new_job ? *old.of_new_job : old;
 }
 
-// Compares the parts of two programs, which are cut from the stock of the old one. Empty if a
-// program cannot be cut.
-std::optional<report::Difference> difference_of(const Input& a_input, const Input& b_input,
-                                                setup::InputSet& inputs) {
+// Compares the parts of two programs, which are cut from the stock of the old one. Without --html,
+// the review has the difference only. Empty if a program cannot be cut.
+std::optional<report::Review> review_of(const Input& a_input, const Input& b_input,
+                                        setup::InputSet& inputs) {
     const Side a = read_side(a_input, {}, inputs);
     if (!is_usable(a)) return std::nullopt;
     const Side b_alone = read_side(b_input, {}, inputs);
@@ -100,7 +102,13 @@ std::optional<report::Difference> difference_of(const Input& a_input, const Inpu
     const Side b = read_side(b_input, stock, inputs);
     if (!is_usable(b)) return std::nullopt;
 
-    report::Difference d = simulation::compare_parts(a, b);
+    report::Review review;
+    if (a_input.options.html.empty()) {
+        review.difference = simulation::compare_parts(a, b);
+    } else {
+        review = simulation::review_of(a, b, simulation::compare_with_parts(a, b));
+    }
+    report::Difference& d = review.difference;
     // An assumed stock follows from the motions and has no information of its own.
     const auto& other = b_alone.survey.stock;
     const bool both_specified = other && other->specified_by != toolpath::ValueSource::Assumption &&
@@ -116,7 +124,7 @@ std::optional<report::Difference> difference_of(const Input& a_input, const Inpu
     d.tolerance_mm3 = tolerance;
     d.differs =
         !d.stocks.empty() || d.only_old.volume_mm3 > tolerance || d.only_new.volume_mm3 > tolerance;
-    return d;
+    return review;
 }
 
 }  // namespace
@@ -143,6 +151,8 @@ cli::App* add_diff(cli::App& app, DiffOptions& o) {
         ->number_range(0.0, 1e15);
     diff->add_flag("--process", o.process, "Compare feeds, speeds, coolant, tools and dwells, too");
     diff->add_option("--json", o.json, "Differences, JSON")->type_name("FILE");
+    diff->add_option("--html", o.html, "Review: both parts, values, lines side by side")
+        ->type_name("FILE");
     diff->add_flag("--quiet,-q", o.quiet, "Print nothing");
     add_report_unit(*diff, o);
     return diff;
@@ -166,6 +176,7 @@ int run(const DiffOptions& options) {
     inputs.expect(options.new_program);
     if (!options.machine.empty()) inputs.expect(options.machine);
     outputs.reserve(options.json);
+    outputs.reserve(options.html);
     const std::vector<Input> a = inputs_to_compare(options, inputs);
     const std::vector<Input> b = inputs_to_compare(options_of_new(options), inputs);
     if (a.size() != b.size()) {
@@ -174,14 +185,21 @@ int run(const DiffOptions& options) {
             "programs",
             options.job, a.size(), options.new_program, b.size()));
     }
+    std::vector<report::Review> reviews;
     std::vector<report::Difference> differences;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::optional<report::Difference> d = difference_of(a[i], b[i], inputs);
-        if (!d) return kFindings;
-        if (!options.quiet)
-            put_text(report::text_of(*d, options.report_unit), outputs.takes_standard_output());
-        differences.push_back(*std::move(d));
+        std::optional<report::Review> review = review_of(a[i], b[i], inputs);
+        if (!review) return kFindings;
+        if (!options.quiet) {
+            put_text(report::text_of(review->difference, options.report_unit),
+                     outputs.takes_standard_output());
+        }
+        differences.push_back(review->difference);
+        reviews.push_back(*std::move(review));
     }
+    outputs.write(options.html, [&](std::ostream& out) {
+        report::write_review(out, reviews, options.report_unit);
+    });
     outputs.write(options.json,
                   [&](std::ostream& out) { report::write_differences(out, differences); });
     outputs.commit();

@@ -19,6 +19,7 @@ struct DiffOptions : ProgramOptions, SimulationOptions {
     double tolerance_mm3 = 0.0;  ///< Differences up to this volume do not count.
     bool process = false;        ///< Exit code 1 also for different feeds and speeds.
     std::string json;            ///< Output file; empty: none.
+    std::string html;            ///< The same, for the review.
     bool quiet = false;
     std::vector<std::string> words;  ///< Options of the command line, without OLD and NEW.
     /// Options of the new job; null if it is the old job, or no job.

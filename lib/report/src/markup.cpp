@@ -5,6 +5,8 @@
 
 #include "ncsim/report/plain_text.h"
 
+#include "json.h"
+
 namespace ncsim::report {
 
 std::string escaped(std::string_view text) {
@@ -19,6 +21,11 @@ std::string escaped(std::string_view text) {
         }
     }
     return out;
+}
+
+std::string valid_utf8(const std::string& text) {
+    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Json::parse(quoted).get<std::string>();
 }
 
 }  // namespace ncsim::report

@@ -12,4 +12,7 @@ namespace ncsim::report {
 /// unchanged.
 std::string escaped(std::string_view text);
 
+/// Returns `text` with bytes that are not UTF-8 replaced by U+FFFD.
+std::string valid_utf8(const std::string& text);
+
 }  // namespace ncsim::report

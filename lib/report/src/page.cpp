@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pages and their index as HTML.
+// Pages as HTML.
 #include "ncsim/report/page.h"
 
 #include "ncsim/report/check_text.h"
@@ -13,6 +13,7 @@
 #include "markup.h"
 #include "page_arrays.h"
 #include "page_ledger.h"
+#include "source_lines.h"
 
 #include <fmt/format.h>
 
@@ -227,24 +228,6 @@ Json machine_json(const MachinePageData& machine) {
     json["values"] = packed(values, 9);
     json["tools"] = packed(tools);
     return json;
-}
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = text.find_first_of("\r\n");
-        lines.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) break;
-        const bool pair = text.substr(end, 2) == "\r\n";
-        text.remove_prefix(end + (pair ? 2 : 1));
-    }
-    return lines;
-}
-
-// Replaces bytes that are not UTF-8 by U+FFFD.
-std::string valid_utf8(const std::string& text) {
-    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return Json::parse(quoted).get<std::string>();
 }
 
 // Returns the data for the script. The mark of a line is its highest severity.
@@ -471,57 +454,6 @@ void write_run_page(std::ostream& out, const std::string& path, const std::strin
     body += "<main>\n" + viewer_html(page_data);
     body += "<section><h2>Summary</h2><pre>" + escaped(summary) + "</pre></section>\n</main>\n";
     write_document(out, title_of(checked) + " · ncsim run", body, checked, &page_data);
-}
-
-namespace {
-
-std::string row_html(const Entry& entry, const std::string& link) {
-    const std::string program = entry.program.empty() ? "" : " (" + entry.program + ')';
-    const std::string name = escaped(relative_path(entry.path) + program);
-    return fmt::format("<tr class=\"{0}\"><td>{0}</td><td>{1}</td><td>{2}</td></tr>\n", entry.word,
-                       link.empty() ? name : fmt::format("<a href=\"{}\">{}</a>", link, name),
-                       escaped(entry.counts));
-}
-
-std::string scope_html(const Scope& scope) {
-    std::string text;
-    if (!scope.called.empty()) text += "<section><h2>Judged with a caller</h2><ul>\n";
-    for (const CalledFile& file : scope.called)
-        text += fmt::format("<li>{} (with {})</li>\n", escaped(relative_path(file.path)),
-                            escaped(relative_path(file.caller)));
-    if (!scope.called.empty()) text += "</ul></section>\n";
-    if (!scope.excluded.empty()) text += "<section><h2>Left out</h2><ul>\n";
-    for (const ExcludedEntry& file : scope.excluded)
-        text += fmt::format("<li>{}: {}</li>\n", escaped(relative_path(file.path)), file.why);
-    if (!scope.excluded.empty()) text += "</ul></section>\n";
-    return text;
-}
-
-}  // namespace
-
-void write_page_index(std::ostream& out, const Entries& all,
-                      const std::function<std::string(const Entry&)>& link, const Scope& scope) {
-    std::map<std::string, std::size_t> words;
-    std::size_t programs = 0;
-    std::string rows;
-    all([&](const Entry& entry) {
-        ++words[entry.word];
-        ++programs;
-        rows += row_html(entry, link(entry));
-    });
-    std::string counts;
-    for (const char* word : {"clean", "accepted", "not-proven", "failed", "not-verified"}) {
-        if (words[word] > 0) counts += fmt::format(", {} {}", words[word], word);
-    }
-    out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-           "<meta name=\"viewport\" content=\"width=device-width\">\n<title>ncsim check</title>\n"
-           "<style>\n"
-        << kPageStyle << "</style></head>\n<body>\n"
-        << valid_utf8(fmt::format("<header><h1>ncsim check: {} programs{}</h1><p>ncsim {}</p>"
-                                  "</header>\n<main>\n<section><table>\n{}</table></section>\n{}"
-                                  "</main>\n",
-                                  programs, counts, kVersion, rows, scope_html(scope)))
-        << "</body></html>\n";
 }
 
 }  // namespace ncsim::report

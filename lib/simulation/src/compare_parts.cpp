@@ -12,6 +12,7 @@
 #include "compare_processes.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -56,8 +57,10 @@ bool moves_alike(const SurveyedPlan& a, const SurveyedPlan& b) {
     return same && next == traces.size();
 }
 
-// Returns what the program of `side` still removes from the finished part of `other`.
-report::OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& other) {
+// Returns what the program of `side` still removes from the finished part of `other`. `rest`
+// becomes the material of both parts.
+report::OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& other,
+                                   std::unique_ptr<cda::WorkpieceModel>& rest) {
     verify::Setup setup;
     setup.ledger = true;
     for (const verify::RuleInfo& rule : verify::rules())
@@ -68,35 +71,43 @@ report::OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& o
     Verification verification;
     verification.verifier = &verifier;
     verification.start = other.part.get();
-    const Simulation cut = simulate(side.plan, side.survey, verification, {});
+    Simulation cut = simulate(side.plan, side.survey, verification, {});
     const verify::Verdict verdict =
         verifier.finish(side.survey.interpretation, cut.part.get(), cut.stock_volume);
     report::OneSidedMaterial result;
     result.regions = verify::regions_of(verdict.ledger);
     result.volume_mm3 = verdict.ledger.removed_mm3;
     result.files = verdict.files;
+    rest = std::move(cut.part);
     return result;
 }
 
 }  // namespace
 
-report::Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
+Comparison compare_with_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
     require_verifying(a.plan);
     require_verifying(b.plan);
-    report::Difference d;
+    Comparison result;
+    report::Difference& d = result.difference;
     d.process = compare_processes(a.plan, a.survey, b.plan, b.survey);
-    const Simulation made_a = simulate(a.plan, a.survey, {}, {});
-    d.old_mm3 = made_a.part_volume;
+    Verification verification;
+    verification.keep_cuts = true;
+    result.old_part = simulate(a.plan, a.survey, verification, {});
+    d.old_mm3 = result.old_part.part_volume;
     d.same_motions = moves_alike(a, b);
     if (d.same_motions) {
         d.new_mm3 = d.old_mm3;
-        return d;
+        return result;
     }
-    const Simulation made_b = simulate(b.plan, b.survey, {}, {});
-    d.new_mm3 = made_b.part_volume;
-    d.only_old = remainder(b, made_a);
-    d.only_new = remainder(a, made_b);
-    return d;
+    result.new_part = simulate(b.plan, b.survey, verification, {});
+    d.new_mm3 = result.new_part.part_volume;
+    d.only_old = remainder(b, result.old_part, result.common);
+    d.only_new = remainder(a, result.new_part, result.common);
+    return result;
+}
+
+report::Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
+    return compare_with_parts(a, b).difference;
 }
 
 }  // namespace ncsim::simulation

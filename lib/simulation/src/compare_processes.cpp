@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -78,6 +81,17 @@ std::string_view unit_of(gcode::FeedMode mode) {
     return "mm/min";
 }
 
+std::string_view words_for(const gcode::Coolant& coolant) {
+    return coolant.mist && coolant.flood ? "M7 M8"
+           : coolant.mist                ? "M7"
+           : coolant.flood               ? "M8"
+                                         : "off";
+}
+
+std::string_view word_for(gcode::SpindleTurning turning) {
+    return turning == gcode::SpindleTurning::Clockwise ? "M3" : "M4";
+}
+
 std::string words_for(const Condition& c) {
     std::string text = fmt::format("T{}, ", c.tool);
     text += c.dwell_s > 0.0 ? fmt::format("dwell {:.6g} s", c.dwell_s)
@@ -85,20 +99,15 @@ std::string words_for(const Condition& c) {
     if (c.spindle == gcode::SpindleTurning::Stopped) {
         text += ", spindle stopped";
     } else {
-        text += fmt::format(", spindle {} {:.6g} rpm",
-                            c.spindle == gcode::SpindleTurning::Clockwise ? "M3" : "M4", c.rpm);
+        text += fmt::format(", spindle {} {:.6g} rpm", word_for(c.spindle), c.rpm);
     }
-    text += c.coolant.mist && c.coolant.flood ? ", coolant M7 M8"
-            : c.coolant.mist                  ? ", coolant M7"
-            : c.coolant.flood                 ? ", coolant M8"
-                                              : ", coolant off";
-    return text;
+    return text + ", coolant " + std::string(words_for(c.coolant));
 }
 
-using Range = std::vector<Condition>::const_iterator;
+using ConditionIterator = std::vector<Condition>::const_iterator;
 
-std::vector<report::ProcessDifference::Run> runs_of(Range first, Range last, const Plan& plan,
-                                                    const Survey& survey) {
+std::vector<report::ProcessDifference::Run> runs_of(ConditionIterator first, ConditionIterator last,
+                                                    const Plan& plan, const Survey& survey) {
     std::vector<report::ProcessDifference::Run> runs;
     for (; first != last; ++first) {
         const auto& files = survey.interpretation.files;
@@ -109,14 +118,68 @@ std::vector<report::ProcessDifference::Run> runs_of(Range first, Range last, con
     return runs;
 }
 
+// Smallest and largest value.
+struct ValueRange {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    void add(double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    std::string text() const {
+        if (is_nearly_equal(least, most)) return fmt::format("{:.6g}", most);
+        return fmt::format("{:.6g} to {:.6g}", least, most);
+    }
+};
+
+// Values of the feed moves of a tool.
+struct ToolValues {
+    std::map<gcode::FeedMode, ValueRange> feeds;
+    std::map<gcode::SpindleTurning, ValueRange> speeds;
+    std::set<std::string_view> coolants;
+};
+
+void append_part(std::string& text, const std::string& part) {
+    text += (text.empty() ? "" : ", ") + part;
+}
+
+report::ToolProcess text_of(const ToolValues& values) {
+    report::ToolProcess process;
+    for (const auto& [mode, feeds] : values.feeds)
+        append_part(process.feed, feeds.text() + ' ' + std::string(unit_of(mode)));
+    for (const auto& [turning, speeds] : values.speeds) {
+        append_part(process.spindle,
+                    turning == gcode::SpindleTurning::Stopped
+                        ? "stopped"
+                        : fmt::format("{} {} rpm", word_for(turning), speeds.text()));
+    }
+    for (const std::string_view coolant : values.coolants)
+        append_part(process.coolant, std::string(coolant));
+    return process;
+}
+
 }  // namespace
+
+std::map<int, report::ToolProcess> processes_by_tool(const Plan& plan) {
+    std::map<int, ToolValues> values;
+    for (const Condition& c : conditions_of(plan)) {
+        if (c.dwell_s > 0.0) continue;
+        ToolValues& of_tool = values[c.tool];
+        of_tool.feeds[c.feed_mode].add(c.feed);
+        of_tool.speeds[c.spindle].add(c.rpm);
+        of_tool.coolants.insert(words_for(c.coolant));
+    }
+    std::map<int, report::ToolProcess> processes;
+    for (const auto& [tool, of_tool] : values)
+        processes.emplace(tool, text_of(of_tool));
+    return processes;
+}
 
 report::ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
                                             const Plan& new_plan, const Survey& new_survey) {
     const std::vector<Condition> a = conditions_of(old_plan);
     const std::vector<Condition> b = conditions_of(new_plan);
     const auto [front_a, front_b] = std::ranges::mismatch(a, b, same);
-    Range back_a = a.end(), back_b = b.end();
+    ConditionIterator back_a = a.end(), back_b = b.end();
     while (back_a != front_a && back_b != front_b && same(*(back_a - 1), *(back_b - 1))) {
         --back_a;
         --back_b;

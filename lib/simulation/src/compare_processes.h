@@ -4,8 +4,11 @@
 #pragma once
 
 #include "ncsim/report/difference.h"
+#include "ncsim/report/review.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
+
+#include <map>
 
 namespace ncsim::simulation {
 
@@ -14,5 +17,9 @@ namespace ncsim::simulation {
 /// Cost: one interpretation of each program.
 report::ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
                                             const Plan& new_plan, const Survey& new_survey);
+
+/// Returns the feeds, speeds and coolant of the feed moves of each tool.
+/// Cost: one interpretation of the program.
+std::map<int, report::ToolProcess> processes_by_tool(const Plan& plan);
 
 }  // namespace ncsim::simulation

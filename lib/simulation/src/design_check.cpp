@@ -8,6 +8,8 @@
 #include "ncsim/report/describe.h"
 #include "ncsim/verify/design_comparison.h"
 
+#include "clip_to_box.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,25 +47,7 @@ Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
 
 // Returns the area of a triangle in a box, mm².
 double area_within(const cda::Corners& triangle, const cda::Box& box) {
-    std::vector<cda::Vec3> polygon(triangle.begin(), triangle.end());
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const double sign : {1.0, -1.0}) {
-            const double most = sign > 0.0 ? box.max[axis] : -box.min[axis];
-            std::vector<cda::Vec3> left;
-            for (std::size_t i = 0; i < polygon.size(); ++i) {
-                const cda::Vec3 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
-                const double a = sign * p[axis] - most, b = sign * q[axis] - most;
-                if (a <= 0.0) left.push_back(p);
-                if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0))
-                    left.push_back(p + (a / (a - b)) * (q - p));
-            }
-            polygon = std::move(left);
-        }
-    }
-    cda::Vec3 twice;
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-        twice = twice + cda::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-    return 0.5 * cda::norm(twice);
+    return area_of_polygon(clip_to_box({triangle.begin(), triangle.end()}, box));
 }
 
 // Names of the design's faces near a region.

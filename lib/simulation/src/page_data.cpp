@@ -8,6 +8,7 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
+#include "ncsim/export/shrink.h"
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/trig/angles.h"
@@ -81,6 +82,15 @@ private:
     std::map<std::pair<std::string, std::vector<std::int64_t>>, std::uint32_t> numbers_;
 };
 
+// Pixels of a picture of the page for each pixel of the small picture, along each side.
+constexpr std::uint32_t kThumbnailFactor = 4;
+
+std::string png_of(const exporter::Image& image) {
+    std::ostringstream png;
+    exporter::write_png(png, image);
+    return std::move(png).str();
+}
+
 // Returns the number of triangles of a boundary, approximately.
 std::size_t triangles_of(const cda::Boundary& boundary) {
     std::size_t count = 0;
@@ -107,10 +117,10 @@ void add_pictures(const Survey& survey, const Simulation& simulation, const cda:
          {std::pair{"from above", View::Top}, std::pair{"isometric", View::Iso}}) {
         render.camera = exporter::fit_camera(box, view, 4 / 3.0);
         render.camera.depth += reach_of(fixtures);
-        std::ostringstream png;
-        exporter::write_png(png, exporter::render_boundary(boundary, simulation.provenance, render,
-                                                           overlay, shading));
-        data.pictures.emplace_back(name, png.str());
+        const exporter::Image image =
+            exporter::render_boundary(boundary, simulation.provenance, render, overlay, shading);
+        data.pictures.emplace_back(name, png_of(image));
+        if (view == View::Iso) data.thumbnail = png_of(exporter::shrink(image, kThumbnailFactor));
     }
 }
 

@@ -78,6 +78,7 @@ struct PageData {
     std::vector<ColouredMesh> fixtures;  ///< Frame of the part.
     std::optional<PlayData> play;        ///< Empty: the page shows the finished part only.
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
+    std::string thumbnail;  ///< Small picture for an index, PNG; empty: none.
     /// A specified machine with bodies and motion; otherwise nullopt.
     std::optional<MachinePageData> machine;
 };

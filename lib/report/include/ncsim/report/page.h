@@ -5,10 +5,7 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
-#include "ncsim/report/entry.h"
-#include "ncsim/report/scope.h"
 
-#include <functional>
 #include <iosfwd>
 #include <string>
 
@@ -22,10 +19,5 @@ void write_page(std::ostream& out, const Checked& checked);
 /// `summary`: volumes, tools and times as text.
 void write_run_page(std::ostream& out, const std::string& path, const std::string& summary,
                     const PageData& page_data);
-
-/// Writes an index of pages: a row for each program with its verdict and the relative address of
-/// its page, as `link` returns it (empty: no page); then the rest of `scope`.
-void write_page_index(std::ostream& out, const Entries& all,
-                      const std::function<std::string(const Entry&)>& link, const Scope& scope);
 
 }  // namespace ncsim::report

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parts of convex polygons in a box.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+
+#include <span>
+#include <vector>
+
+namespace ncsim::simulation {
+
+/// Returns the part of a convex polygon that is in `box`; empty if there is none.
+std::vector<cda::Vec3> clip_to_box(std::vector<cda::Vec3> polygon, const cda::Box& box);
+
+/// Returns the area of a convex polygon, mm².
+double area_of_polygon(std::span<const cda::Vec3> polygon);
+
+}  // namespace ncsim::simulation
