@@ -237,6 +237,11 @@ class Simulation:
         return [Diagnostic(*row) for row in self._simulation.diagnostics]
 
     @property
+    def not_used(self) -> List[str]:
+        """Values of the machine that cannot be used."""
+        return self._simulation.not_used
+
+    @property
     def assumptions(self) -> List[str]:
         """Values that had to be assumed: "stock-guess: …"."""
         return self._simulation.assumptions()

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace ncsim::python {
 
@@ -24,7 +25,7 @@ void set_error(const char* name, Arguments&&... arguments) {
 
 void translate(std::exception_ptr failure) {
     try {
-        if (failure) std::rethrow_exception(failure);
+        if (failure) std::rethrow_exception(std::move(failure));
     } catch (const UsageFailure& e) {
         set_error("UsageError", e.what());
     } catch (const ProgramFailure& e) {

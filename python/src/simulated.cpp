@@ -62,7 +62,7 @@ Simulated::Simulated(const SimulateRequest& request, const std::stop_token& stop
     : accuracy_(request.accuracy), prepared_(prepare(request, stop)) {
     simulation::Plan& plan = prepared_.plan;
     set_results(plan, request);
-    if (prepared_.machine) (void)simulation::apply_machine(plan, *prepared_.machine);
+    if (prepared_.machine) not_used_ = simulation::apply_machine(plan, *prepared_.machine);
     survey_ = simulation::survey(plan);
     const std::string& program = plan.job.program.name;
     const auto fail = [&] {
@@ -197,6 +197,7 @@ void define_facts(py::class_<Simulated, SharedSimulation>& type) {
         .def_property_readonly("removed_by_block",
                                [](const Simulated& s) { return s.result().removed_by_block; })
         .def_property_readonly("hulls", [](const Simulated& s) { return s.result().hulls; })
+        .def_property_readonly("not_used", &Simulated::not_used)
         .def_property_readonly("tools", &tools_of)
         .def_property_readonly("diagnostics", [](const Simulated& s) {
             return diagnostic_list(s.survey().diagnostics, s.plan().job.program.name);

@@ -36,6 +36,8 @@ public:
     const simulation::Plan& plan() const { return prepared_.plan; }
     const simulation::Survey& survey() const { return survey_; }
     const simulation::Simulation& result() const { return result_; }
+    /// Returns the values of the machine that cannot be used, in words.
+    const std::vector<std::string>& not_used() const { return not_used_; }
 
     std::shared_ptr<MeshData> mesh();
     std::shared_ptr<const std::vector<MotionRecord>> motions();
@@ -52,6 +54,7 @@ private:
 
     simulation::SimulationOptions accuracy_;
     PreparedPlan prepared_;
+    std::vector<std::string> not_used_;
     simulation::Survey survey_;
     simulation::Simulation result_;
     std::mutex mutex_;  // for all that follows, and for the provenance of result_

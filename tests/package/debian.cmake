@@ -32,7 +32,7 @@ if(package)
   endforeach()
   run(dpkg-deb -x ${package} ${WORK}/root)
   run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/root/usr/lib/python3/dist-packages ${PYTHON} -c
-    "import ncsim; print(ncsim.simulate('${WORK}/root/usr/share/doc/ncsim/samples/simple.nc').hulls)")
+    "print(__import__('ncsim').simulate('${WORK}/root/usr/share/doc/ncsim/samples/simple.nc').hulls)")
   if(NOT output STREQUAL "22\n")
     message(FATAL_ERROR "the Python package says: ${output}")
   endif()

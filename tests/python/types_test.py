@@ -25,6 +25,9 @@ strict = True
 enable_incomplete_feature = Unpack
 [mypy-matplotlib.*]
 ignore_missing_imports = True
+# Reading the types of NumPy takes most of the time.
+[mypy-numpy.*]
+follow_imports = skip
 """)
 # Classes of pybind11 have another metaclass, and no constructor of their own.
 allowed = work / "allowed.txt"
