@@ -98,7 +98,7 @@ def measure(source):
             continue
         folder = os.path.dirname(name) or "."
         with open(os.path.join(source, name), errors="replace") as file:
-            if re.match(r"(lib|apps|tests)/.*\.(h|cpp|def)$", name):
+            if re.match(r"(lib|apps|tests|python)/.*\.(h|cpp|def)$", name):
                 folders.setdefault(folder, []).append(file.read())
             elif name.endswith(".md"):
                 docs.setdefault(folder + "/*.md", []).append(file.read())

@@ -13,10 +13,12 @@ set(layers
   "report:   gcode toolpath machine cda verify"
   "setup:    gcode toolpath machine cda trig verify report"
   "simulation: gcode toolpath machine cda trig dexel verify brep export report setup"
-  "app:      gcode toolpath machine cda verify brep export report setup simulation")
+  "app:      gcode toolpath machine cda verify brep export report setup simulation"
+  "python:   gcode toolpath cda verify brep export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
+set(folders_python python/src)
 foreach(library trig gcode cda dexel machine toolpath verify brep export report setup simulation)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
@@ -48,5 +50,5 @@ set(known_circles)
 
 # Rooms in which every source has a header of its own name, so that what a header declares is where
 # its name says, and no circle hides in "declared here, defined there". Others are to follow.
-set(paired dexel report setup simulation app)
-set(unpaired app/main)
+set(paired dexel report setup simulation app python)
+set(unpaired app/main python/module)

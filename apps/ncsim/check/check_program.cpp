@@ -30,11 +30,6 @@ int exit_code_of(verify::Outcome outcome) {
 
 }  // namespace
 
-void add_fixtures(simulation::VerificationOptions& verification_options, const setup::Job& job) {
-    if (!add_fixtures(verification_options.machine, job)) return;
-    verification_options.bodies = simulation::bodies_of(verification_options.machine);
-}
-
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
                                unsigned threads, setup::InputSet& inputs, std::size_t number,
                                const std::stop_token& stop) {
@@ -63,7 +58,7 @@ int check_program(report::Checked& checked, const std::string& path, const Check
         }
         plan.budget.stop_with(std::move(stop));
         simulation::VerificationOptions with_fixtures = verification_options;
-        add_fixtures(with_fixtures, plan.job);
+        simulation::add_fixtures(with_fixtures, plan.job);
         simulation::check(std::move(plan), with_fixtures, checked);
         return exit_code_of(checked.outcome);
     } catch (const std::bad_alloc&) {

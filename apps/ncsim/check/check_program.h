@@ -20,9 +20,6 @@ simulation::Plan plan_to_check(const std::string& path, const CheckOptions& opti
                                unsigned threads, setup::InputSet& inputs, std::size_t number = 0,
                                const std::stop_token& stop = {});
 
-/// Adds the fixtures of `job` to the machine of `verification_options`.
-void add_fixtures(simulation::VerificationOptions& verification_options, const setup::Job& job);
-
 /// Reads and verifies the program at `path` with `threads` threads; returns its exit code. Faults
 /// are recorded in the result. Stops early at a request of `stop`. `number`: index of the program
 /// in the file; `programs` becomes the number of programs in the file, if known.

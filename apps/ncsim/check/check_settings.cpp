@@ -7,7 +7,6 @@
 #include "ncsim/report/version.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/machine_formats.h"
-#include "ncsim/setup/mesh_file.h"
 #include "ncsim/setup/recorded_input.h"
 #include "ncsim/setup/stock_file.h"
 
@@ -226,17 +225,14 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         verification_options.bodies = simulation::bodies_of(verification_options.machine);
     }
     if (!options.design.empty()) {
-        setup::SurfaceFile file = setup::read_surface_file(options.design, read);
-        if (options.design_tolerance < 2.0 * file.deflection_mm) {
-            throw std::runtime_error(
-                fmt::format("--design-tol {:g}: '{}' is read as triangles within {:g} mm of its "
-                            "surfaces; {:g} or more",
-                            options.design_tolerance, setup::name_of_input(options.design),
-                            file.deflection_mm, 2.0 * file.deflection_mm));
+        made.design = simulation::read_design(options.design, options.design_tolerance, read);
+        const double smallest = simulation::smallest_tolerance(*made.design);
+        if (options.design_tolerance < smallest) {
+            throw std::runtime_error(fmt::format(
+                "--design-tol {:g}: '{}' is read as triangles within {:g} mm of its "
+                "surfaces; {:g} or more",
+                options.design_tolerance, made.design->path, made.design->deflection_mm, smallest));
         }
-        made.design = simulation::Design{
-            setup::name_of_input(options.design), std::move(file.mesh), options.design_tolerance,
-            std::move(file.face_names),           file.deflection_mm,   std::move(file.assumed)};
         verification_options.design = &*made.design;
     }
     made.baseline = baseline_of(options);

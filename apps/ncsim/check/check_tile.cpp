@@ -37,7 +37,7 @@ int check_tile(CheckOptions options) {
             "--tile: the file has several programs; tiles are of a single one");
     plan.tile = cda::TileNumber{number.shard, number.of};
     simulation::VerificationOptions verification_options = asked.verification_options;
-    add_fixtures(verification_options, plan.job);
+    simulation::add_fixtures(verification_options, plan.job);
     simulation::TileResult seen = simulation::check_tile(std::move(plan), verification_options);
     report::TileFile file;
     file.head = {options.tile_words, read.files(), number.shard, number.of, read.knows_all()};

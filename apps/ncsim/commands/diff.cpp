@@ -10,6 +10,7 @@
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/compare_parts.h"
 #include "ncsim/simulation/models.h"
+#include "ncsim/simulation/plan_reader.h"
 #include "ncsim/simulation/review_data.h"
 
 #include "options/job_steps.h"
@@ -47,7 +48,7 @@ Side read_side(const Input& input, const std::optional<toolpath::Stock>& stock,
     if (stock) (is_later ? options.left_stock : options.stock) = stock;
     Side side;
     side.plan = plan_for(options, options, options.machine, inputs);
-    if (const auto machine = machine_for(options.machine, side.plan.job, inputs))
+    if (const auto machine = simulation::machine_for(options.machine, side.plan.job, inputs))
         (void)simulation::apply_machine(side.plan, *machine);
     if (side.plan.model.empty()) side.plan.model = simulation::verifying_model().name;
     side.survey = simulation::survey(side.plan);

@@ -7,6 +7,7 @@
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/explain.h"
 #include "ncsim/simulation/models.h"
+#include "ncsim/simulation/plan_reader.h"
 
 #include "options/job_steps.h"
 #include "options/plan_options.h"
@@ -87,7 +88,7 @@ int run(const ExplainOptions& specified) {
     const ExplainOptions options = of_set_up(specified, aside);
     setup::InputSet inputs;
     simulation::Plan plan = plan_for(options, options, options.machine, inputs);
-    if (const auto machine = machine_for(options.machine, plan.job, inputs))
+    if (const auto machine = simulation::machine_for(options.machine, plan.job, inputs))
         simulation::apply_machine(plan, *machine);
     if (plan.model.empty()) plan.model = simulation::models().front().name;
     const simulation::Survey survey = simulation::survey(plan);

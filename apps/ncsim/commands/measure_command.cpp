@@ -3,15 +3,13 @@
 // Prints the dimensions of a part.
 #include "commands/measure_command.h"
 
-#include "ncsim/brep/features.h"
-#include "ncsim/brep/measure.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/triangle_tree.h"
 #include "ncsim/export/step.h"
 #include "ncsim/report/measure_sheet.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/models.h"
+#include "ncsim/simulation/part_measures.h"
+#include "ncsim/simulation/plan_reader.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
@@ -24,53 +22,11 @@
 
 #include <algorithm>
 #include <ostream>
-#include <set>
 #include <vector>
 
 namespace ncsim::app {
 
 namespace {
-
-report::CutBy cut_by(const std::vector<cda::Origin>& origins,
-                     const exporter::Provenance& provenance) {
-    std::set<std::uint32_t> lines, tools;
-    for (const cda::Origin origin : origins) {
-        const auto entry = provenance.of(origin);
-        if (entry.is_stock()) continue;
-        lines.insert(entry.nc_line);
-        tools.insert(entry.tool);
-    }
-    return {{lines.begin(), lines.end()}, {tools.begin(), tools.end()}};
-}
-
-report::MeasureSheet sheet_of(const simulation::Solid& solid, const cda::Boundary& boundary) {
-    const brep::Part& part = solid.recognised.part;
-    const cda::TriangleMesh mesh = cda::triangulate(boundary);
-    const brep::Features features = brep::features_of(part, cda::TriangleTree(mesh));
-    const auto by = [&](const auto& feature) { return cut_by(feature.origins, solid.provenance); };
-    report::MeasureSheet sheet;
-    sheet.extents = cda::bounds(boundary);
-    sheet.volume_mm3 = brep::volume(part);
-    for (const brep::Bore& b : features.bores) {
-        sheet.bores.push_back({b.mouth, b.axis, b.diameter, b.depth, b.mouth_slants_by,
-                               b.covers_degrees, std::string(brep::name_of(b.end)), b.tip_depth,
-                               b.tip_angle_degrees, by(b)});
-    }
-    for (const brep::Boss& b : features.bosses)
-        sheet.bosses.push_back({b.foot, b.axis, b.diameter, b.height, b.covers_degrees, by(b)});
-    for (const brep::Corner& c : features.corners)
-        sheet.corners.push_back(
-            {c.radius, c.is_inside, c.covers_degrees, c.on_axis, c.axis, by(c)});
-    for (const brep::Floor& f : features.floors)
-        sheet.floors.push_back({f.z, f.area, f.is_closed, f.box, by(f)});
-    for (const brep::Distance& d : features.distances)
-        sheet.distances.push_back({d.mm, d.is_void, d.from, d.to, by(d)});
-    sheet.has_too_many_walls = features.has_too_many_walls;
-    sheet.facets = features.facets;
-    sheet.facet_area_mm2 = features.facet_area;
-    sheet.facet_lines = cut_by(solid.recognised.of_facets, solid.provenance).lines;
-    return sheet;
-}
 
 // Measures the part after each step. The JSON is of the last step.
 int measure_job(const MeasureOptions& options, const std::vector<ChosenStep>& steps) {
@@ -128,7 +84,7 @@ int run(const MeasureOptions& options) {
         inputs.expect(path);
     if (!options.machine.empty()) inputs.expect(options.machine);
     simulation::Plan plan = plan_for(options, options, options.machine, inputs);
-    if (const auto machine = machine_for(options.machine, plan.job, inputs))
+    if (const auto machine = simulation::machine_for(options.machine, plan.job, inputs))
         simulation::apply_machine(plan, *machine);
     if (plan.model.empty()) plan.model = simulation::models().front().name;
     plan.keep_boundary = true;
@@ -146,7 +102,7 @@ int run(const MeasureOptions& options) {
     constexpr int kRefinements = 2;
     const simulation::Solid solid =
         simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kRefinements);
-    report::MeasureSheet sheet = sheet_of(solid, *milled.boundary);
+    report::MeasureSheet sheet = simulation::measures_of(solid, *milled.boundary);
     sheet.program = plan.job.program.name;
     if (!options.quiet)
         put_text(report::text_of(sheet, options.report_unit), outputs.takes_standard_output());

@@ -7,6 +7,7 @@
 #include "ncsim/report/set_up_sheet.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/simulation/apply_machine.h"
+#include "ncsim/simulation/plan_reader.h"
 #include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/survey.h"
 
@@ -113,7 +114,7 @@ int run(const SheetOptions& options) {
     const auto add = [&](const SheetOptions& one, const ChosenStep* step) {
         const SimulationOptions usual;
         simulation::Plan plan = plan_for(one, usual, one.machine, inputs);
-        const auto machine = machine_for(one.machine, plan.job, inputs);
+        const auto machine = simulation::machine_for(one.machine, plan.job, inputs);
         if (machine) (void)simulation::apply_machine(plan, *machine);
         const simulation::Survey& facts = surveys.emplace_back(simulation::survey(plan));
         print_findings(plan.job.program, facts.diagnostics);

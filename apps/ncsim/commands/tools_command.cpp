@@ -11,6 +11,7 @@
 #include "ncsim/setup/tool_library.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/plan_reader.h"
 #include "ncsim/simulation/plunges.h"
 #include "ncsim/simulation/survey.h"
 
@@ -62,7 +63,7 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
     simulation::Plan plan = plan_for(options, usual, options.machine, inputs);
     // Counted without the machine.
     const report::Plunges plunges = simulation::plunges_of(plan);
-    if (const auto machine = machine_for(options.machine, plan.job, inputs))
+    if (const auto machine = simulation::machine_for(options.machine, plan.job, inputs))
         (void)simulation::apply_machine(plan, *machine);
     outputs.reserve(options.save_job);
     const simulation::Survey survey = simulation::survey(plan);

@@ -59,13 +59,8 @@ toolpath::ToolSpec read_assumed_tool(const std::string& text) {
 }
 
 toolpath::Stock read_stock(const std::string& text) {
-    if (setup::is_stock_file(text)) {
-        toolpath::Stock stock;
-        stock.from = toolpath::StockFile{text};
-        return stock;
-    }
     std::string message;
-    const auto stock = toolpath::parse_stock_option(text, message);
+    const auto stock = setup::specified_stock(text, message);
     if (!stock) throw Refusal{"--stock " + message};
     return *stock;
 }

@@ -6,15 +6,13 @@
 
 #include "ncsim/report/length_unit.h"
 #include "ncsim/setup/job_options.h"
-#include "ncsim/setup/recorded_input.h"
+#include "ncsim/simulation/plan_reader.h"
 
 #include "options/cli.h"
 
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -35,23 +33,8 @@ struct Refusal {
     std::string text;  ///< "--stock '1x2': expected …"
 };
 
-/// Stocks that the programs of a job leave, for all copies of the options. All members may be
-/// called from several threads.
-class LeftStocks {
-public:
-    using Make = std::function<toolpath::Stock(setup::InputSet&)>;
-    /// Returns the stock of the program `step`. `make` cuts it on the first call, and again if a
-    /// file that it reads has changed; every call reads these files through `inputs`.
-    toolpath::Stock of(std::size_t step, setup::InputSet& inputs, const Make& make);
-
-private:
-    struct Left {
-        toolpath::Stock stock;
-        setup::ReadFiles files;
-    };
-    std::recursive_mutex mutex_;  // `make` needs the stock of the step before
-    std::map<std::size_t, Left> left_;
-};
+using simulation::LeftStocks;
+using simulation::SimulationOptions;
 
 /// Description of the program and its set-up, and the output file for the description.
 struct ProgramOptions : setup::JobOptions {
@@ -63,17 +46,6 @@ struct ProgramOptions : setup::JobOptions {
     /// Unit of lengths in texts, pictures and CSV.
     report::LengthUnit report_unit = report::LengthUnit::Millimetre;
     std::shared_ptr<LeftStocks> left_stocks = std::make_shared<LeftStocks>();
-};
-
-/// Further options of commands that simulate. Lengths in mm.
-struct SimulationOptions {
-    std::string model;             ///< A name in simulation::models(); empty: chosen automatically.
-    double tolerance = 0.005;      ///< Tolerance of chords and of rotary moves.
-    double tool_tolerance = 0.05;  ///< Tolerance of round tools.
-    bool tolerance_specified = false, tool_tolerance_specified = false;
-    unsigned threads = 0;        ///< 0: number of cores.
-    double max_memory_gb = 0.0;  ///< 10^9 bytes; 0: available memory.
-    double max_seconds = 0.0;    ///< 0: unlimited.
 };
 
 /// Adds the options to `command`, which reads into `options`. Unusable values throw Refusal during

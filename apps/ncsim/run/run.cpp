@@ -27,6 +27,7 @@
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/machine_time.h"
 #include "ncsim/simulation/page_data.h"
+#include "ncsim/simulation/plan_reader.h"
 #include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/shading.h"
@@ -56,7 +57,6 @@
 #include <map>
 #include <optional>
 #include <ostream>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -75,7 +75,7 @@ std::vector<verify::Fixture> placed_fixtures(const simulation::Plan& plan,
     if (machine) {
         specified.machine = machine->machine;
     } else {
-        add_fixtures(specified, plan.job);
+        simulation::add_fixtures(specified, plan.job);
     }
     for (const std::string& lost : simulation::place_fixtures(specified.machine, plan, survey))
         print_error("not shown: " + lost + "\n");
@@ -195,17 +195,6 @@ bool records_assumptions(const Options& o) {
     return std::ranges::any_of(paths, is_asked_for);
 }
 
-// Returns the reasons before the colons, each once: "stock-guess, tool-guess".
-std::string reasons_of(const std::vector<std::string>& assumed) {
-    std::string reasons;
-    std::set<std::string> known;
-    for (const std::string& text : assumed) {
-        const std::string reason = text.substr(0, text.find(':'));
-        if (known.insert(reason).second) reasons += (reasons.empty() ? "" : ", ") + reason;
-    }
-    return reasons;
-}
-
 // True if a quick preview suffices for the outputs of a long program.
 bool is_long(const simulation::Survey& survey, const Options& o) {
     return survey.moves >= simulation::kLongProgram && !needs_exact_part(o);
@@ -259,7 +248,8 @@ int run(Options options) {
     plan.tiles = options.tiles;
     std::vector<std::string> not_used;
     std::optional<setup::MachineFile> machine;
-    if (!options.machine.empty()) machine = machine_for(options.machine, plan.job, read);
+    if (!options.machine.empty())
+        machine = simulation::machine_for(options.machine, plan.job, read);
     if (machine) not_used = simulation::apply_machine(plan, *machine);
     if (options.shows_machine && (!machine || machine->bodies.empty()))
         throw std::runtime_error("--show-machine: no link of a machine has a mesh (--machine)");
@@ -332,11 +322,11 @@ int run(Options options) {
                                           {animation.every(), take_frame});
         if (records_assumptions(o)) {
             setup::MachineFile fixtures_alone;
-            add_fixtures(fixtures_alone, plan.job);
+            simulation::add_fixtures(fixtures_alone, plan.job);
             outcome.assumed =
                 simulation::assumptions_of(plan, survey, machine ? *machine : fixtures_alone);
         }
-        simulation->provenance.assumed = reasons_of(outcome.assumed);
+        simulation->provenance.assumed = simulation::reasons_of(outcome.assumed);
         if (o.tiles) expect_same_files(o.tile_files, recorded.files());
         if (animation.every() != 0) take_frame(*simulation);
         print_findings(plan.job.program, simulation->diagnostics);

@@ -6,6 +6,7 @@
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/triangle_tree.h"
 #include "ncsim/report/describe.h"
+#include "ncsim/setup/mesh_file.h"
 #include "ncsim/verify/design_comparison.h"
 
 #include "clip_to_box.h"
@@ -144,6 +145,16 @@ report::DesignFacts::Side side_of(const verify::DesignSide& side) {
 }
 
 }  // namespace
+
+Design read_design(const std::string& path, double tolerance_mm, setup::InputSet& inputs) {
+    setup::SurfaceFile file = setup::read_surface_file(path, inputs);
+    return {setup::name_of_input(path), std::move(file.mesh), tolerance_mm,
+            std::move(file.face_names), file.deflection_mm,   std::move(file.assumed)};
+}
+
+double smallest_tolerance(const Design& design) {
+    return 2.0 * design.deflection_mm;
+}
 
 std::vector<Finding> compare_with(const Design& design, const Simulation& simulation,
                                   report::DesignFacts& facts) {

@@ -135,4 +135,13 @@ double reach_of(std::span<const verify::Fixture> fixtures) {
     return norm(all.size());
 }
 
+bool add_fixtures(setup::MachineFile& machine, const setup::Job& job) {
+    if (job.below_stock) machine.machine.below_stock = *job.below_stock;
+    if (!job.fixtures_specified) return false;
+    machine.machine.fixtures_specified = true;
+    auto& fixtures = machine.machine.fixtures;
+    fixtures.insert(fixtures.end(), job.fixtures.begin(), job.fixtures.end());
+    return true;
+}
+
 }  // namespace ncsim::simulation

@@ -9,17 +9,17 @@
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/shrink.h"
+#include "ncsim/simulation/face_form.h"
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/shading.h"
-#include "ncsim/trig/angles.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <sstream>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -29,32 +29,6 @@ namespace {
 // Parts with more triangles are shown by the last state of the play only. The states have the same
 // geometry, on the grid of the recorder; forms and tools of faces are missing.
 constexpr std::size_t kMostTriangles = 400'000;
-
-report::FaceForm form_of(const brep::Surface& surface) {
-    report::FaceForm form;
-    form.name = "swept surface";
-    if (surface.form.index() < brep::kForms.size()) form.name = brep::kForms[surface.form.index()];
-    form.is_hollow = surface.is_hollow;
-    if (const auto* plane = std::get_if<brep::Plane>(&surface.form)) {
-        form.axis = plane->normal;
-    } else if (const auto* cylinder = std::get_if<brep::Cylinder>(&surface.form)) {
-        form.origin = cylinder->origin;
-        form.axis = cylinder->axis;
-        form.dimensions = {2 * cylinder->radius};
-    } else if (const auto* cone = std::get_if<brep::Cone>(&surface.form)) {
-        form.origin = cone->apex;
-        form.axis = cone->axis;
-        form.dimensions = {2 * trig::angle_of(1.0, cone->slope)};
-    } else if (const auto* sphere = std::get_if<brep::Sphere>(&surface.form)) {
-        form.origin = sphere->centre;
-        form.dimensions = {2 * sphere->radius};
-    } else if (const auto* torus = std::get_if<brep::Torus>(&surface.form)) {
-        form.origin = torus->centre;
-        form.axis = torus->axis;
-        form.dimensions = {2 * torus->major, 2 * torus->minor};
-    }
-    return form;
-}
 
 // Forms, each listed once, from 1.
 class FormList {

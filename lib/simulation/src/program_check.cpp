@@ -292,6 +292,21 @@ std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile&
     return std::make_shared<const verify::MachineBodies>(std::move(specified));
 }
 
+void add_fixtures(VerificationOptions& verification_options, const setup::Job& job) {
+    if (!add_fixtures(verification_options.machine, job)) return;
+    verification_options.bodies = bodies_of(verification_options.machine);
+}
+
+std::string reasons_of(const std::vector<std::string>& assumptions) {
+    std::string reasons;
+    std::set<std::string> known;
+    for (const std::string& text : assumptions) {
+        const std::string reason = text.substr(0, text.find(':'));
+        if (known.insert(reason).second) reasons += (reasons.empty() ? "" : ", ") + reason;
+    }
+    return reasons;
+}
+
 namespace {
 
 // Plan, survey and set-up of a verification.

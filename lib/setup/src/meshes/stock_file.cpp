@@ -101,6 +101,13 @@ bool is_stock_file(const std::string& text) {
            std::ranges::any_of(kEnds, [&](std::string_view end) { return ends_with(text, end); });
 }
 
+std::optional<toolpath::Stock> specified_stock(const std::string& text, std::string& message) {
+    if (!is_stock_file(text)) return toolpath::parse_stock_option(text, message);
+    toolpath::Stock stock;
+    stock.from = toolpath::StockFile{text};
+    return stock;
+}
+
 namespace {
 
 struct AxisTurn {

@@ -21,6 +21,9 @@ namespace ncsim::setup {
 /// .stp or .ncstock,
 /// or as "-", the standard input.
 bool is_stock_file(const std::string& text);
+/// Returns the stock that `text` specifies: dimensions ("100x60x20") or the name of a stock file,
+/// which is not read. Empty with the expected form in `message` if `text` is neither.
+std::optional<toolpath::Stock> specified_stock(const std::string& text, std::string& message);
 
 /// Reads rotations by right angles about the program's axes, in sequence: "X180", "X90,Z-90".
 /// Throws: std::invalid_argument with the expected form.

@@ -5,6 +5,7 @@
 
 #include "ncsim/cda/mesh.h"
 #include "ncsim/report/design_facts.h"
+#include "ncsim/setup/input.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/finding.h"
 
@@ -24,6 +25,12 @@ struct Design {
     double deflection_mm = 0.0;
     std::string assumed{};  ///< Assumptions of the run that wrote the file; empty if none.
 };
+
+/// Reads the design in the surface file `path`.
+/// Throws: as setup::read_surface_file().
+Design read_design(const std::string& path, double tolerance_mm, setup::InputSet& inputs);
+/// Returns the smallest tolerance with which `design` can be compared, mm.
+double smallest_tolerance(const Design& design);
 
 /// Returns findings of the rules gouge and excess, one per region, at the line that cut the part at
 /// the deepest point (no line if only faces of the stock are there). A gouge within the error of

@@ -36,4 +36,8 @@ cda::Box box_with_fixtures(const cda::Box& stock, std::span<const verify::Fixtur
 /// mm: an addition to Camera::depth.
 double reach_of(std::span<const verify::Fixture> fixtures);
 
+/// Adds the fixtures and the free space below the stock of `job` to `machine`. Returns false if the
+/// job specifies no fixtures.
+bool add_fixtures(setup::MachineFile& machine, const setup::Job& job);
+
 }  // namespace ncsim::simulation

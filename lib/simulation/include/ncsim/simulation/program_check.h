@@ -29,6 +29,8 @@ struct TileResult {
 
 /// Prepares the links of a machine for collision checks. Null if the machine has no links.
 std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile& machine);
+/// Adds the fixtures of `job` to the machine of `verification_options`.
+void add_fixtures(VerificationOptions& verification_options, const setup::Job& job);
 
 /// Verifies a program. The result depends on `plan` and `verification_options` only. Throws:
 /// std::invalid_argument if plan.model does not verify; std::runtime_error if plan.budget is
@@ -42,6 +44,8 @@ void check(Plan plan, const VerificationOptions& verification_options, report::C
 /// Cost: one interpretation of the program; nothing is cut.
 std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
                                         const setup::MachineFile& machine);
+/// Returns the reasons before the colons of `assumptions`, each once: "stock-guess, tool-guess".
+std::string reasons_of(const std::vector<std::string>& assumptions);
 /// Collects the contacts of tile plan.tile, without a verdict. Throws as check() does.
 TileResult check_tile(Plan plan, const VerificationOptions& verification_options);
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Measures of a part, with the lines and the tools that cut each feature.
+#include "ncsim/simulation/part_measures.h"
+
+#include "ncsim/brep/features.h"
+#include "ncsim/brep/measure.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangle_tree.h"
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ncsim::simulation {
+
+namespace {
+
+report::CutBy cut_by(const std::vector<cda::Origin>& origins,
+                     const exporter::Provenance& provenance) {
+    std::set<std::uint32_t> lines, tools;
+    for (const cda::Origin origin : origins) {
+        const auto entry = provenance.of(origin);
+        if (entry.is_stock()) continue;
+        lines.insert(entry.nc_line);
+        tools.insert(entry.tool);
+    }
+    return {{lines.begin(), lines.end()}, {tools.begin(), tools.end()}};
+}
+
+}  // namespace
+
+report::MeasureSheet measures_of(const Solid& solid, const cda::Boundary& boundary) {
+    const brep::Part& part = solid.recognised.part;
+    const cda::TriangleMesh mesh = cda::triangulate(boundary);
+    const brep::Features features = brep::features_of(part, cda::TriangleTree(mesh));
+    const auto by = [&](const auto& feature) { return cut_by(feature.origins, solid.provenance); };
+    report::MeasureSheet sheet;
+    sheet.extents = cda::bounds(boundary);
+    sheet.volume_mm3 = brep::volume(part);
+    for (const brep::Bore& b : features.bores) {
+        sheet.bores.push_back({b.mouth, b.axis, b.diameter, b.depth, b.mouth_slants_by,
+                               b.covers_degrees, std::string(brep::name_of(b.end)), b.tip_depth,
+                               b.tip_angle_degrees, by(b)});
+    }
+    for (const brep::Boss& b : features.bosses)
+        sheet.bosses.push_back({b.foot, b.axis, b.diameter, b.height, b.covers_degrees, by(b)});
+    for (const brep::Corner& c : features.corners)
+        sheet.corners.push_back(
+            {c.radius, c.is_inside, c.covers_degrees, c.on_axis, c.axis, by(c)});
+    for (const brep::Floor& f : features.floors)
+        sheet.floors.push_back({f.z, f.area, f.is_closed, f.box, by(f)});
+    for (const brep::Distance& d : features.distances)
+        sheet.distances.push_back({d.mm, d.is_void, d.from, d.to, by(d)});
+    sheet.has_too_many_walls = features.has_too_many_walls;
+    sheet.facets = features.facets;
+    sheet.facet_area_mm2 = features.facet_area;
+    sheet.facet_lines = cut_by(solid.recognised.of_facets, solid.provenance).lines;
+    return sheet;
+}
+
+}  // namespace ncsim::simulation
