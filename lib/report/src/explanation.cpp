@@ -146,12 +146,9 @@ std::string text_of(const Explanation& e) {
 }
 
 std::string json_of(const Explanation& e) {
-    Json json{{"ncsim", std::string(kVersion)},
-              {"program", printable_json(e.program)},
-              {"file", printable_json(e.file)},
-              {"line", e.line},
-              {"text", printable_json(e.text)},
-              {"executions", e.executions}};
+    Json json{{"ncsim", std::string(kVersion)}, {"program", printable_json(e.program)},
+              {"file", printable_json(e.file)}, {"line", e.line},
+              {"text", printable_json(e.text)}, {"executions", e.executions}};
     if (e.executions == 0) return to_text(json);
     json["unit"] = e.after.inches ? "inch" : "mm";
     json["position"] = {{"before", position_json(e.before)}, {"after", position_json(e.after)}};
