@@ -88,6 +88,8 @@ TEST(ProgramDiff, LimitsTheSizeOfThePage) {
     EXPECT_LT(all.html.size(), 10'000'000U);
     EXPECT_TRUE(all.shown_old.at(20'000));
     EXPECT_FALSE(all.shown_old.at(20'001));
+    const std::string most = numbered(20'000);
+    EXPECT_FALSE(contains(program_diff({most, {}, {}}, {}, "s1").html, "not shown"));
 }
 
 TEST(ProgramDiff, IsHarmlessForAnyText) {

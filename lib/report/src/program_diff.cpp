@@ -95,7 +95,7 @@ public:
                 diff.removed += stretch.old_count;
                 diff.added += stretch.new_count;
             }
-            if (rows_ >= kMostShown) continue;
+            if (is_cut_) continue;
             if (stretch.equal) {
                 put_equal(stretch);
             } else {
@@ -103,8 +103,7 @@ public:
             }
         }
         close_table();
-        if (rows_ >= kMostShown)
-            text_ += "<p class=\"fold\">The following lines are not shown.</p>\n";
+        if (is_cut_) text_ += "<p class=\"fold\">The following lines are not shown.</p>\n";
         diff.html = std::move(text_);
         diff.shown_old = std::move(old_.shown);
         diff.shown_new = std::move(new_.shown);
@@ -172,9 +171,16 @@ private:
         text_ += "</tr>\n";
     }
 
+    // Counts a row in the open; false if the page has no room for the row.
+    bool has_room() {
+        is_cut_ = rows_ == kMostShown;
+        if (!is_cut_) ++rows_;
+        return !is_cut_;
+    }
+
     void put_different(const LineStretch& s) {
         for (std::size_t i = 0; i < std::max(s.old_count, s.new_count); ++i) {
-            if (++rows_ > kMostShown) return;
+            if (!has_room()) return;
             put_row(i < s.old_count ? Place(s.old_first + i) : std::nullopt,
                     i < s.new_count ? Place(s.new_first + i) : std::nullopt, false);
         }
@@ -192,7 +198,7 @@ private:
             if (has_text) folded_ += count;
         }
         for (std::size_t i = first; has_text && i < first + count; ++i) {
-            if (!is_folded && ++rows_ > kMostShown) return;
+            if (!is_folded && !has_room()) return;
             put_row(s.old_first + i, s.new_first + i, true);
         }
         if (is_folded && has_text) {
@@ -215,7 +221,7 @@ private:
         if (!is_end) open_around(count - 1, kContext - 1);
         open_marked(old_.open, s.old_first, count, open_around);
         open_marked(new_.open, s.new_first, count, open_around);
-        for (std::size_t first = 0; first < count;) {
+        for (std::size_t first = 0; first < count && !is_cut_;) {
             std::size_t end = first;
             while (end < count && is_open[end] == is_open[first])
                 ++end;
@@ -237,6 +243,7 @@ private:
     const std::string& prefix_;
     std::string text_;
     bool is_open_ = false;
+    bool is_cut_ = false;  // The following lines are not shown.
     std::size_t rows_ = 0, folded_ = 0;
 };
 

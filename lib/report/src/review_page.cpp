@@ -97,7 +97,7 @@ private:
             if (range.file == 0) {
                 text = line_link(letter, range.first, text);
             } else if (range.file < side.files.size()) {
-                text = escaped(base_name(side.files[range.file])) + ':' + text;
+                text.insert(0, escaped(base_name(side.files[range.file])) + ':');
             }
             append(html, "{}{}", i == 0 ? "" : ", ", text);
         }
@@ -141,18 +141,26 @@ private:
                    old_name_, volume_html(d.only_old.volume_mm3, unit_), new_name_,
                    volume_html(d.only_new.volume_mm3, unit_));
         }
-        html += "<div class=\"views\">\n";
+        // Each view is a row; the single pictures of equal parts are in one row.
+        const auto row = [](const std::string& figures) {
+            return "<div class=\"views\">\n" + figures + "</div>\n";
+        };
+        std::string single;
         for (const ReviewPicture& picture : review_.pictures) {
-            const bool is_one = picture.after.empty();
-            html += figure_html(is_one ? "both, " + picture.view
-                                       : fmt::format("before: {}, {}", old_name_, picture.view),
-                                "old part, " + picture.view, picture.before);
-            html += figure_html(fmt::format("after: {}, {}", new_name_, picture.view),
-                                "new part, " + picture.view, picture.after);
-            html += figure_html("difference, " + picture.view, "difference, " + picture.view,
-                                picture.difference, pins_html(picture));
+            if (picture.after.empty()) {
+                single += figure_html("both, " + picture.view, "old part, " + picture.view,
+                                      picture.before);
+                continue;
+            }
+            html += row(figure_html(fmt::format("before: {}, {}", old_name_, picture.view),
+                                    "old part, " + picture.view, picture.before) +
+                        figure_html(fmt::format("after: {}, {}", new_name_, picture.view),
+                                    "new part, " + picture.view, picture.after) +
+                        figure_html("difference, " + picture.view, "difference, " + picture.view,
+                                    picture.difference, pins_html(picture)));
         }
-        return html + "</div></section>\n";
+        if (!single.empty()) html += row(single);
+        return html + "</section>\n";
     }
 
     std::string region_html(std::size_t i) const {
@@ -225,8 +233,8 @@ private:
         if (diff_.removed + diff_.added == 0) {
             html += "<p>The texts are the same.</p>\n";
         } else {
-            append(html, "<p>lines only in {}: {}; only in {}: {}</p>\n", old_name_,
-                   diff_.removed, new_name_, diff_.added);
+            append(html, "<p>lines only in {}: {}; only in {}: {}</p>\n", old_name_, diff_.removed,
+                   new_name_, diff_.added);
         }
         return html + diff_.html + "</section>\n";
     }
