@@ -100,7 +100,6 @@ Verified verify_program(const CheckRequest& request, const std::stop_token& stop
     simulation::check(plan, options, checked);
     report::EntryOptions formats;
     formats.sarif = formats.junit = formats.github = false;
-    formats.warnings_as_errors = request.warnings_as_errors;
     const report::Entry entry = report::entry_of(checked, 0, formats);
     Verified verified{entry.json, entry.text, nullptr};
     if (request.ledger)

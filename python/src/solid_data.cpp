@@ -11,12 +11,14 @@
 
 #include <pybind11/stl.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <ostream>
 #include <set>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace ncsim::python {
 
@@ -28,8 +30,17 @@ py::tuple tuple_of(cda::Vec3 v) {
     return py::make_tuple(v.x, v.y, v.z);
 }
 
+// Returns the areas of all faces, mm².
+std::vector<double> areas_of(const brep::Part& part) {
+    std::vector<double> areas;
+    areas.reserve(part.faces.size());
+    for (const brep::Face& face : part.faces)
+        areas.push_back(brep::measure(part, face, {}).area);
+    return areas;
+}
+
 // Returns the arguments of ncsim.Face.
-py::dict face_dict(const SolidData& data, const brep::Face& face) {
+py::dict face_dict(const SolidData& data, const brep::Face& face, double area) {
     const report::FaceForm form = simulation::form_of(face.surface);
     std::set<std::uint32_t> lines, tools;
     for (const cda::Origin origin : face.origins) {
@@ -45,16 +56,19 @@ py::dict face_dict(const SolidData& data, const brep::Face& face) {
     result["origin"] = tuple_of(form.origin);
     result["is_hollow"] = form.is_hollow;
     result["is_facet"] = face.is_facet;
-    result["area"] = brep::measure(data.solid.recognised.part, face, {}).area;
+    result["area"] = area;
     result["lines"] = py::tuple(py::cast(std::vector<std::uint32_t>(lines.begin(), lines.end())));
     result["tools"] = py::tuple(py::cast(std::vector<std::uint32_t>(tools.begin(), tools.end())));
     return result;
 }
 
 py::list faces_of(const SolidData& data) {
+    const brep::Part& part = data.solid.recognised.part;
+    const std::vector<double> areas =
+        interruptible([&](const std::stop_token&) { return areas_of(part); });
     py::list faces;
-    for (const brep::Face& face : data.solid.recognised.part.faces)
-        faces.append(face_dict(data, face));
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        faces.append(face_dict(data, part.faces[i], areas[i]));
     return faces;
 }
 

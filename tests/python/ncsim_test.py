@@ -249,6 +249,9 @@ class Verdicts(unittest.TestCase):
                               severity={"rapid-in-material": "note"})
         self.assertEqual({f.severity for f in verdict.findings
                           if f.rule == "rapid-in-material"}, {"note"})
+        options = {"start": START, "severity": {"rapid-in-material": "warning"}}
+        self.assertNotEqual(ncsim.check(text=text, **options).verdict, "failed")
+        self.assertEqual(ncsim.check(text=text, warnings_as_errors=True, **options).verdict, "failed")
         with self.assertRaisesRegex(ncsim.UsageError, "ignore: 'no-such'"):
             ncsim.check(text=text, ignore=["no-such"])
 
@@ -286,6 +289,12 @@ class Errors(unittest.TestCase):
         part = ncsim.simulate(text=SLOT.replace("X45.", "X"), start=START, allow_errors=True)
         self.assertEqual(part.removed, 0.0)
         self.assertEqual([d.line for d in part.diagnostics if d.severity == "error"], [8])
+
+    def test_of_the_simulation_have_a_place(self):
+        text = SLOT.replace("X-5.", "X0.").replace("G1 X45. F300.", "G2 X0 Y20 I400000 J0 F300.")
+        with self.assertRaises(ncsim.ProgramError) as caught:
+            ncsim.simulate(text=text, start=START, tolerance=1e-4)
+        self.assertEqual((caught.exception.line, caught.exception.code), (8, "path-accuracy"))
 
     def test_of_files_have_a_place(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Types of the Python package: mypy reads the examples and the package that they import, stubtest
-compares the stub with the module.
+"""Types of the Python package: stubtest reads the package and compares the stub with the module;
+mypy reads the examples.
 
-Usage: types_test.py FOLDER_OF_PACKAGE EXAMPLES WORK
+Usage: types_test.py FOLDER_OF_PACKAGE WORK [EXAMPLES]
 """
 import pathlib
 import subprocess
@@ -15,7 +15,7 @@ except ImportError:
     print("mypy is missing (Debian package mypy)")
     sys.exit(77)
 
-package, examples, work = (pathlib.Path(argument) for argument in sys.argv[1:])
+package, work, *examples = (pathlib.Path(argument) for argument in sys.argv[1:])
 work.mkdir(parents=True, exist_ok=True)
 config = work / "mypy.ini"
 config.write_text(f"""[mypy]
@@ -33,10 +33,12 @@ follow_imports = skip
 allowed = work / "allowed.txt"
 allowed.write_text("".join(f"ncsim._ncsim.{name}\nncsim._ncsim.{name}.__init__\n"
                            for name in ("Mesh", "Simulation", "Solid")))
-names = [str(path) for path in sorted(examples.glob("*.py"))]
-for command in (["mypy", "--config-file", config, "--scripts-are-modules", *names],
-                ["mypy.stubtest", "--mypy-config-file", config, "--allowlist", allowed,
-                 "ncsim._ncsim"]):
+commands = [["mypy.stubtest", "--mypy-config-file", config, "--allowlist", allowed,
+             "ncsim._ncsim"]]
+for folder in examples:
+    commands.append(["mypy", "--config-file", config, "--scripts-are-modules",
+                     *sorted(folder.glob("*.py"))])
+for command in commands:
     result = subprocess.run([sys.executable, "-m", *map(str, command)])
     if result.returncode != 0:
         sys.exit(1)

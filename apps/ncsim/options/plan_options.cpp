@@ -10,7 +10,8 @@ namespace ncsim::app {
 simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
                           const std::string& machine, setup::InputSet& inputs,
                           const std::stop_token& stop) {
-    return simulation::read_plan(program, simulation, machine, *program.left_stocks, inputs, stop);
+    return simulation::read_plan(static_cast<const setup::JobOptions&>(program), simulation,
+                                 machine, *program.left_stocks, inputs, stop);
 }
 
 simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
