@@ -5,6 +5,8 @@ simulate() returns the part of a program, check() the verdict, measure() the dim
 part. All functions take a program (a path, or text=) and the keyword arguments of SetUp. Lengths
 are in mm, volumes in mm3, angles in degrees, in the coordinate system of the first cut.
 """
+import numpy as _numpy  # noqa: F401  (threads that load it at the same time block each other)
+
 from ._errors import Diagnostic, Error, ProgramError, UsageError
 from ._measures import Boss, Bore, Corner, Distance, Floor, Measures, measure
 from ._ncsim import models as MODELS

@@ -139,6 +139,26 @@ TEST(Explain, IsOfInchesAndUnknownPlacesAsTheProgramHasThem) {
     EXPECT_TRUE(contains(first.out, "  before       X? Y? Z? in\n")) << first.out;
 }
 
+// A change of units or a code that resets what is off changes no mode; an increment from an unknown
+// place leads to an unknown place.
+TEST(Explain, NamesNoBlockThatChangedNothing) {
+    Folder folder;
+    folder.write("part.nc",
+                 "G21 G90 G17\nT1 M6\nS900 M3\nG52 X25.4\nG68 X1 Y1 R30\nG69\nG0 X0 Y0\n"
+                 "G91 G1 Z-2 F100\nG20\nM30\n");
+    const auto at = [&](int line) {
+        return explained(folder, {"part.nc", "--line", std::to_string(line), "--dialect", "fanuc",
+                                  "--tool", "T1=flat:D6", "--stock", "100x60x20"});
+    };
+    EXPECT_TRUE(at(8)["position"]["after"]["z"].is_null());
+    const json inch = at(9);
+    EXPECT_EQ(mode(inch, "shift")["set_by"]["line"], 4);
+    EXPECT_EQ(mode(inch, "shift")["value"], "X1");
+    EXPECT_EQ(mode(inch, "units")["set_by"]["line"], 9);
+    EXPECT_FALSE(mode(inch, "system")["changed"]);
+    EXPECT_EQ(mode(at(10), "transformation")["set_by"]["line"], 6);
+}
+
 TEST(Explain, ReadsKlartextAndSinumerik) {
     Folder folder;
     folder.write("a.h",

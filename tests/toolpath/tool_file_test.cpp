@@ -214,6 +214,25 @@ TEST(ToolFile, OfCsvHasUnitsOfItsNamesAndValues) {
     EXPECT_EQ(tools_of("T,D,flute length\n1,.25,.75\n", true), six);
     EXPECT_EQ(tools_of("T,D,Height,Description\n3,8,40.5,8mm drill\n"),
               "CSV tool table\nT3 drill D8 L50 Z40.500000\n");
+    // A unit, a kind or a number that is not known leaves the tool out.
+    EXPECT_EQ(tools_of("T,D,Unit\n1,.25,in.\n2,.25,Zoll\n3,.25,\"\"\"\"\n4,2,cm\n"),
+              "CSV tool table\n"
+              "T1 flat end mill D6.35 L50\n"
+              "T2 flat end mill D6.35 L50\n"
+              "T3 flat end mill D6.35 L50\n"
+              "5:1 tool-unknown\n");
+    EXPECT_EQ(tools_of("T,D,Metric\n1,.25,no\n2,6,1.0\n3,6,\n4,6,2\n"),
+              "CSV tool table\n"
+              "T1 flat end mill D6.35 L50\n"
+              "T2 flat end mill D6 L50\n"
+              "T3 flat end mill D6 L50\n"
+              "5:1 tool-unknown\n");
+    EXPECT_EQ(tools_of("T,D,Type,Corner radius\n1,6,flat,0.5\n2,6,foo mill,\n3,6,laser,\n"
+                       "4,6,chamfer,\nTotal,4,,\n"),
+              "CSV tool table\n"
+              "T1 bull nose end mill D6 R0.5 L50\n"
+              "T4 chamfer mill D6 L50\n"
+              "3:1 tool-unknown\n4:1 tool-unknown\n6:1 tool-unknown\n");
     EXPECT_EQ(tools_of("T,D\n"), "CSV tool table\n1:1 tool-table\n");
     // A remark of LinuxCNC.
     EXPECT_EQ(tools_of("; tool, dia\nT1 P1 D6\n"),

@@ -38,7 +38,7 @@ bool is_known(const gcode::MachineState& s, std::size_t axis) {
     const auto at = [axis](const gcode::KnownAxes& axes) {
         return axis == gcode::kX ? axes.x : axis == gcode::kY ? axes.y : axes.z;
     };
-    return axis > gcode::kZ || (at(s.known) && !at(s.of_machine));
+    return axis > gcode::kZ || (at(s.known) && !at(s.of_machine) && !at(s.relative));
 }
 
 // "X1 Y? Z-2 A90": X, Y and Z, and further axes that are not 0 before or after the block.

@@ -254,6 +254,8 @@ ModeNumbers numbers_of(const MachineState& s) {
         std::ranges::copy(numbers, all[static_cast<std::size_t>(group)].begin());
     };
     const auto n = [](auto value) { return static_cast<double>(value); };
+    // A change of units changes no length.
+    const auto mm = [&s](double value) { return std::round(value * s.unit_mm() * 1e7) / 1e7; };
     set(ModeGroup::Motion, {n(s.motion)});
     set(ModeGroup::Plane, {n(s.plane)});
     set(ModeGroup::Units, {n(s.inches)});
@@ -263,30 +265,38 @@ ModeNumbers numbers_of(const MachineState& s) {
                              n(s.spindle_in_doubt), n(s.spindle_oriented)});
     set(ModeGroup::Coolant, {n(s.coolant.mist), n(s.coolant.flood)});
     set(ModeGroup::Tool, {n(s.tool), n(s.selected_tool)});
-    set(ModeGroup::Length, {n(s.length_register), n(s.length_specified), s.tool_offset[0],
-                            s.tool_offset[1], s.tool_offset[2]});
-    set(ModeGroup::Compensation, {n(s.cutter_side), s.cutter_radius});
-    set(ModeGroup::System,
-        {n(s.system), s.rotation, n(s.frame[0]), n(s.frame[1]), n(s.frame[2]), s.work_offset[0],
-         s.work_offset[1], s.work_offset[2], s.work_offset[3], s.work_offset[4], s.work_offset[5]});
+    set(ModeGroup::Length, {n(s.length_register), n(s.length_specified), mm(s.tool_offset[0]),
+                            mm(s.tool_offset[1]), mm(s.tool_offset[2])});
+    set(ModeGroup::Compensation,
+        {n(s.cutter_side), n(s.cutter_side) == 0.0 ? 0.0 : mm(s.cutter_radius)});
+    set(ModeGroup::System, {n(s.system), s.rotation, n(s.frame[0]), n(s.frame[1]), n(s.frame[2]),
+                            mm(s.work_offset[0]), mm(s.work_offset[1]), mm(s.work_offset[2]),
+                            s.work_offset[3], s.work_offset[4], s.work_offset[5]});
     set(ModeGroup::Shift,
-        {s.offset_92[0], s.offset_92[1], s.offset_92[2], s.offset_92[3], s.offset_92[4],
-         s.offset_92[5], s.offset_92[6], s.offset_92[7], s.offset_92[8]});
+        {mm(s.offset_92[0]), mm(s.offset_92[1]), mm(s.offset_92[2]), s.offset_92[3], s.offset_92[4],
+         s.offset_92[5], mm(s.offset_92[6]), mm(s.offset_92[7]), mm(s.offset_92[8])});
     const gcode::ProgrammedTransform& t = s.programmed;
-    set(ModeGroup::Transform,
-        {n(t.rotated), n(t.scaled), n(t.polar), t.angle, t.centre_1, t.centre_2, t.scale[0],
-         t.scale[1], t.scale[2], t.scale_centre[0], t.scale_centre[1], t.scale_centre[2],
-         n(s.polar_interpolation.has_value()), s.cylinder ? s.cylinder->radius : -1.0});
+    if (t.rotated || t.scaled) {
+        set(ModeGroup::Transform,
+            {n(t.rotated), n(t.scaled), t.rotated ? t.angle : 0.0, mm(t.centre_1), mm(t.centre_2),
+             t.scale[0], t.scale[1], t.scale[2], mm(t.scale_centre[0]), mm(t.scale_centre[1]),
+             mm(t.scale_centre[2])});
+    }
+    auto& transform = all[static_cast<std::size_t>(ModeGroup::Transform)];
+    transform[11] = n(t.polar);
+    transform[12] = n(s.polar_interpolation.has_value());
+    transform[13] = s.cylinder ? mm(s.cylinder->radius) : -1.0;
     if (s.plane_frame) {
         const gcode::FeatureFrame& f = *s.plane_frame;
         set(ModeGroup::TiltedPlane,
-            {1.0, f.origin[0], f.origin[1], f.origin[2], f.rows[0][0], f.rows[0][1], f.rows[0][2],
-             f.rows[1][0], f.rows[1][1], f.rows[1][2], f.rows[2][0], f.rows[2][1], f.rows[2][2]});
+            {1.0, mm(f.origin[0]), mm(f.origin[1]), mm(f.origin[2]), f.rows[0][0], f.rows[0][1],
+             f.rows[0][2], f.rows[1][0], f.rows[1][1], f.rows[1][2], f.rows[2][0], f.rows[2][1],
+             f.rows[2][2]});
     }
     set(ModeGroup::Controlled, {n(s.coordinates)});
     if (s.cycle.running) {
-        set(ModeGroup::Cycle,
-            {1.0, n(s.cycle.code), s.cycle.r, s.cycle.z, s.cycle.q, s.cycle.p, n(s.retract_to_r)});
+        set(ModeGroup::Cycle, {1.0, n(s.cycle.code), mm(s.cycle.r), mm(s.cycle.z), mm(s.cycle.q),
+                               s.cycle.p, n(s.retract_to_r)});
     }
     return all;
 }

@@ -102,7 +102,9 @@ std::optional<std::array<double, 3>> machine_position(const gcode::MachineState&
                           !s.polar_interpolation && !s.cylinder && !s.dynamic_offset;
     const bool is_placed = std::ranges::all_of(s.frame, [](int frame) { return frame == 0; });
     const bool has_length = s.length_register == gcode::kNoLength || s.length_specified;
-    if (!is_plain || !is_placed || !has_length || !s.known.all() || s.of_machine.any()) return {};
+    if (!is_plain || !is_placed || !has_length || !s.known.all() || s.of_machine.any() ||
+        s.relative.any())
+        return {};
     std::array<double, 3> p{};
     for (std::size_t i = 0; i < 3; ++i)
         p[i] = s.position[i] + s.offset_92[i];

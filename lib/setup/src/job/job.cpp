@@ -473,6 +473,11 @@ std::optional<std::size_t> selected_step(const JobOptions& options, InputSet& in
     const JobFile file = read_job_file(options.job, inputs);
     if (file.set_ups.empty()) return std::nullopt;
     const std::vector<JobStep> steps = steps_of(file, fs::path(options.job).parent_path().string());
+    if (options.job_step && *options.job_step >= steps.size()) {
+        throw std::runtime_error(fmt::format("{}: there is no program {}: the job has {}",
+                                             name_of_input(options.job), *options.job_step + 1,
+                                             steps.size()));
+    }
     if (options.job_step) return *options.job_step;
     const auto place_of = [](const std::string& path) {
         return fs::absolute(path).lexically_normal();

@@ -89,6 +89,7 @@ struct Header {
 };
 
 std::optional<double> unit_named(std::string_view upper) {
+    if (upper == "\"" || upper == "IN." || upper == "ZOLL" || upper == "ENGLISH") return 25.4;
     if (upper == "MM" || upper == "METRIC" || upper == "MILLIMETER" || upper == "MILLIMETERS" ||
         upper == "MILLIMETRE" || upper == "MILLIMETRES")
         return 1.0;
@@ -225,10 +226,21 @@ std::optional<Table> table_of(std::string_view text) {
 class Line {
 public:
     Line(const Row& row, const Table& table, double unit) : row_(row), table_(table), unit_(unit) {
-        const std::string metric(text_of(Column::IsMetric));
-        if (metric == "0" || text::upper(metric) == "FALSE") unit_ = 25.4;
-        if (metric == "1" || text::upper(metric) == "TRUE") unit_ = 1.0;
-        if (const auto named = unit_named(text::upper(text_of(Column::UnitName)))) unit_ = *named;
+        const std::string metric = text::upper(text_of(Column::IsMetric));
+        if (metric == "0" || metric == "0.0" || metric == "FALSE" || metric == "NO" ||
+            metric == "N")
+            unit_ = 25.4;
+        else if (metric == "1" || metric == "1.0" || metric == "TRUE" || metric == "YES" ||
+                 metric == "Y")
+            unit_ = 1.0;
+        else
+            broken_ = text_of(Column::IsMetric);
+        const std::string_view name = text_of(Column::UnitName);
+        if (name.empty()) return;
+        if (const auto named = unit_named(text::upper(name)))
+            unit_ = *named;
+        else
+            broken_ = name;
     }
 
     std::string_view text_of(Column column) const {
@@ -279,10 +291,13 @@ private:
 
 // Sets the kind from its column, or from the name of the tool.
 void set_kind(const Line& line, ToolSpec& spec) {
-    const std::string_view type = line.text_of(Column::Kind);
+    const std::string type(line.text_of(Column::Kind));
     spec.description = std::string(line.text_of(Column::Name));
-    spec.kind = words::kind_named(type);
-    if (!spec.kind && !type.empty()) spec.kind = words::kind_named(std::string(type) + " MILL");
+    if (text::upper(type) == "CHAMFER") spec.kind = ToolKind::ChamferMill;
+    if (!spec.kind) spec.kind = words::kind_named(type);
+    // "end" is an end mill; "foo mill" is no kind.
+    if (!spec.kind && !type.empty() && type.find(' ') == std::string::npos)
+        spec.kind = words::kind_named(type + " MILL");
     if (!spec.kind) take_kind(spec.description, spec);
 }
 
@@ -290,7 +305,7 @@ void read_row(const Row& row, const Table& table, double unit, Collector& out) {
     Line line(row, table, unit);
     const gcode::SourceSpan span{row.line, 1, 0};
     std::string written = text::upper(line.text_of(Column::Number));
-    if (written.starts_with('T')) written.erase(0, 1);
+    if (written.size() > 1 && written[0] == 'T' && text::is_digit(written[1])) written.erase(0, 1);
     const auto number = text::quantity_at(written, 0);
     constexpr double kMostTools = 1e8;
     if (written.empty() || written == "0") return;
@@ -301,6 +316,9 @@ void read_row(const Row& row, const Table& table, double unit, Collector& out) {
     spec.number = static_cast<int>(number->value);
     spec.diameter = line.length_of(Column::Diameter);
     set_kind(line, spec);
+    if (const std::string_view type = line.text_of(Column::Kind); !spec.kind && !type.empty())
+        return out.add_remark(Message::TypeUnknown, span,
+                              {std::to_string(spec.number), text::quoted(type)});
     const auto set = [&](std::optional<double>& value, Column column) {
         if (const auto read = line.length_of(column)) value = read;
     };
@@ -309,7 +327,7 @@ void read_row(const Row& row, const Table& table, double unit, Collector& out) {
     set(spec.stick_out, Column::StickOut);
     set(spec.pitch, Column::Pitch);
     if (is_conical(spec.kind)) set(spec.tip_diameter, Column::TipDiameter);
-    if (spec.kind != ToolKind::FlatEndMill) set(spec.corner_radius, Column::CornerRadius);
+    set(spec.corner_radius, Column::CornerRadius);
     if (const auto angle = line.number_of(Column::Angle); angle && angle->value > 0)
         (spec.kind == ToolKind::TaperedEndMill ? spec.taper : spec.angle) = angle->value;
     const double height = line.length_of(Column::Height).value_or(0.0);
