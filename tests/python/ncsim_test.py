@@ -13,6 +13,7 @@ import pathlib
 import pickle
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -365,6 +366,15 @@ class Threads(unittest.TestCase):
         for vertices in found:
             np.testing.assert_array_equal(vertices, alone)
 
+    def test_may_read_the_first_arrays_of_a_process(self):
+        code = ("import ncsim, sys, threading\n"
+                "mesh = ncsim.simulate(sys.argv[1]).mesh()\n"
+                "threads = [threading.Thread(target=lambda: mesh.triangles) for _ in range(6)]\n"
+                "for thread in threads: thread.start()\n"
+                "for thread in threads: thread.join()\n")
+        for _ in range(3):
+            subprocess.run([sys.executable, "-c", code, SAMPLES / "complex.nc"], check=True, timeout=60)
+
     def test_share_a_simulation(self):
         part = ncsim.simulate(SAMPLES / "complex.nc")
         results = []
@@ -409,6 +419,8 @@ class Jobs(unittest.TestCase):
         self.assertEqual([step.number for step in steps], list(range(1, len(steps) + 1)))
         with self.assertRaisesRegex(ncsim.UsageError, "programs"):
             ncsim.simulate(job)
+        with self.assertRaisesRegex(ncsim.UsageError, "there is no program 9: the job has"):
+            ncsim.simulate(job, step=9)
         first, last = ncsim.simulate(job, step=1), ncsim.simulate(job, step=len(steps))
         self.assertAlmostEqual(last.stock_volume, first.volume, delta=1e-6 * first.volume)
         self.assertEqual(os.path.basename(ncsim.check(job, step=1).file), "top.nc")
