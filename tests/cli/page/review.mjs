@@ -99,13 +99,13 @@ try {
   ["isometric", "from above"].flatMap((view) =>
     ["old part", "new part", "difference"].map((what) => `${what}, ${view} 800`)), "pictures");
 
-  // From above: the floor of the first slot and the bore are orange, the end of the second is blue.
+  // The floor of the first slot and the bore are orange in the view from above, the end of the second slot is blue.
   const [orange, blue] = await colours(page, "difference, from above");
   expect(orange[0] > 20000 && Math.abs(orange[1] - 0.5) < 0.1, `orange: ${orange}`);
   expect(blue[0] > 5000 && blue[0] < 25000 && blue[1] > 0.75, `blue: ${blue}`);
   same((await colours(page, "old part, from above"))[0][0] > 1000, true, "the second tool is orange");
 
-  // From the picture to the difference, to lines of both programs, and back.
+  // Links lead from the picture to the difference, to lines of both programs, and back.
   const pins = page.locator(".views a.region");
   same(await pins.allTextContents(), ["1", "2", "3", "1", "2", "3"], "numbers in the pictures");
   await pins.nth(4).click();

@@ -255,7 +255,8 @@ Json tools_of_hsm(const std::string& path, const std::string& text) {
                 geometry[key] = value;
         }
         const char* const type = tool->Attribute("type");
-        // Of drills it is the included angle, of chamfer mills the angle of one side.
+        // "taper-angle" is the included angle for drills, and the angle of one side for chamfer
+        // mills.
         if (type && std::string_view(type).ends_with("drill") && !geometry.contains("SIG") &&
             geometry.contains("TA"))
             geometry["SIG"] = geometry["TA"];

@@ -174,7 +174,7 @@ private:
             if (c == '\n') ++line_;
             quoted += c;
         }
-        // What is between the quote and the separator, such as a carriage return.
+        // Text between the quote and the separator, such as a carriage return.
         const std::size_t end =
             std::min(text_.find_first_of(std::string{separator_, '\n'}), text_.size());
         quoted += text::trimmed(text_.substr(0, end));

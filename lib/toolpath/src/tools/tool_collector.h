@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What readers of tool files share: the list of tools, and the kind of a tool from its remark.
+// Parts of all readers of tool files: the list of tools, and the kind of a tool from its remark.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a control does at one block, and where its modes come from.
+// Explanation of a block: the modes of the control, the blocks that set them, moves, volume.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
