@@ -139,6 +139,24 @@ TEST(Explain, IsOfInchesAndUnknownPlacesAsTheProgramHasThem) {
     EXPECT_TRUE(contains(first.out, "  before       X? Y? Z? in\n")) << first.out;
 }
 
+// Rotations and scales are not in the position of the program; those of a system, G68 and G51 are
+// in the position in the machine.
+TEST(Explain, HasPositionsAsTheProgramWritesThem) {
+    Folder folder;
+    folder.write("part.nc",
+                 "G21 G90 G17\nT1 M6\nS900 M3\nG0 X0 Y0 Z5\nG68 X0 Y0 R90\nX10 Y0\nG69\n"
+                 "G51 X0 Y0 Z0 I2 J2 K1\nX10 Y5\nG50\nG1 Z-1 F100\nX12\nM30\n");
+    folder.write("job.toml", "version = 1\n[offsets]\nG54 = [100, 50, -200]\n");
+    const auto at = [&](const char* line) {
+        return explained(folder, {"part.nc", "--line", line, "--dialect", "fanuc", "--tool",
+                                  "T1=flat:D6", "--stock", "100x60x20", "--job", "job.toml"});
+    };
+    EXPECT_EQ(at("6")["position"]["after"], json::parse(R"({"x": 10, "y": 0, "z": 5})"));
+    EXPECT_EQ(at("6")["machine_position"], json::parse(R"({"x": 100, "y": 60, "z": -195})"));
+    EXPECT_EQ(at("9")["position"]["after"], json::parse(R"({"x": 10, "y": 5, "z": 5})"));
+    EXPECT_EQ(at("9")["machine_position"], json::parse(R"({"x": 120, "y": 60, "z": -195})"));
+}
+
 // A change of units or a code that resets what is off changes no mode; an increment from an unknown
 // place leads to an unknown place.
 TEST(Explain, NamesNoBlockThatChangedNothing) {
@@ -169,6 +187,19 @@ TEST(Explain, ReadsKlartextAndSinumerik) {
     EXPECT_EQ(mode(klartext, "motion")["value"], "feed");
     EXPECT_EQ(mode(klartext, "feed")["set_by"]["line"], 6);
     EXPECT_EQ(klartext["removed_mm3"], 600);
+    // Lines of a block of several lines stand for the block; frames are not in the position.
+    folder.write("b.h",
+                 "0 BEGIN PGM B MM\n1 TOOL CALL 1 Z S2000\n2 CYCL DEF 200 BOHREN ~\n Q200=2 ~\n"
+                 " Q201=-10 ~\n Q206=150 ~\n Q202=5 ~\n Q210=0 ~\n Q203=+0 ~\n Q204=50 ~\n Q211=0\n"
+                 "3 CYCL DEF 10.0 DREHUNG\n4 CYCL DEF 10.1 ROT+90\n5 L X+10 Y+0 Z+5 R0 FMAX\n"
+                 "6 M30\n7 END PGM B MM\n");
+    const auto of_block = [&](const char* line) {
+        return explained(folder, {"b.h", "--line", line, "--tool", "T1=drill:D6"});
+    };
+    EXPECT_EQ(of_block("11"), of_block("3"));
+    EXPECT_EQ(of_block("11")["line"], 3);
+    EXPECT_EQ(of_block("2")["line"], 2);
+    EXPECT_EQ(of_block("14")["position"]["after"]["x"], 10);
     folder.write("a.mpf",
                  "G17 G90 G71\nT1\nM6\nS2000 M3\nG0 X-10 Y10 Z5\nG1 Z-1 F500\n"
                  "TRANS X10\nX=AC(60)\nM30\n");

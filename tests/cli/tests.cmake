@@ -83,7 +83,8 @@ endif()
 if(TARGET ncsim)
   find_program(NCSIM_CHROMIUM chromium)
   set(page_tools ${CMAKE_CURRENT_BINARY_DIR}/cli/page)
-  foreach(file package.json package-lock.json page.mjs arrays.mjs index.mjs review.mjs)
+  foreach(file package.json package-lock.json reader.mjs page.mjs arrays.mjs index.mjs
+      review.mjs)
     configure_file(cli/page/${file} ${page_tools}/${file} COPYONLY)
   endforeach()
   add_test(NAME cli.install_browser_driver

@@ -3,7 +3,7 @@
 // Explains a block as text and JSON.
 #include "ncsim/report/explanation.h"
 
-#include "ncsim/gcode/print.h"
+#include "ncsim/gcode/positions.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/length_unit.h"
 #include "ncsim/report/machining_time.h"
@@ -14,11 +14,11 @@
 #include "append.h"
 #include "json.h"
 #include "motion_json.h"
+#include "plain_number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 namespace ncsim::report {
@@ -26,13 +26,6 @@ namespace ncsim::report {
 namespace {
 
 constexpr std::string_view kLetters = "XYZABCUVW";
-
-// Rounds to a millionth, which hides the rounding errors of units and offsets.
-std::string plain(double value) {
-    std::string text;
-    gcode::print_number(text, std::round(value * 1e6) / 1e6 + 0.0);
-    return text;
-}
 
 bool is_known(const gcode::MachineState& s, std::size_t axis) {
     const auto at = [axis](const gcode::KnownAxes& axes) {
@@ -43,12 +36,13 @@ bool is_known(const gcode::MachineState& s, std::size_t axis) {
 
 // "X1 Y? Z-2 A90": X, Y and Z, and further axes that are not 0 before or after the block.
 std::string position_text(const Explanation& e, const gcode::MachineState& s) {
+    const gcode::Axes position = gcode::to_programmed(s.programmed, s.position);
     std::string text;
-    for (std::size_t i = 0; i < s.position.size(); ++i) {
+    for (std::size_t i = 0; i < position.size(); ++i) {
         if (i > gcode::kZ && e.before.position[i] == 0.0 && e.after.position[i] == 0.0) continue;
         if (i > 0) text += ' ';
         text += kLetters[i];
-        text += is_known(s, i) ? plain(s.position[i]) : "?";
+        text += is_known(s, i) ? plain_number(position[i]) : "?";
     }
     return text;
 }
@@ -63,16 +57,17 @@ std::string setter_text(const Explanation& e, std::size_t group) {
 
 std::string motion_text(const gcode::Motion& motion) {
     if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.action))
-        return fmt::format("waits {} s", plain(dwell->seconds));
+        return fmt::format("waits {} s", plain_number(dwell->seconds));
     if (const auto* change = std::get_if<gcode::ToolChange>(&motion.action))
         return fmt::format("changes to T{}", change->tool);
     const gcode::Position& to = *gcode::end_of(motion);
     std::string text(name_of(motion.kind));
     if (std::holds_alternative<gcode::Arc>(motion.action)) text += " arc";
     if (std::holds_alternative<gcode::Spline>(motion.action)) text += " spline";
-    append(text, " to X{} Y{} Z{} mm", plain(to.x.mm()), plain(to.y.mm()), plain(to.z.mm()));
+    append(text, " to X{} Y{} Z{} mm", plain_number(to.x.mm()), plain_number(to.y.mm()),
+           plain_number(to.z.mm()));
     for (const auto& [letter, angle] : {std::pair{'A', to.a}, {'B', to.b}, {'C', to.c}}) {
-        if (angle.degrees() != 0.0) append(text, " {}{}", letter, plain(angle.degrees()));
+        if (angle.degrees() != 0.0) append(text, " {}{}", letter, plain_number(angle.degrees()));
     }
     return text;
 }
@@ -101,11 +96,12 @@ void add_motions(std::string& text, const Explanation& e, LengthUnit unit) {
 }
 
 Json position_json(const gcode::MachineState& s) {
+    const gcode::Axes position = gcode::to_programmed(s.programmed, s.position);
     Json json = Json::object();
-    for (std::size_t i = 0; i < s.position.size(); ++i) {
+    for (std::size_t i = 0; i < position.size(); ++i) {
         const std::string name(1, static_cast<char>(kLetters[i] + ('a' - 'A')));
-        if (i > gcode::kZ && s.position[i] == 0.0) continue;
-        json[name] = is_known(s, i) ? Json(round_value(s.position[i])) : Json();
+        if (i > gcode::kZ && position[i] == 0.0) continue;
+        json[name] = is_known(s, i) ? Json(round_value(position[i])) : Json();
     }
     return json;
 }
@@ -123,9 +119,9 @@ std::string text_of(const Explanation& e) {
     add_row(text, "position", fmt::format("{} {}", position_text(e, e.after), name));
     add_row(text, "  before", fmt::format("{} {}", position_text(e, e.before), name));
     if (const auto& p = e.machine_position) {
-        add_row(
-            text, "in the machine",
-            fmt::format("X{} Y{} Z{} {}", plain((*p)[0]), plain((*p)[1]), plain((*p)[2]), name));
+        add_row(text, "in the machine",
+                fmt::format("X{} Y{} Z{} {}", plain_number((*p)[0]), plain_number((*p)[1]),
+                            plain_number((*p)[2]), name));
     } else {
         add_row(text, "in the machine", "not known");
     }

@@ -3,7 +3,7 @@
 // Describes the modes of a control.
 #include "ncsim/report/modal_state.h"
 
-#include "ncsim/gcode/print.h"
+#include "plain_number.h"
 
 #include <fmt/format.h>
 
@@ -16,13 +16,6 @@ namespace ncsim::report {
 namespace {
 
 using gcode::MachineState;
-
-// Rounds to a millionth, which hides the rounding errors of units and offsets.
-std::string number(double value) {
-    std::string text;
-    gcode::print_number(text, std::round(value * 1e6) / 1e6 + 0.0);
-    return text;
-}
 
 // "G1", "G43.4"; empty for none.
 std::string code_text(gcode::Code code) {
@@ -43,7 +36,7 @@ std::string axes_text(const gcode::Axes& axes, bool zeros = false) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
         if (axes[i] == 0.0 && !(zeros && i < 3)) continue;
         if (!text.empty()) text += ' ';
-        text += kLetters[i] + number(axes[i]);
+        text += kLetters[i] + plain_number(axes[i]);
     }
     return text;
 }
@@ -85,7 +78,7 @@ std::string distance_text(const MachineState& s, bool with_codes) {
 }
 
 std::string feed_text(const MachineState& s, bool with_codes) {
-    const std::string value = s.feed > 0.0 ? number(s.feed) : "not set,";
+    const std::string value = s.feed > 0.0 ? plain_number(s.feed) : "not set,";
     switch (s.feed_mode) {
         case gcode::FeedMode::PerMinute:
             return with_code(fmt::format("{} {}/min", value, unit_of(s)), "G94", with_codes);
@@ -98,8 +91,9 @@ std::string feed_text(const MachineState& s, bool with_codes) {
 
 std::string spindle_text(const MachineState& s) {
     const std::string speed =
-        s.spindle_rpm > 0.0 ? number(s.spindle_rpm) + (s.constant_surface_speed ? " (G96)" : "/min")
-                            : "no speed";
+        s.spindle_rpm > 0.0
+            ? plain_number(s.spindle_rpm) + (s.constant_surface_speed ? " (G96)" : "/min")
+            : "no speed";
     std::string text = s.spindle == gcode::SpindleTurning::Stopped     ? "stopped, "
                        : s.spindle == gcode::SpindleTurning::Clockwise ? "clockwise, "
                                                                        : "counter-clockwise, ";
@@ -131,7 +125,7 @@ std::string length_text(const MachineState& s) {
     }
     const std::string name = fmt::format("H{}", s.length_register);
     return s.length_specified
-               ? fmt::format("{}, {} {}", name, number(offset[gcode::kZ]), unit_of(s))
+               ? fmt::format("{}, {} {}", name, plain_number(offset[gcode::kZ]), unit_of(s))
                : name + ", length not specified";
 }
 
@@ -139,7 +133,7 @@ std::string compensation_text(const MachineState& s, bool with_codes) {
     if (s.cutter_side == gcode::CutterSide::Off) return with_code("off", "G40", with_codes);
     const bool is_left = s.cutter_side == gcode::CutterSide::Left;
     return with_code(fmt::format("{} of the path, radius {} {}", is_left ? "left" : "right",
-                                 number(s.cutter_radius), unit_of(s)),
+                                 plain_number(s.cutter_radius), unit_of(s)),
                      is_left ? "G41" : "G42", with_codes);
 }
 
@@ -156,7 +150,7 @@ std::string system_text(const MachineState& s) {
     } else {
         text += ", place in the machine not specified";
     }
-    if (s.rotation != 0.0) text += ", turned by " + number(s.rotation) + "° about Z";
+    if (s.rotation != 0.0) text += ", turned by " + plain_number(s.rotation) + "° about Z";
     return text;
 }
 
@@ -171,14 +165,14 @@ std::string transform_text(const MachineState& s) {
     const auto add = [&text](const std::string& more) {
         text += (text.empty() ? "" : ", ") + more;
     };
-    if (t.rotated) add("rotated by " + number(t.angle) + "°");
+    if (t.rotated) add("rotated by " + plain_number(t.angle) + "°");
     if (t.scaled) {
-        add(fmt::format("scaled by {}, {}, {}", number(t.scale[0]), number(t.scale[1]),
-                        number(t.scale[2])));
+        add(fmt::format("scaled by {}, {}, {}", plain_number(t.scale[0]), plain_number(t.scale[1]),
+                        plain_number(t.scale[2])));
     }
     if (t.polar) add("polar coordinates");
     if (s.polar_interpolation) add("polar interpolation");
-    if (s.cylinder) add("cylinder of radius " + number(s.cylinder->radius));
+    if (s.cylinder) add("cylinder of radius " + plain_number(s.cylinder->radius));
     return text.empty() ? "none" : text;
 }
 
@@ -186,17 +180,17 @@ std::string tilted_text(const MachineState& s) {
     if (!s.plane_frame) return "none";
     const gcode::FeatureFrame& frame = *s.plane_frame;
     const gcode::Triple normal = frame.normal();
-    return fmt::format("zero at X{} Y{} Z{}, tool along {}, {}, {}", number(frame.origin[0]),
-                       number(frame.origin[1]), number(frame.origin[2]), number(normal[0]),
-                       number(normal[1]), number(normal[2]));
+    return fmt::format("zero at X{} Y{} Z{}, tool along {}, {}, {}", plain_number(frame.origin[0]),
+                       plain_number(frame.origin[1]), plain_number(frame.origin[2]),
+                       plain_number(normal[0]), plain_number(normal[1]), plain_number(normal[2]));
 }
 
 std::string cycle_text(const MachineState& s, bool with_codes) {
     if (!s.cycle.running) return "none";
     const std::string code = with_codes ? code_text(s.cycle.code) + ", " : "";
-    std::string text =
-        fmt::format("{}clearance {}, depth {}", code, number(s.cycle.r), number(s.cycle.z));
-    if (s.cycle.q != 0.0) text += ", pecks of " + number(s.cycle.q);
+    std::string text = fmt::format("{}clearance {}, depth {}", code, plain_number(s.cycle.r),
+                                   plain_number(s.cycle.z));
+    if (s.cycle.q != 0.0) text += ", pecks of " + plain_number(s.cycle.q);
     return text + (s.retract_to_r ? ", back to the clearance" : ", back to the initial level");
 }
 

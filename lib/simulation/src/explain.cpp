@@ -4,11 +4,11 @@
 #include "ncsim/simulation/explain.h"
 
 #include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/positions.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/value_source.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/toolpath/tool.h"
-#include "ncsim/trig/angles.h"
 
 #include <fmt/format.h>
 
@@ -97,24 +97,15 @@ private:
 
 // Returns X, Y and Z in the machine, in active units. Under a tilted plane, tip control or
 // interpolation they are not known.
-std::optional<std::array<double, 3>> machine_position(const gcode::MachineState& s) {
+std::optional<std::array<double, 3>> known_machine_position(const gcode::MachineState& s) {
     const bool is_plain = !s.plane_frame && s.coordinates == gcode::Coordinates::Axes &&
-                          !s.polar_interpolation && !s.cylinder && !s.dynamic_offset;
+                          !s.polar_interpolation && !s.cylinder;
     const bool is_placed = std::ranges::all_of(s.frame, [](int frame) { return frame == 0; });
     const bool has_length = s.length_register == gcode::kNoLength || s.length_specified;
-    if (!is_plain || !is_placed || !has_length || !s.known.all() || s.of_machine.any() ||
-        s.relative.any())
-        return {};
-    std::array<double, 3> p{};
-    for (std::size_t i = 0; i < 3; ++i)
-        p[i] = s.position[i] + s.offset_92[i];
-    if (s.rotation != 0.0) {
-        const auto [sine, cosine] = trig::sin_cos(s.rotation);
-        p = {cosine * p[0] - sine * p[1], sine * p[0] + cosine * p[1], p[2]};
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-        p[i] += s.work_offset[i] + s.tool_offset[i];
-    return p;
+    const bool is_known = s.known.all() && !s.of_machine.any() && !s.relative.any();
+    if (!is_plain || !is_placed || !has_length || !is_known) return std::nullopt;
+    const gcode::Axes p = gcode::machine_position(s);
+    return std::array{p[gcode::kX], p[gcode::kY], p[gcode::kZ]};
 }
 
 // Returns the index of a called file; 0 for the main program.
@@ -128,21 +119,39 @@ std::uint32_t file_number(const std::vector<std::string>& files, const std::stri
     return static_cast<std::uint32_t>(found - files.begin());
 }
 
-// Returns a line of a text, without its end. Throws: std::runtime_error.
+// Returns the lines of a text without their ends.
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        if (lines.back().ends_with('\r')) lines.back().remove_suffix(1);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+// Returns a line. Throws: std::runtime_error.
 std::string line_of(const gcode::SourceFile& file, std::uint32_t line) {
-    std::string_view rest = file.text;
-    std::uint32_t number = 1;
-    for (; number < line && !rest.empty(); ++number) {
-        const std::size_t end = rest.find('\n');
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    }
-    if (rest.empty()) {
+    const std::vector<std::string_view> lines = lines_of(file.text);
+    if (line > lines.size()) {
         throw std::runtime_error(fmt::format("{}: there is no line {}: the file has {} lines",
-                                             file.name, line, number - 1));
+                                             file.name, line, lines.size()));
     }
-    std::string text(rest.substr(0, rest.find('\n')));
-    if (text.ends_with('\r')) text.pop_back();
-    return text;
+    return std::string(lines[line - 1]);
+}
+
+// Returns the line in which the Klartext block with `line` begins: "~" continues a block.
+std::uint32_t first_line_of(const gcode::SourceFile& file, std::uint32_t line) {
+    const std::vector<std::string_view> lines = lines_of(file.text);
+    const auto continues = [&](std::uint32_t number) {
+        const std::string_view text = lines[number - 1];
+        const std::size_t last = text.find_last_not_of(" \t");
+        return last != std::string_view::npos && text[last] == '~';
+    };
+    while (line > 1 && line <= lines.size() && continues(line - 1))
+        --line;
+    return line;
 }
 
 // Adds what the block removed, or why that is not known.
@@ -175,6 +184,12 @@ void add_tool(const Survey& survey, report::Explanation& explanation) {
 
 report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_t line,
                             const std::string& file, bool with_volume) {
+    const bool is_klartext = survey.interpretation.dialect.dialect == gcode::Dialect::Heidenhain;
+    if (is_klartext) {
+        const auto read = plan.job.interpreter.read_file;
+        const auto other = file.empty() || !read ? std::nullopt : read(file);
+        if (other || file.empty()) line = first_line_of(other ? *other : plan.job.program, line);
+    }
     LineWatch watch(line, plan.placed.get());
     gcode::InterpreterOptions options = plan.job.interpreter;
     options.observe_state = [&](std::uint32_t of, std::uint32_t at,
@@ -202,14 +217,14 @@ report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_
     result.executions = seen->executions;
     result.before = seen->before;
     result.after = seen->after;
-    result.machine_position = machine_position(seen->after);
+    result.machine_position = known_machine_position(seen->after);
     result.is_changed = seen->is_changed;
     for (std::size_t i = 0; i < kModeGroups; ++i) {
         const Place& place = seen->set_by[i];
         result.set_by[i] = {place.file == 0 ? result.program : interpretation.files[place.file],
                             place.line};
     }
-    result.has_codes = interpretation.dialect.dialect != gcode::Dialect::Heidenhain;
+    result.has_codes = !is_klartext;
     result.motions = seen->motions;
     result.motion_count = seen->motion_count;
     result.distances = seen->distances;

@@ -3,34 +3,17 @@
 // node index.mjs <ncsim> <chromium> [<folder for screenshots>]: makes the index of a folder and uses
 // the index as a reader would: sorts by click and by keyboard, searches, opens a page, on a wide and
 // on a narrow screen, in light and dark, and without JavaScript. Only small pictures are loaded.
-import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
-import { chromium } from "playwright-core";
+import { Reader } from "./reader.mjs";
 
-const [ncsim, browserPath, pictures] = process.argv.slice(2);
-const folder = mkdtempSync(join(tmpdir(), "ncsim-index-"));
-if (pictures) mkdirSync(pictures, { recursive: true });
-let failures = 0;
-function expect(condition, message) {
-  if (condition) return;
-  console.error(message);
-  failures += 1;
-}
-function same(a, b, message) {
-  const [x, y] = [JSON.stringify(a), JSON.stringify(b)];
-  expect(x === y, `${message}: ${x}, not ${y}`);
-}
-function check(out, ...words) {
-  try {
-    execFileSync(ncsim, ["check", "all", "none.nc", "--html", out, ...words],
-      { cwd: folder, stdio: "ignore" });
-    return 0;
-  } catch (error) {
-    return error.status;
-  }
-}
+const reader = new Reader("index", ...process.argv.slice(2));
+const { folder } = reader;
+const expect = (...words) => reader.expect(...words), same = (...words) => reader.same(...words);
+const picture = (...words) => reader.picture(...words);
+const open = (options = {}) =>
+  reader.open(join("pages", "index.html"), { viewport: { width: 1100, height: 800 }, ...options });
+const check = (out, ...words) => reader.call("check", "all", "none.nc", "--html", out, ...words);
 
 // A clean slot; the same deeper and longer; a slot made at rapid, twice; a program that does not
 // describe its tool. Names with markup, quotes and many folders.
@@ -54,34 +37,13 @@ expect(index === readFileSync(join(folder, "again", "index.html"), "utf8"),
   "another number of jobs makes another index");
 expect(!/(src|href)="(https?:)?\/\//.test(index), "an address is not relative");
 
-const browser = await chromium.launch({
-  executablePath: browserPath,
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-const requests = [];
-const errors = [];
-async function open(options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1100, height: 800 },
-    offline: true, ...options });
-  const page = await context.newPage();
-  page.on("request", (request) => requests.push(request.url()));
-  page.on("pageerror", (error) => errors.push(error.message));
-  page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") errors.push(message.text());
-  });
-  await page.goto(`file://${join(folder, "pages", "index.html")}`);
-  return page;
-}
-async function picture(page, name) {
-  if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`), fullPage: true });
-}
 const names = (page) => page.locator("tbody tr:visible .name a").evaluateAll((links) =>
   links.map((link) => link.textContent.replace(/^.*\//, "")));
 const sorted = (page) => page.locator("[aria-sort]").evaluateAll((heads) =>
   heads.map((head) => [head.textContent, head.getAttribute("aria-sort")]));
 const head_of = (page, name) => page.getByRole("columnheader", { name }).getByRole("button");
 
-try {
+await reader.run(async () => {
   let page = await open();
   const all = await names(page);
   same(all.slice(0, 3), ["none.nc", "<b>bold & \"quoted\".nc", "crash.nc"],
@@ -149,13 +111,7 @@ try {
   same(await page.locator("tbody tr").count(), 6, "rows without JavaScript");
   same(await page.locator("button, input").count(), 0, "controls that would do nothing");
   await picture(page, "index-plain");
-} finally {
-  await browser.close();
-}
-for (const url of requests) {
+}, (url) => {
   const file = decodeURIComponent(url.replace("file://", ""));
-  expect(file.startsWith(join(folder, "pages")) && existsSync(file), `${url} was requested`);
-}
-for (const error of errors) expect(false, `console: ${error}`);
-rmSync(folder, { recursive: true });
-process.exit(failures === 0 ? 0 : 1);
+  return file.startsWith(join(folder, "pages")) && existsSync(file);
+});

@@ -4,29 +4,23 @@
 // as a reader would. The page of a program with a fault plays to lines, and its states have the
 // volume of `run --at-line`. Clicks on faces select lines, findings lead to their place, a section
 // cuts the part open. Nothing is loaded from anywhere.
-import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { chromium } from "playwright-core";
+import { Reader } from "./reader.mjs";
 
 const [ncsim, browserPath, samples, pictures] = process.argv.slice(2);
-const folder = mkdtempSync(join(tmpdir(), "ncsim-page-"));
-if (pictures) mkdirSync(pictures, { recursive: true });
-let failures = 0;
-function expect(condition, message) {
-  if (condition) return;
-  console.error(message);
-  failures += 1;
+const reader = new Reader("page", ncsim, browserPath, pictures);
+const { folder } = reader;
+const expect = (...words) => reader.expect(...words), near = (...words) => reader.near(...words);
+const call = (...words) => reader.call(...words);
+async function open(file, options = {}) {
+  const page = await reader.open(file, options);
+  await page.evaluate(() => window.ncsim.ready);
+  return page;
 }
-function near(a, b, most, message) { expect(Math.abs(a - b) <= most, `${message}: ${a}, not ${b}`); }
-function call(...words) {
-  try {
-    execFileSync(ncsim, words, { cwd: folder, stdio: "ignore" });
-    return 0;
-  } catch (error) {
-    return error.status;
-  }
+async function picture(page, name) {
+  await page.evaluate(() => window.ncsim.view.draw());
+  await reader.picture(page, name, {});
 }
 
 // A slot along X at Y0, a second slot along Y made at rapid, a bore by a second tool; and markup
@@ -57,29 +51,6 @@ const volumes = [7, 8, 11, 15].map((line) => {
   return [line, JSON.parse(readFileSync(join(folder, "report.json"))).volume_mm3.part];
 });
 
-const browser = await chromium.launch({
-  executablePath: browserPath,
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-const requests = [];
-const errors = [];
-async function open(file, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true,
-    ...options });
-  const page = await context.newPage();
-  page.on("request", (request) => requests.push(request.url()));
-  page.on("pageerror", (error) => errors.push(error.message));
-  page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") errors.push(message.text());
-  });
-  await page.goto(`file://${join(folder, file)}`);
-  await page.evaluate(() => window.ncsim.ready);
-  return page;
-}
-async function picture(page, name) {
-  await page.evaluate(() => window.ncsim.view.draw());
-  if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`) });
-}
 // Clicks a point of the part.
 async function click(page, ...point) {
   const at = await page.evaluate((p) => window.ncsim.view.project(...p), point);
@@ -88,10 +59,10 @@ async function click(page, ...point) {
 }
 const selected = (page) => page.evaluate(() => window.ncsim.selected());
 
-try {
+await reader.run(async () => {
   let page = await open("page.html");
   const triangles = await page.evaluate(() => window.ncsim.view && window.ncsim.view.triangles);
-  expect(triangles > 20, `the part was not drawn: ${errors.join("; ")}`);
+  expect(triangles > 20, `the part was not drawn: ${reader.errors.join("; ")}`);
   expect(await page.locator("b", { hasText: "bold" }).count() === 0, "a remark became markup");
 
   // Three normals of length 1 for each triangle; at round ends the normals differ by corner.
@@ -250,11 +221,6 @@ try {
   await click(page, -38, -38, 0);
   expect(await selected(page) === 0, "the stock's corner is a face");
 
-  expect(requests.every((url) => url.startsWith("file:") || url.startsWith("data:")) &&
-    requests.filter((url) => url.startsWith("file:")).length === 4, `loaded: ${requests}`);
-  expect(errors.length === 0, `errors of the page: ${errors.join("; ")}`);
-} finally {
-  await browser.close();
-  rmSync(folder, { recursive: true });
-}
-process.exitCode = failures === 0 ? 0 : 1;
+  expect(reader.requests.filter((url) => url.startsWith("file:")).length === 4,
+    `loaded: ${reader.requests}`);
+}, (url) => url.startsWith("file:") || url.startsWith("data:"));

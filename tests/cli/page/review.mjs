@@ -4,33 +4,16 @@
 // uses the review as a reader would. The picture of the difference has the colours of both kinds of
 // material, numbers in the picture lead to differences, differences to lines of both programs, and
 // lines back. Equal lines unfold. Nothing is loaded from anywhere.
-import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { chromium } from "playwright-core";
+import { Reader } from "./reader.mjs";
 
-const [ncsim, browserPath, pictures] = process.argv.slice(2);
-const folder = mkdtempSync(join(tmpdir(), "ncsim-review-"));
-if (pictures) mkdirSync(pictures, { recursive: true });
-let failures = 0;
-function expect(condition, message) {
-  if (condition) return;
-  console.error(message);
-  failures += 1;
-}
-function same(a, b, message) {
-  const [x, y] = [JSON.stringify(a), JSON.stringify(b)];
-  expect(x === y, `${message}: ${x}, not ${y}`);
-}
-function diff(...words) {
-  try {
-    execFileSync(ncsim, ["diff", ...words], { cwd: folder, stdio: "ignore" });
-    return 0;
-  } catch (error) {
-    return error.status;
-  }
-}
+const reader = new Reader("review", ...process.argv.slice(2));
+reader.mayLog = false;
+const { folder } = reader;
+const expect = (...words) => reader.expect(...words), same = (...words) => reader.same(...words);
+const open = (...words) => reader.open(...words), picture = (...words) => reader.picture(...words);
+const diff = (...words) => reader.call("diff", ...words);
 
 // Two slots, engraving, and a bore. The new program makes the first slot deeper and slower, the
 // second shorter, and adds the bore; it has a new remark with markup.
@@ -49,22 +32,6 @@ writeFileSync(join(folder, "new.nc"), program(true));
 expect(diff("old.nc", "new.nc", "--html", "review.html") === 1, "the parts differ");
 expect(diff("old.nc", "old.nc", "--html", "same.html") === 0, "a program and itself");
 
-const browser = await chromium.launch({ executablePath: browserPath, args: ["--no-sandbox"] });
-const requests = [];
-const errors = [];
-async function open(file, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 },
-    offline: true, ...options });
-  const page = await context.newPage();
-  page.on("request", (request) => requests.push(request.url()));
-  page.on("pageerror", (error) => errors.push(error.message));
-  page.on("console", (message) => errors.push(message.text()));
-  await page.goto(`file://${join(folder, file)}`);
-  return page;
-}
-async function picture(page, name) {
-  if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`), fullPage: true });
-}
 // Returns how many pixels of a picture are orange (only old) and blue (only new, or cut by the first
 // tool), and the means of their places.
 const colours = (page, alt) => page.getByAltText(alt, { exact: true }).evaluate((image) => {
@@ -89,7 +56,7 @@ const target = (page) => page.evaluate(() => {
     getComputedStyle(element).backgroundColor];
 });
 
-try {
+await reader.run(async () => {
   let page = await open("review.html");
   same(await page.locator("h1").textContent(),
     "old.nc → new.nc: the parts differ, the process differs", "the heading");
@@ -156,11 +123,4 @@ try {
   await page.locator("summary").click();
   expect(await page.locator("#s1o-9").isVisible(), "lines unfold without JavaScript");
   await picture(page, "review-same");
-} finally {
-  await browser.close();
-}
-for (const url of requests)
-  expect(/^(file:.*\/(review|same)\.html|data:)/.test(url), `${url} was requested`);
-for (const error of errors) expect(false, `console: ${error}`);
-rmSync(folder, { recursive: true });
-process.exit(failures === 0 ? 0 : 1);
+}, (url) => /^(file:.*\/(review|same)\.html|data:)/.test(url));

@@ -13,6 +13,7 @@
 
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpretation.h"
+#include "ncsim/gcode/positions.h"
 #include "ncsim/gcode/state.h"
 
 #include "control/command.h"
@@ -264,10 +265,14 @@ private:
     /// axes `mask`.
     bool find_ends(const Command& command, Axes& end, AxisMask& mask);
     bool polar_ends(const Command& command, Axes& end, AxisMask& mask);
-    Axes to_programmed(const Axes& position) const;
-    Axes from_programmed(const Axes& programmed) const;
-    Axes machine_position() const;
-    Axes from_machine(const Axes& machine) const;
+    Axes to_programmed(const Axes& position) const {
+        return gcode::to_programmed(state_.programmed, position);
+    }
+    Axes from_programmed(const Axes& programmed) const {
+        return gcode::from_programmed(state_.programmed, programmed);
+    }
+    Axes machine_position() const { return gcode::machine_position(state_); }
+    Axes from_machine(const Axes& machine) const { return gcode::from_machine(state_, machine); }
     bool needs_feed(const Command& command, std::string_view what);
     bool feed_straight(const Axes& end, MoveKind kind, AxisMask mask);
     Axes with_cancelled_offset(const Axes& end, AxisMask mask);

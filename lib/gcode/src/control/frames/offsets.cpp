@@ -28,34 +28,6 @@ double mm_of(double value, std::size_t axis, double unit) {
 
 }  // namespace
 
-Axes Machine::machine_position() const {
-    Axes m = to_untilted(state_, state_.position);
-    trig::rotate(m[kX], m[kY], state_.rotation);
-    for (std::size_t i = 0; i < m.size(); ++i)
-        m[i] += state_.work_offset[i] + state_.tool_offset[i];
-    for (std::size_t i = 0; state_.dynamic_offset && i < 3; ++i)
-        m[i] += (*state_.dynamic_offset)[i];
-    return m;
-}
-
-Axes Machine::from_machine(const Axes& machine) const {
-    Axes p = machine;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        p[i] -= state_.work_offset[i] + state_.tool_offset[i];
-    for (std::size_t i = 0; state_.dynamic_offset && i < 3; ++i)
-        p[i] -= (*state_.dynamic_offset)[i];
-    trig::rotate(p[kX], p[kY], -state_.rotation);
-    if (state_.plane_frame) {
-        const auto& outer = state_.outer_92;
-        std::ranges::copy(state_.plane_frame->from_parent(
-                              {p[kX] - outer[kX], p[kY] - outer[kY], p[kZ] - outer[kZ]}),
-                          p.begin());
-    }
-    for (std::size_t i = 0; i < p.size(); ++i)
-        p[i] -= state_.offset_92[i];
-    return p;
-}
-
 /// Updates the program coordinates after a change of offsets; the machine position `machine` stays.
 void Machine::recompute_position(const Axes& machine) {
     state_.position = from_machine(machine);
@@ -678,44 +650,6 @@ void Machine::begin_compensation_at(CutterSide side, double radius, const Axes& 
 }
 
 // --- G68, G51, G16 ---
-
-Axes Machine::from_programmed(const Axes& programmed) const {
-    const ProgrammedTransform& t = state_.programmed;
-    Axes p = programmed;
-    if (t.scaled) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            p[i] = t.scale_centre[i] + t.scale[i] * (p[i] - t.scale_centre[i]);
-        }
-    }
-    if (t.rotated) {
-        const PlaneAxes axes = axes_of(t.plane);
-        double x = p[axes.first] - t.centre_1;
-        double y = p[axes.second] - t.centre_2;
-        trig::rotate(x, y, t.angle);
-        p[axes.first] = t.centre_1 + x;
-        p[axes.second] = t.centre_2 + y;
-    }
-    return p;
-}
-
-Axes Machine::to_programmed(const Axes& position) const {
-    const ProgrammedTransform& t = state_.programmed;
-    Axes p = position;
-    if (t.rotated) {
-        const PlaneAxes axes = axes_of(t.plane);
-        double x = p[axes.first] - t.centre_1;
-        double y = p[axes.second] - t.centre_2;
-        trig::rotate(x, y, -t.angle);
-        p[axes.first] = t.centre_1 + x;
-        p[axes.second] = t.centre_2 + y;
-    }
-    if (t.scaled) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            p[i] = t.scale_centre[i] + (p[i] - t.scale_centre[i]) / t.scale[i];
-        }
-    }
-    return p;
-}
 
 bool Machine::set_programmed(const Command& command) {
     ProgrammedTransform& t = state_.programmed;
