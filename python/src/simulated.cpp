@@ -12,6 +12,7 @@
 #include "ncsim/simulation/part_measures.h"
 #include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/solid.h"
+#include "ncsim/simulation/stock_history.h"
 
 #include "arrays.h"
 #include "failures.h"
@@ -79,6 +80,7 @@ Simulated::Simulated(const SimulateRequest& request, const std::stop_token& stop
     simulation::choose_resolution(plan, survey_);
     simulation::Verification nothing;
     nothing.keep_cuts = true;
+    nothing.history = simulation::read_stock_history(*survey_.stock);
     result_ = simulation::simulate(plan, survey_, nothing, {});
     append(survey_.diagnostics, result_.diagnostics);
     if (!request.allows_errors && gcode::has_errors(result_.diagnostics)) fail();

@@ -46,7 +46,7 @@ py::dict face_dict(const SolidData& data, const brep::Face& face, double area) {
     for (const cda::Origin origin : face.origins) {
         const auto entry = data.solid.provenance.of(origin);
         if (entry.is_stock()) continue;
-        lines.insert(entry.nc_line);
+        if (entry.nc_line != 0) lines.insert(entry.nc_line);
         tools.insert(entry.tool);
     }
     py::dict result;

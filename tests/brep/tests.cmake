@@ -18,6 +18,7 @@ ncsim_add_test(brep
     section_test.cpp
     solids.cpp
     surface_forms_test.cpp
+    surface_text_test.cpp
     tilted_parts.cpp
     vertex_distance_test.cpp)
 

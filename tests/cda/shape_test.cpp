@@ -48,10 +48,7 @@ double area(const TriangleMesh& mesh) {
 
 std::string written(const Shape& shape) {
     std::ostringstream out;
-    ShapeWriter writer(out, shape.lattice, shape.outer);
-    for (const Cell& cell : shape.carved)
-        writer.carve(cell);
-    writer.end();
+    write_shape(out, shape);
     return out.str();
 }
 
@@ -254,21 +251,55 @@ TEST(ShapeFile, ComesBackAsItWas) {
 
 TEST(ShapeFile, KeepsTheAssumptionsOfTheRunThatWroteIt) {
     const TreeCda block(mm_box(0, 0, 0, 1, 1, 1), kLattice);
-    const Shape shape = shape_of(triangulate(block.boundary()), kLattice);
+    Shape shape = shape_of(triangulate(block.boundary()), kLattice);
     EXPECT_TRUE(read_back(written(shape)).assumed.empty());
-    const std::vector<std::string> assumed{"tool-guess: T1", "stock-guess: a block"};
-    std::ostringstream out;
-    ShapeWriter writer(out, shape.lattice, shape.outer, assumed);
-    writer.end();
-    EXPECT_EQ(read_back(out.str()).assumed, assumed);
-    EXPECT_EQ(placed(read_back(out.str()), Placement().turned(0, 2)).assumed, assumed);
+    shape.assumed = {"tool-guess: T1", "stock-guess: a block"};
+    const std::string text = written(shape);
+    EXPECT_EQ(read_back(text).assumed, shape.assumed);
+    EXPECT_EQ(placed(read_back(text), Placement().turned(0, 2)).assumed, shape.assumed);
     // Version 1 did not record the assumptions.
+    shape.assumed.clear();
     std::string old = written(shape);
     old.replace(0, 13, "ncsim stock 1");
     EXPECT_EQ(read_back(old).assumed.size(), 1U);
-    std::string long_line = out.str();
+    std::string long_line = text;
     long_line.replace(long_line.find("T1"), 2, std::string(5000, 'x'));
     EXPECT_THROW(read_back(long_line), std::runtime_error);
+}
+
+TEST(ShapeFile, KeepsTheSourcesOfCells) {
+    const TreeCda part = cut_block(5, true);
+    Shape shape = shape_of(triangulate(part.boundary()), kLattice);
+    ASSERT_GT(shape.carved.size(), 3U);
+    shape.sources = {
+        {"0 0 stock", {"plane 1"}}, {"12 1 a.nc", {"cylinder 2", "plane 3"}}, {"", {}}};
+    shape.carved[1].origin = shape.carved[2].origin = Origin{2};
+    shape.carved[3].origin = Origin{1};
+    const std::string text = written(shape);
+    const Shape again = placed(read_back(text), Placement().turned(0, 2));
+    ASSERT_EQ(again.sources.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(again.sources[i].text, shape.sources[i].text);
+        EXPECT_EQ(again.sources[i].surfaces, shape.sources[i].surfaces);
+    }
+    EXPECT_EQ(again.sources[1].line, 5U);
+    for (std::size_t i = 0; i < shape.carved.size(); ++i)
+        EXPECT_EQ(again.carved[i].origin, shape.carved[i].origin) << i;
+    EXPECT_EQ(written(read_back(text)), text);
+    // Origins without sources are not written: they are numbers of another run.
+    Shape unknown = shape;
+    unknown.sources.clear();
+    for (const Cell& cell : read_back(written(unknown)).carved)
+        EXPECT_EQ(cell.origin, kStockOrigin);
+    const auto with = [&](const std::string& what, const std::string& instead) {
+        std::string changed = text;
+        return changed.replace(changed.find(what), what.size(), instead);
+    };
+    EXPECT_THROW(read_back(with("origin 2", "origin 3")), std::runtime_error);
+    EXPECT_THROW(read_back(with("origin 2", "origin -1")), std::runtime_error);
+    EXPECT_THROW(read_back(with("stock 3", "stock 2")), std::runtime_error);
+    EXPECT_THROW(read_back(with("cylinder 2", std::string(30000, 'x'))), std::runtime_error);
+    EXPECT_THROW(read_back(with("source 0", "surface 0")), std::runtime_error);
 }
 
 TEST(ShapeFile, APlaneThatStandsTwiceCountsOnce) {

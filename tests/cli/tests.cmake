@@ -54,6 +54,7 @@ if(TARGET ncsim)
       shards_test.cpp
       solid_test.cpp
       step_input_test.cpp
+      stock_history_test.cpp
       tile_meshes_test.cpp
       tiles_test.cpp
       tools_test.cpp

@@ -115,6 +115,9 @@ def outputs():
         add("report", ["run", "broken.nc"], ["-q"])
         add("report", ["run", "set.nc"], ["-q", "--tool", "T1=flat:D200:L50", "--stock", "1x1x0.5"])
         add("measure", ["measure", "holes.nc"], ["-q"])
+        for path in ("holes.nc", samples[1]):  # faces of an earlier run
+            call(["run", path, "--save-stock", "earlier.ncstock", "-q"], folder)
+            add("measure", ["measure", "set.nc"], ["-q", "--stock", "earlier.ncstock", "--tool", "T1=flat:D1:L20"])
         add("measure", ["measure", "set.nc"], ["-q", "--tool", "T1=flat:D200:L50", "--stock", "1x1x0.5"])
         add("tools", ["tools", "set.nc"], ["--job", "job.toml"])
         add("tools", ["tools", "tilted.nc"], [])

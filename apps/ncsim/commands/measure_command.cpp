@@ -12,6 +12,7 @@
 #include "ncsim/simulation/plan_reader.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
+#include "ncsim/simulation/stock_history.h"
 
 #include "options/job_steps.h"
 #include "options/plan_options.h"
@@ -97,6 +98,7 @@ int run(const MeasureOptions& options) {
     }
     simulation::Verification nothing;
     nothing.keep_cuts = true;
+    nothing.history = simulation::read_stock_history(*survey.stock);
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
     print_findings(plan.job.program, milled.diagnostics);
     constexpr int kRefinements = 2;

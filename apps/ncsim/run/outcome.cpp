@@ -27,6 +27,7 @@ report::SolidFacts solid_facts(const Outcome& outcome) {
     facts.volume_mm3 = outcome.solid_mass->volume;
     facts.miss_mm = solid.part.miss_mm;
     facts.facets_kept = solid.facets_kept;
+    facts.stock_facets = solid.stock_facets;
     facts.facet_miss_mm = solid.part.facet_miss_mm;
     for (const cda::Origin origin : solid.of_facets) {
         const std::uint32_t line = of.provenance.of(origin).nc_line;

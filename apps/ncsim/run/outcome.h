@@ -56,6 +56,8 @@ struct Outcome {
     std::optional<verify::Ledger> on_machine{};
     /// Assumptions of the run, for files that ncsim reads again; one text each.
     std::vector<std::string> assumed{};
+    /// Rest of the stock for --save-stock; null: no output.
+    const cda::Shape* left = nullptr;
 };
 
 /// Returns the sections with their origins; points into `outcome`.

@@ -175,6 +175,13 @@ std::string depth_text(double z_mm, report::LengthUnit unit) {
     return "Z " + report::in_unit(fmt::format("{:.4g} mm", z_mm), unit);
 }
 
+std::string line_text(const exporter::Provenance& provenance,
+                      const exporter::Provenance::Entry& entry) {
+    if (entry.earlier_program == 0) return fmt::format("line {}", entry.nc_line);
+    return fmt::format("{}:{}", provenance.earlier_programs[entry.earlier_program - 1],
+                       entry.earlier_line);
+}
+
 // Returns the meaning of the colours: the tools that cut, or the ends of the scale.
 void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
                 exporter::Marks& marks) {
@@ -194,8 +201,8 @@ void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
             break;
         case exporter::Colouring::Line:
             if (provenance.entries.size() < 2) break;
-            marks.scale_begin = fmt::format("line {}", provenance.entries[1].nc_line);
-            marks.scale_end = fmt::format("line {}", provenance.entries.back().nc_line);
+            marks.scale_begin = line_text(provenance, provenance.entries[1]);
+            marks.scale_end = line_text(provenance, provenance.entries.back());
             break;
         case exporter::Colouring::Depth:
             marks.scale_begin = depth_text(options.depth_top, outcome.options.report_unit);

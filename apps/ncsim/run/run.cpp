@@ -25,6 +25,7 @@
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/fixtures.h"
+#include "ncsim/simulation/left_shape.h"
 #include "ncsim/simulation/machine_time.h"
 #include "ncsim/simulation/page_data.h"
 #include "ncsim/simulation/plan_reader.h"
@@ -33,6 +34,7 @@
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
+#include "ncsim/simulation/stock_history.h"
 
 #include "options/job_steps.h"
 #include "options/plan_options.h"
@@ -179,11 +181,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.svg, [&](std::ostream& out) {
         exporter::write_svg(out, drawn_sections(outcome), program);
     });
-    outputs.write(o.save_stock, [&](std::ostream& out) {
-        const cda::Shape stock =
-            toolpath::stock_shape(*outcome.survey.stock, outcome.plan.tool_tolerance);
-        setup::write_stock_file(out, stock, s.carved, outcome.assumed);
-    });
+    outputs.write(o.save_stock, [&](std::ostream& out) { cda::write_shape(out, *outcome.left); });
     outputs.write(o.stats, [&](std::ostream& out) { s.part->write_statistics(out); });
     outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
 }
@@ -313,8 +311,9 @@ int run(Options options) {
             animation.take(now);
         };
         simulation::Verification nothing;
-        nothing.keep_cuts =
-            !o.step.empty() || !o.sections.empty() || is_shaded(o) || animation.every() != 0;
+        nothing.keep_cuts = !o.step.empty() || !o.sections.empty() || is_shaded(o) ||
+                            animation.every() != 0 || !o.save_stock.empty();
+        nothing.history = simulation::read_stock_history(*survey.stock);
         std::optional<simulation::PlayRecorder> play;
         if (!o.html.empty()) nothing.play = &play.emplace(plan, survey, o.every);
         simulation = simulation::simulate(plan, survey, nothing,
@@ -369,6 +368,11 @@ int run(Options options) {
         for (const brep::SectionPlane& plane : o.sections) {
             outcome.sections.push_back(
                 simulation::make_section_view(plan, *simulation, *true_surfaces, plane));
+        }
+        std::optional<cda::Shape> left;
+        if (!o.save_stock.empty()) {
+            left = simulation::take_left_shape(plan, survey, *simulation, outcome.assumed);
+            outcome.left = &*left;
         }
         write_outputs(outcome, outputs);
     }

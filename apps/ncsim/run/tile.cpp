@@ -12,6 +12,7 @@
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/stock_history.h"
 #include "ncsim/simulation/survey.h"
 
 #include "options/plan_options.h"
@@ -120,8 +121,10 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
     plan.tile = cda::TileNumber{number.shard, number.of};
     plan.keep_boundary = plan.keep_paths = false;  // left to the merge of tiles
     Progress progress(survey.moves, may_say && !options.quiet && ::isatty(STDERR_FILENO) != 0);
-    const simulation::Simulation simulation =
-        simulation::simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); });
+    simulation::Verification nothing;
+    nothing.history = simulation::read_stock_history(*survey.stock);
+    const simulation::Simulation simulation = simulation::simulate(
+        plan, survey, nothing, [&](std::uint64_t done) { progress.update(done); });
     report::TileFile file;
     file.head = {options.words, read.files(), number.shard, number.of, read.knows_all()};
     for (const simulation::StockContact& met : simulation.stock_contacts)

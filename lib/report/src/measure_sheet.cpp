@@ -39,11 +39,23 @@ std::string list_text(const char* before, const std::vector<std::uint32_t>& numb
 }
 
 std::string cut_by_text(const CutBy& by) {
-    if (by.lines.empty()) return "stock";
+    if (by.is_stock()) return "stock";
     std::string text;
     for (const std::uint32_t tool : by.tools)
         append(text, "{}T{}", text.empty() ? "" : " ", tool);
-    return text + list_text(", line ", by.lines);
+    text += list_text(", line ", by.lines);
+    std::map<std::string, std::vector<std::uint32_t>> earlier;
+    for (const EarlierLine& at : by.earlier)
+        earlier[at.program].push_back(at.line);
+    for (const auto& [program, lines] : earlier)
+        text += list_text((", " + program + ":").c_str(), lines);
+    return text;
+}
+
+template <class T>
+void sort_once(std::vector<T>& values) {
+    std::ranges::sort(values);
+    values.erase(std::ranges::unique(values).begin(), values.end());
 }
 
 bool is_upright(cda::Vec3 axis) {
@@ -145,7 +157,7 @@ private:
         std::vector<Floors> all;
         for (const MeasuredFloor& floor : sheet_.floors) {
             auto same = std::ranges::find_if(all, [&](const Floors& f) {
-                return floor.by.lines.empty() && f.first.by.lines.empty() && f.first.z == floor.z;
+                return floor.by.is_stock() && f.first.by.is_stock() && f.first.z == floor.z;
             });
             if (same == all.end()) {
                 all.push_back({floor, 1});
@@ -201,15 +213,15 @@ private:
             ++e.count;
             e.by.lines.insert(e.by.lines.end(), c.by.lines.begin(), c.by.lines.end());
             e.by.tools.insert(e.by.tools.end(), c.by.tools.begin(), c.by.tools.end());
+            e.by.earlier.insert(e.by.earlier.end(), c.by.earlier.begin(), c.by.earlier.end());
         }
         std::vector<std::pair<std::pair<std::string, bool>, Equal>> list(equal.begin(),
                                                                          equal.end());
         rows("corners", list, [](auto entry) {
             auto& [key, e] = entry;
-            for (auto* numbers : {&e.by.lines, &e.by.tools}) {
-                std::sort(numbers->begin(), numbers->end());
-                numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
-            }
+            for (auto* numbers : {&e.by.lines, &e.by.tools})
+                sort_once(*numbers);
+            sort_once(e.by.earlier);
             return std::tuple(
                 "R" + key.first,
                 fmt::format("{}, {} of them", key.second ? "inside" : "outside", e.count), e.by);
@@ -230,6 +242,9 @@ Json rounded_json(cda::Vec3 v) {
 void add(Json& json, const CutBy& by) {
     json["lines"] = by.lines;
     json["tools"] = by.tools;
+    if (by.earlier.empty()) return;
+    for (const EarlierLine& at : by.earlier)
+        json["earlier"].push_back({{"program", at.program}, {"line", at.line}});
 }
 
 Json to_json(const MeasuredBore& b) {

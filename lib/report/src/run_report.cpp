@@ -125,9 +125,14 @@ std::string solid_text(const SolidFacts& solid) {
             "touch\n",
             solid.tolerance_factor);
     }
-    if (solid.facets_kept == 0) return text;
-    text += fmt::format("          {} of the planes {} of round tools", solid.facets_kept,
-                        solid.facets_kept == 1 ? "is a facet" : "are facets");
+    if (solid.stock_facets > 0) {
+        text += fmt::format("          {} of the planes are facets of the mesh of the stock\n",
+                            solid.stock_facets);
+    }
+    const std::size_t of_tools = solid.facets_kept - solid.stock_facets;
+    if (of_tools == 0) return text;
+    text += fmt::format("          {} of the planes {} of round tools", of_tools,
+                        of_tools == 1 ? "is a facet" : "are facets");
     if (solid.facet_miss_mm > kLeast)
         text += fmt::format(", within {:.2g} mm of the adjacent faces", solid.facet_miss_mm);
     constexpr std::size_t kMostLines = 6;
@@ -394,6 +399,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
                         {"surfaces", std::move(kinds)},
                         {"edges_within_mm", run.solid->miss_mm},
                         {"facets_kept", run.solid->facets_kept},
+                        {"facets_of_stock", run.solid->stock_facets},
                         {"facets_within_mm", run.solid->facet_miss_mm},
                         {"lines_of_facets", run.solid->facet_lines},
                         {"left_out_at_bends_mm", run.solid->mitred_mm}};

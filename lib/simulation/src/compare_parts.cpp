@@ -6,6 +6,7 @@
 #include "ncsim/simulation/compare_parts.h"
 
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/stock_history.h"
 #include "ncsim/verify/rule.h"
 #include "ncsim/verify/verifier.h"
 
@@ -92,6 +93,7 @@ Comparison compare_with_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
     d.process = compare_processes(a.plan, a.survey, b.plan, b.survey);
     Verification verification;
     verification.keep_cuts = true;
+    verification.history = read_stock_history(*a.survey.stock);
     result.old_part = simulate(a.plan, a.survey, verification, {});
     d.old_mm3 = result.old_part.part_volume;
     d.same_motions = moves_alike(a, b);
@@ -99,6 +101,7 @@ Comparison compare_with_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
         d.new_mm3 = d.old_mm3;
         return result;
     }
+    verification.history = read_stock_history(*b.survey.stock);
     result.new_part = simulate(b.plan, b.survey, verification, {});
     d.new_mm3 = result.new_part.part_volume;
     d.only_old = remainder(b, result.old_part, result.common);

@@ -161,7 +161,7 @@ std::vector<Finding> compare_with(const Design& design, const Simulation& simula
     std::vector<Finding> findings;
     facts.path = design.path;
     facts.tolerance_mm = design.tolerance_mm;
-    const cda::Boundary part = surface_of(simulation);
+    const cda::Boundary part = surface_of_program(simulation);
     if (part.faces.empty()) {
         facts.gouge.regions = 1;
         facts.gouge.volume_mm3 = cda::volume(design.mesh);

@@ -42,7 +42,7 @@ public:
             limited.most_cuts = cuts;
             const Simulation s = simulate(plan_, *survey_, limited, {});
             moment = std::make_unique<CutState>(
-                CutState{verify::Solids(s.part->boundary()), s.last_cut, s.last_motion});
+                CutState{verify::Solids(surface_of_program(s)), s.last_cut, s.last_motion});
         }
         return *moment;
     }
@@ -105,7 +105,7 @@ std::vector<verify::Finding> detached_pieces(const Plan& plan, const Survey& sur
                                              const Verification& verification,
                                              const Simulation& simulation) {
     std::vector<verify::Finding> findings;
-    const cda::Boundary boundary = surface_of(simulation);
+    const cda::Boundary boundary = surface_of_program(simulation);
     if (boundary.shells < 2) return findings;
     const verify::Solids solids(boundary);
     if (solids.all().size() < 2) return findings;

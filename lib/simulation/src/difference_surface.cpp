@@ -88,7 +88,7 @@ DifferenceSurface::Found DifferenceSurface::find_in(const cda::Box& box, SeenAre
 void DifferenceSurface::add_lines(const std::set<cda::Origin>& origins, Found& result) const {
     for (const cda::Origin origin : origins) {
         const auto number = static_cast<std::size_t>(origin);
-        if (origin == cda::kStockOrigin) {
+        if (number <= earlier_origins(part_.history.get())) {
             result.has_stock = true;
             continue;
         }

@@ -20,13 +20,21 @@ namespace {
 report::CutBy cut_by(const std::vector<cda::Origin>& origins,
                      const exporter::Provenance& provenance) {
     std::set<std::uint32_t> lines, tools;
+    std::set<report::EarlierLine> earlier;
     for (const cda::Origin origin : origins) {
         const auto entry = provenance.of(origin);
         if (entry.is_stock()) continue;
-        lines.insert(entry.nc_line);
         tools.insert(entry.tool);
+        if (entry.earlier_program == 0) {
+            lines.insert(entry.nc_line);
+        } else {
+            earlier.insert(
+                {provenance.earlier_programs[entry.earlier_program - 1], entry.earlier_line});
+        }
     }
-    return {{lines.begin(), lines.end()}, {tools.begin(), tools.end()}};
+    return {{lines.begin(), lines.end()},
+            {tools.begin(), tools.end()},
+            {earlier.begin(), earlier.end()}};
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/fixtures.h"
+#include "ncsim/simulation/left_shape.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/program_check.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/stock_history.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/doubt.h"
 
@@ -63,13 +65,15 @@ toolpath::Stock left_stock(const setup::JobOptions& job, const SimulationOptions
                                              setup::name_of_input(before.program),
                                              reason_not_simulated(seen)));
     }
-    const Simulation cut = simulate(plan, seen, {}, {});
+    Verification nothing;
+    nothing.keep_cuts = true;
+    nothing.history = read_stock_history(*seen.stock);
+    Simulation cut = simulate(plan, seen, nothing, {});
     const std::vector<std::string> assumed =
         open_assumptions(assumptions_of(plan, seen, described.value_or(setup::MachineFile{})),
                          plan.job.options.accept);
     std::stringstream text;
-    setup::write_stock_file(text, toolpath::stock_shape(*seen.stock, plan.tool_tolerance),
-                            cut.carved, assumed);
+    cda::write_shape(text, take_left_shape(plan, seen, cut, assumed));
     toolpath::StockFile from;
     from.path = fmt::format("the part of {}", before.label);
     if (steps[step].begins_set_up) {

@@ -13,6 +13,7 @@
 #include "ncsim/simulation/page_data.h"
 #include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/stock_history.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/verifier.h"
 
@@ -533,7 +534,10 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         verification.verifier = &verifier;
         verification.keep_cuts |= verification_options.wants_page;
         std::optional<PlayRecorder> play;
-        if (verification_options.wants_page) verification.play = &play.emplace(plan, survey, 0);
+        if (verification_options.wants_page) {
+            verification.play = &play.emplace(plan, survey, 0);
+            verification.history = read_stock_history(*survey.stock);
+        }
         const Simulation simulation = simulate(plan, survey, verification, {});
         if (verification_options.detached_pieces) {
             for (verify::Finding& f : detached_pieces(plan, survey, verification, simulation))

@@ -9,6 +9,7 @@
 #include "ncsim/report/file_names.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/play_recorder.h"
+#include "ncsim/simulation/stock_history.h"
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
@@ -109,8 +110,7 @@ public:
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
         }
         result.provenance.program = report::base_name(plan.job.program.name);
-        result.provenance.entries.push_back({});  // the stock
-        if (keep_cuts_) result.cuts.push_back({});
+        begin_provenance(verification.history.get());
         if (play_) play_->begin(*result.part);
         if (plan.block_volumes) places_.emplace();
         if (places_ || (verifier_ && verifier_->needs_account())) result.part->track_removal();
@@ -202,6 +202,17 @@ public:
     }
 
 private:
+    // Adds the stock and the motions of earlier runs.
+    void begin_provenance(const StockHistory* history) {
+        exporter::Provenance& provenance = result_.provenance;
+        provenance.entries.push_back({});
+        if (history) {
+            provenance.entries = history->entries;
+            provenance.earlier_programs = history->programs;
+        }
+        if (keep_cuts_) result_.cuts.resize(provenance.entries.size());
+    }
+
     void follow(const gcode::Motion& motion, const toolpath::Step& step) {
         result_.tool_position = {motion.tool, step.X_WB};
         if (!shows_path_) return;
@@ -269,7 +280,8 @@ private:
         }
         const bool is_turn = motions_ % tile_->of == tile_->tile;
         walk_.restrict_motions(is_turn ? std::nullopt : place_of_tile_);
-        return cda::Origin{static_cast<std::uint32_t>(motions_)};
+        return cda::Origin{earlier_origins(result_.history.get()) +
+                           static_cast<std::uint32_t>(motions_)};
     }
 
     // True if the current motion met the stock. A tile records the motions of its turn, and returns
@@ -357,11 +369,17 @@ private:
 
 }  // namespace
 
+std::uint32_t earlier_origins(const StockHistory* history) {
+    return history ? static_cast<std::uint32_t>(history->entries.size() - 1) : 0;
+}
+
 void name_motions(cda::Boundary& boundary, const Simulation& simulation) {
     const auto& origins = simulation.origins;
+    const cda::Origin last_earlier{earlier_origins(simulation.history.get())};
     for (cda::BoundaryFace& face : boundary.faces) {
-        if (face.origin == cda::kStockOrigin) continue;
-        const auto motion = static_cast<std::uint64_t>(face.origin);
+        if (face.origin <= last_earlier) continue;
+        const auto motion =
+            static_cast<std::uint64_t>(face.origin) - static_cast<std::uint64_t>(last_earlier);
         const auto found =
             std::ranges::lower_bound(origins, motion, {}, [](const auto& o) { return o.first; });
         if (found == origins.end() || found->first != motion) refuse_tiles();
@@ -375,11 +393,25 @@ cda::Boundary surface_of(const Simulation& simulation) {
     return boundary;
 }
 
+cda::Boundary surface_of_program(const Simulation& simulation) {
+    cda::Boundary boundary = surface_of(simulation);
+    const cda::Origin last_earlier{earlier_origins(simulation.history.get())};
+    for (cda::BoundaryFace& face : boundary.faces) {
+        if (face.origin <= last_earlier) face.origin = cda::kStockOrigin;
+    }
+    return boundary;
+}
+
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress, const CutObserver& observer) {
     if (verification.verifier) require_verifying(plan);
     Simulation result;
-    const cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
+    cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
+    result.history = verification.history;
+    if (!result.history) {
+        for (cda::Cell& cell : stock.carved)
+            cell.origin = cda::kStockOrigin;
+    }
     result.lattice = stock.lattice;
     result.part = cda::create(*prototype(plan, survey.moves), stock);
     result.stock_volume = result.part->volume();

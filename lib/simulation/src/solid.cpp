@@ -33,8 +33,14 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
                     [&](cda::Origin origin, brep::SweptSurfaces source) {
                         sources[origin] = std::move(source);
                     });
-    return brep::recognise(facets(tolerance_mm, &apart), sources,
-                           [&](double times) { return facets(times * tolerance_mm, nullptr); });
+    brep::Recognised solid =
+        brep::recognise(facets(tolerance_mm, &apart), sources,
+                        [&](double times) { return facets(times * tolerance_mm, nullptr); });
+    if (survey.stock->from && !simulation.history) {
+        solid.stock_facets = brep::mark_tessellated(solid.part, cda::kStockOrigin);
+        solid.facets_kept += solid.stock_facets;
+    }
+    return solid;
 }
 
 namespace {
@@ -81,6 +87,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
         other.join_tolerance = kCuts[i].of_arcs * plan.join_tolerance;
         Verification nothing;
         nothing.keep_cuts = true;
+        nothing.history = simulation.history;
         Simulation again = simulate(other, survey, nothing, {});
         facets += again.boundary->faces.size();
         brep::Recognised solid = solid_of(other, survey, again, tolerance_mm);

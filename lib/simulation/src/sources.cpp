@@ -3,6 +3,7 @@
 // Sources of the faces of a part, by a second interpretation of the program.
 #include "sources.h"
 
+#include "ncsim/simulation/stock_history.h"
 #include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/walk.h"
 
@@ -70,10 +71,19 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const auto origin = static_cast<std::size_t>(face.origin);
         if (origin < is_there.size()) is_there[origin] = true;
     }
-    sink(cda::kStockOrigin,
-         {brep::surfaces_of(*survey.stock), plan.tool_tolerance + rounding, false});
+    if (const StockHistory* history = simulation.history.get()) {
+        for (std::uint32_t i = 0; i < history->surfaces.size(); ++i) {
+            if (i != 0 && !is_there[i]) continue;
+            brep::SweptSurfaces source = history->surfaces[i];
+            source.error_mm += tolerance_mm;
+            sink(cda::Origin{i}, std::move(source));
+        }
+    } else {
+        sink(cda::kStockOrigin,
+             {brep::surfaces_of(*survey.stock), plan.tool_tolerance + rounding, false});
+    }
     std::uint64_t motions = 0;
-    std::size_t next = 1;
+    std::size_t next = 1 + std::size_t{earlier_origins(simulation.history.get())};
     Row row;
     UprightRuns runs([&](const gcode::Motion& motion, double moved_mm) {
         ++motions;

@@ -89,21 +89,14 @@ Vec3 point_on_all(std::span<const Surface* const> surfaces, Vec3 p, double reach
 }  // namespace
 
 ShadingMaker::ShadingMaker(const cda::Boundary& boundary)
-    : boundary_(boundary), by_origin_(boundary.faces.size()) {
+    : boundary_(boundary), by_origin_(boundary) {
     shading_.of_face_.assign(boundary.faces.size(), kNone);
-    std::iota(by_origin_.begin(), by_origin_.end(), 0U);
-    std::ranges::stable_sort(by_origin_, {},
-                             [&](std::uint32_t f) { return boundary.faces[f].origin; });
 }
 
 void ShadingMaker::take(cda::Origin origin, const SweptSurfaces& source) {
-    const auto origin_of = [&](std::uint32_t f) { return boundary_.faces[f].origin; };
-    const auto first = std::ranges::lower_bound(by_origin_, origin, {}, origin_of);
-    const auto last = std::ranges::upper_bound(by_origin_, origin, {}, origin_of);
-    const std::span<const std::uint32_t> faces(first, last);
     const std::span<const Vec3> points(boundary_.vertices);
     std::vector<std::uint32_t> numbers(source.candidates.size(), kNone);
-    for (const std::uint32_t f : faces) {
+    for (const std::uint32_t f : by_origin_.of(origin)) {
         const cda::BoundaryFace& face = boundary_.faces[f];
         FlatFace flat{face.normal, {}, face.loops, points};
         area_of(face.loops, points, face.normal, flat.centroid);

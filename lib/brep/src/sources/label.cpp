@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fit of facets to candidate surfaces.
+// Fit of facets to candidate surfaces. Comparisons are written so that a distance that is not a
+// number, as of degenerate surfaces from a file, does not fit.
 #include "sources/label.h"
 
 #include "geometry/envelope_contact.h"
@@ -48,7 +49,7 @@ bool has_edges_on(const FlatFace& face, const Surface& surface, double most) {
     return std::ranges::all_of(face.loops, [&](const std::vector<std::uint32_t>& loop) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Vec3 a = face.points[loop[i]], b = face.points[loop[(i + 1) % loop.size()]];
-            if (std::abs(distance(surface.form, 0.5 * (a + b))) > most) return false;
+            if (!(std::abs(distance(surface.form, 0.5 * (a + b))) <= most)) return false;
         }
         return true;
     });
@@ -138,7 +139,7 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
     const bool is_on = std::abs(deviation) <= most;
     double turn =
         is_on ? norm(face.normal - (surface.is_hollow ? -gradient : gradient)) : most_turn;
-    if (turn > most_turn) return false;
+    if (!(turn <= most_turn)) return false;
     double farthest = 0.0;
     const auto* cone = std::get_if<Cone>(&surface.form);
     const double blunt = cone && !surface.is_hollow ? blunt_of(face, *cone, most) : 0.0;
@@ -150,12 +151,12 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
             const double here = is_at_tip ? std::max(most, blunt) : most;
             const double off_here = std::abs(distance(surface.form, p));
             farthest = std::max(farthest, std::min(off_here, most));
-            if (off_here > here) return false;
+            if (!(off_here <= here)) return false;
             if (cone && dot(p - cone->apex, cone->axis) < -here) return false;
         }
     }
     if (!is_on) turn = turn_at_corners(face, surface);
-    if (turn > most_turn || (!is_on && !has_edges_on(face, surface, most))) return false;
+    if (!(turn <= most_turn) || (!is_on && !has_edges_on(face, surface, most))) return false;
     if (score) *score = turn + 0.1 * farthest / most;
     return true;
 }

@@ -3,15 +3,47 @@
 // Part with planar faces from a boundary.
 #include "ncsim/brep/part.h"
 
+#include "geometry/no_index.h"
 #include "topology/nesting.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <set>
 #include <unordered_map>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace ncsim::brep {
 
+using cda::dot;
 using cda::normalized;
+
+std::size_t mark_tessellated(Part& part, cda::Origin origin) {
+    constexpr double kCosine = 0.866;  // 30°
+    const auto is_candidate = [&](const Face& face) {
+        return std::holds_alternative<Plane>(face.surface.form) &&
+               face.origins == std::vector{origin};
+    };
+    std::vector<std::uint32_t> face_of_edge(part.edges.size(), kNone);
+    std::set<std::uint32_t> found;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        if (!is_candidate(part.faces[f])) continue;
+        const Vec3 normal = std::get<Plane>(part.faces[f].surface.form).normal;
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop) {
+                const std::uint32_t other = std::exchange(face_of_edge[use.edge], f);
+                if (other == kNone || other == f) continue;
+                if (dot(normal, std::get<Plane>(part.faces[other].surface.form).normal) < kCosine)
+                    continue;
+                found.insert({f, other});
+            }
+        }
+    }
+    for (const std::uint32_t f : found)
+        part.faces[f].is_facet = true;
+    return found.size();
+}
 
 Part faceted(const cda::Boundary& boundary, const std::vector<std::vector<cda::Origin>>& origins) {
     Part part;

@@ -519,6 +519,7 @@ Shape placed(const Shape& shape, const Placement& placement) {
     Shape result;
     result.lattice = shape.lattice;
     result.assumed = shape.assumed;
+    result.sources = shape.sources;
     result.outer = placed(shape.outer, placement, shape.lattice);
     constexpr double kReach = static_cast<double>(std::int64_t{1} << kCoordinateBits);
     for (int i = 0; i < 3; ++i) {

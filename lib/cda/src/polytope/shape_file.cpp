@@ -24,62 +24,71 @@ namespace {
 
 using Normal = std::array<std::int64_t, 3>;
 
-constexpr std::string_view kMagic = "ncsim stock 2";
-constexpr std::string_view kMagicWithoutOrigin = "ncsim stock 1";
-constexpr const char* kUnknownOrigin =
+constexpr std::string_view kMagic = "ncsim stock 3";
+constexpr std::string_view kMagicWithoutSources = "ncsim stock 2";
+constexpr std::string_view kMagicWithoutAssumptions = "ncsim stock 1";
+constexpr const char* kUnknownAssumptions =
     "its format, of ncsim 0.1, does not record the assumptions of the run that wrote it";
 // Limits for damaged files; runs write far fewer and shorter lines.
 constexpr std::size_t kMostAssumed = 10000;
 constexpr std::size_t kLongestAssumed = 2000;
+constexpr std::size_t kLongestSource = 20000;
+constexpr std::size_t kMostSurfacesOfASource = 10000;
 // More planes than any hull has; a limit for damaged files.
 constexpr std::size_t kMostPlanes = 65536;
 // |d| of planes that pass within kMaxPose of the origin is below this value.
 constexpr std::int64_t kMostDistance = std::int64_t{1} << 62;
 
-}  // namespace
-
-struct ShapeWriter::State {
-    std::ostream& out;
-    std::map<Normal, std::size_t> normals;
-    std::size_t carved = 0;
+// Writes cells, with each normal once.
+class CellWriter {
+public:
+    explicit CellWriter(std::ostream& out) : out_(out) {}
 
     void write(std::string_view name, const Cell& cell) {
         std::string line(name);
         for (const Plane& plane : cell.planes) {
             const auto [at, is_new] =
-                normals.try_emplace({plane.nx, plane.ny, plane.nz}, normals.size());
+                normals_.try_emplace({plane.nx, plane.ny, plane.nz}, normals_.size());
             if (is_new) {
-                out << "normal " + std::to_string(plane.nx) + ' ' + std::to_string(plane.ny) + ' ' +
-                           std::to_string(plane.nz) + '\n';
+                out_ << "normal " + std::to_string(plane.nx) + ' ' + std::to_string(plane.ny) +
+                            ' ' + std::to_string(plane.nz) + '\n';
             }
             line += ' ' + std::to_string(at->second) + ' ' + std::to_string(plane.d);
         }
-        out << line << '\n';
+        out_ << line << '\n';
     }
+
+private:
+    std::ostream& out_;
+    std::map<Normal, std::size_t> normals_;
 };
 
-ShapeWriter::ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& outer,
-                         const std::vector<std::string>& assumed)
-    : state_(new State{out, {}}) {
+}  // namespace
+
+void write_shape(std::ostream& out, const Shape& shape) {
     std::array<char, 32> unit{};  // the shortest text that gives the same number
-    char* const end = std::to_chars(unit.data(), unit.data() + unit.size(), lattice.unit_mm).ptr;
+    char* const end =
+        std::to_chars(unit.data(), unit.data() + unit.size(), shape.lattice.unit_mm).ptr;
     out << kMagic << '\n';
-    for (std::size_t i = 0; i < std::min(assumed.size(), kMostAssumed); ++i)
-        out << "assumed " << std::string_view(assumed[i]).substr(0, kLongestAssumed) << '\n';
+    for (std::size_t i = 0; i < std::min(shape.assumed.size(), kMostAssumed); ++i)
+        out << "assumed " << std::string_view(shape.assumed[i]).substr(0, kLongestAssumed) << '\n';
     out << "unit " << std::string_view(unit.data(), end) << '\n';
-    state_->write("outer", outer);
-}
-
-ShapeWriter::~ShapeWriter() = default;
-ShapeWriter::ShapeWriter(ShapeWriter&&) noexcept = default;
-
-void ShapeWriter::carve(const Cell& cell) {
-    state_->write("cell", cell);
-    ++state_->carved;
-}
-
-void ShapeWriter::end() {
-    state_->out << "end " + std::to_string(state_->carved) + '\n';
+    for (const ShapeSource& source : shape.sources) {
+        out << "source " << source.text << '\n';
+        for (const std::string& surface : source.surfaces)
+            out << "surface " << surface << '\n';
+    }
+    CellWriter writer(out);
+    writer.write("outer", shape.outer);
+    Origin origin = kStockOrigin;
+    for (const Cell& cell : shape.carved) {
+        if (!shape.sources.empty() && cell.origin != origin) {
+            origin = cell.origin;
+            out << "origin " + std::to_string(static_cast<std::uint32_t>(origin)) + '\n';
+        }
+        writer.write("cell", cell);
+    }
+    out << "end " + std::to_string(shape.carved.size()) + '\n';
 }
 
 namespace {
@@ -89,9 +98,49 @@ public:
     explicit Reader(std::istream& in) : in_(in) {}
 
     Shape read() {
-        if (!next() || (line_ != kMagic && line_ != kMagicWithoutOrigin))
-            refuse("not a stock that ncsim wrote");
-        if (line_ == kMagicWithoutOrigin) shape_.assumed.emplace_back(kUnknownOrigin);
+        const bool is_known = next() && (line_ == kMagic || line_ == kMagicWithoutSources ||
+                                         line_ == kMagicWithoutAssumptions);
+        if (!is_known) refuse("not a stock that ncsim wrote");
+        const bool has_sources = line_ == kMagic;
+        if (line_ == kMagicWithoutAssumptions) shape_.assumed.emplace_back(kUnknownAssumptions);
+        read_head();
+        bool has_outer = false;
+        while (next()) {
+            if (word("normal")) {
+                read_normal();
+            } else if (has_sources && !has_outer && word("source ")) {
+                read_source();
+            } else if (!has_outer && !shape_.sources.empty() && word("surface ")) {
+                read_surface();
+            } else if (!has_outer && word("outer")) {
+                shape_.outer = read_cell();
+                check_outer();
+                has_outer = true;
+            } else if (has_outer && has_sources && word("origin")) {
+                read_origin();
+            } else if (has_outer && word("cell")) {
+                shape_.carved.push_back(read_cell());
+                shape_.carved.back().bounds = bounds_of(shape_.carved.back());
+                shape_.carved.back().origin = origin_;
+            } else if (has_outer && word("end")) {
+                std::size_t count = 0;
+                if (!number(count) || !is_at_end() || count != shape_.carved.size()) {
+                    refuse("expected the number of cells above");
+                }
+                return std::move(shape_);
+            } else {
+                refuse("expected source, normal, outer, origin, cell or end, in this order");
+            }
+        }
+        refuse("the file breaks off");
+    }
+
+private:
+    [[noreturn]] void refuse(const char* why) const {
+        throw std::runtime_error(std::to_string(count_) + ": " + why);
+    }
+    // Reads assumptions and lattice.
+    void read_head() {
         bool has_line = next();
         while (has_line && word("assumed ")) {
             if (shape_.assumed.size() == kMostAssumed || rest_.size() > kLongestAssumed)
@@ -105,33 +154,22 @@ public:
             refuse("expected a length in mm: 1, 2 or 5 times a power of ten, at least 1e-05");
         }
         shape_.lattice.unit_mm = unit;
-        bool has_outer = false;
-        while (next()) {
-            if (word("normal")) {
-                read_normal();
-            } else if (!has_outer && word("outer")) {
-                shape_.outer = read_cell();
-                check_outer();
-                has_outer = true;
-            } else if (has_outer && word("cell")) {
-                shape_.carved.push_back(read_cell());
-                shape_.carved.back().bounds = bounds_of(shape_.carved.back());
-            } else if (has_outer && word("end")) {
-                std::size_t count = 0;
-                if (!number(count) || !is_at_end() || count != shape_.carved.size()) {
-                    refuse("expected the number of cells above");
-                }
-                return std::move(shape_);
-            } else {
-                refuse("expected normal, outer, cell or end, in this order");
-            }
-        }
-        refuse("the file breaks off");
     }
-
-private:
-    [[noreturn]] void refuse(const char* why) const {
-        throw std::runtime_error(std::to_string(count_) + ": " + why);
+    void read_source() {
+        if (rest_.size() > kLongestSource) refuse("a longer source than ncsim writes");
+        shape_.sources.push_back({std::string(rest_), {}, count_});
+    }
+    void read_surface() {
+        std::vector<std::string>& surfaces = shape_.sources.back().surfaces;
+        if (rest_.size() > kLongestSource || surfaces.size() == kMostSurfacesOfASource)
+            refuse("more surfaces than a motion leaves");
+        surfaces.emplace_back(rest_);
+    }
+    void read_origin() {
+        std::uint32_t origin = 0;
+        if (!number(origin) || !is_at_end() || origin >= shape_.sources.size())
+            refuse("expected the number of a source above");
+        origin_ = Origin{origin};
     }
     bool next() {
         ++count_;
@@ -245,6 +283,7 @@ private:
     std::string_view rest_;
     std::size_t count_ = 0;
     std::vector<Normal> normals_;
+    Origin origin_ = kStockOrigin;
     Shape shape_;
 };
 

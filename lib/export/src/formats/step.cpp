@@ -309,11 +309,15 @@ private:
 
     std::string name_of(const brep::Face& face) const {
         std::vector<std::uint32_t> lines;
+        std::uint32_t earlier = 0;
         for (const cda::Origin origin : face.origins) {
-            lines.push_back(provenance_.of(origin).nc_line);
+            const Provenance::Entry entry = provenance_.of(origin);
+            earlier = std::max(earlier, entry.earlier_program);
+            if (entry.earlier_program == 0) lines.push_back(entry.nc_line);
         }
         std::sort(lines.begin(), lines.end());
         lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        if (lines.empty()) return "EARLIER " + provenance_.earlier_programs[earlier - 1];
         if (lines.front() == 0) return "STOCK";
         std::string name = "LINE";
         for (std::size_t i = 0; i < std::min(lines.size(), kNamedLines); ++i) {
@@ -426,7 +430,8 @@ private:
         std::vector<std::uint32_t> numbers;
         for (const cda::Origin origin : face.origins) {
             const Provenance::Entry entry = provenance_.of(origin);
-            if (!entry.is_stock()) numbers.push_back(entry.*number);
+            if (entry.nc_line != 0 || (!entry.is_stock() && number == &Provenance::Entry::tool))
+                numbers.push_back(entry.*number);
         }
         std::sort(numbers.begin(), numbers.end());
         numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -456,8 +461,8 @@ private:
         }
         const Entity surface =
             std::visit([&](const auto& form) { return surface_of(form, from); }, from.surface.form);
-        const Entity made = add("ADVANCED_FACE('" + name_of(from) + "'," + list(bounds) + "," +
-                                ref(surface) + (from.surface.is_hollow ? ",.F.)" : ",.T.)"));
+        const Entity made = add("ADVANCED_FACE(" + quoted(name_of(from)) + "," + list(bounds) +
+                                "," + ref(surface) + (from.surface.is_hollow ? ",.F.)" : ",.T.)"));
         const Entity look = style(provenance_.of(from.origin));
         faces_[number] = made;
         styled_.push_back(add("STYLED_ITEM('',(" + ref(look) + ")," + ref(made) + ")"));

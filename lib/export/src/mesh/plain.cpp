@@ -63,15 +63,15 @@ double largest_distance(const std::vector<Vec3>& vertices, const cda::BoundaryFa
 bool any_are_joinable(const cda::Boundary& boundary, double share, const Provenance* lines) {
     const std::vector<HalfEdge> edges = half_edges(boundary);
     const std::vector<std::uint32_t> twins = twins_of(edges);
-    const auto line_of = [&](const cda::BoundaryFace& face) {
-        return lines ? lines->of(face.origin).nc_line : 0;
+    const auto place_of = [&](const cda::BoundaryFace& face) {
+        return lines ? lines->of(face.origin).place() : 0;
     };
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
         if (twins[e] < e) continue;
         const cda::BoundaryFace& f = boundary.faces[edges[e].face];
         const cda::BoundaryFace& g = boundary.faces[edges[twins[e]].face];
         if (&f == &g) return true;
-        if (cda::dot(f.normal, g.normal) < kMinNormalCosine || line_of(f) != line_of(g)) continue;
+        if (cda::dot(f.normal, g.normal) < kMinNormalCosine || place_of(f) != place_of(g)) continue;
         if (f.normal == g.normal || largest_distance(boundary.vertices, f, g) <= share ||
             largest_distance(boundary.vertices, g, f) <= share)
             return true;

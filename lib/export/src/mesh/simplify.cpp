@@ -110,7 +110,7 @@ public:
             flat.normal = face.normal;
             flat.offset = face.offset;
             flat.origin = face.origin;
-            if (lines) flat.line = lines->of(face.origin).nc_line;
+            if (lines) flat.place = lines->of(face.origin).place();
             double longest = 0.0;
             for (const Loop& loop : face.loops) {
                 for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -171,7 +171,7 @@ private:
         double offset = 0.0;
         double area = 0.0;
         cda::Origin origin = cda::kStockOrigin;
-        std::uint32_t line = 0;  // always 0 if lines are ignored
+        std::uint64_t place = 0;  // always 0 if lines are ignored
         bool is_thin = false;
         std::vector<Vertex> vertices;
     };
@@ -181,7 +181,7 @@ private:
         if (flats_[a].area < flats_[b].area) std::swap(a, b);
         Flat& large = flats_[a];
         Flat& small = flats_[b];
-        if (!small.is_thin && large.line != small.line) return;
+        if (!small.is_thin && large.place != small.place) return;
         if (!small.is_thin && cda::dot(large.normal, small.normal) < kMinNormalCosine) return;
         double farthest = 0.0;
         for (const Vertex v : small.vertices) {
@@ -194,7 +194,7 @@ private:
         both.offset = large.offset;
         both.area = large.area + small.area;
         both.origin = large.origin;
-        both.line = large.line;
+        both.place = large.place;
         both.is_thin = large.is_thin && small.is_thin;
         both.vertices = std::move(large.vertices);
         both.vertices.insert(both.vertices.end(), small.vertices.begin(), small.vertices.end());

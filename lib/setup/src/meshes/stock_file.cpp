@@ -6,7 +6,6 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/setup/mesh_file.h"
 #include "ncsim/trig/angles.h"
 
@@ -61,7 +60,7 @@ cda::Shape turned(cda::TriangleMesh& mesh, const Turn& turn, cda::Vec3 move) {
 constexpr double kRoundedMm = 4e-5;
 
 cda::Shape read_saved(const toolpath::StockFile& file, const Turn& turn, const std::string& text,
-                      double& deflection_mm) {
+                      toolpath::Stock& stock) {
     std::istringstream in(text);
     cda::Shape shape;
     try {
@@ -72,13 +71,15 @@ cda::Shape read_saved(const toolpath::StockFile& file, const Turn& turn, const s
     if (turn.placement) {
         cda::Placement placement = *turn.placement;
         placement.shift = shape.lattice.round(file.move);
+        stock.placement = placement;
         return cda::placed(shape, placement);
     }
+    // The turned surface is cut into other cells, so their origins are unknown.
     cda::TriangleMesh mesh =
         cda::triangulate(cda::create(cda::TreeCda(cda::TreeParameters{}), shape)->boundary());
     cda::Shape result = turned(mesh, turn, file.move);
     result.assumed = std::move(shape.assumed);
-    deflection_mm = kRoundedMm;
+    stock.deflection_mm = kRoundedMm;
     return result;
 }
 
@@ -212,22 +213,8 @@ toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& input
 
 toolpath::Stock read_saved_stock(const toolpath::StockFile& file, const std::string& text) {
     return stock_of(file, [&](const Turn& turn, toolpath::Stock& stock) {
-        return read_saved(file, turn, text, stock.deflection_mm);
+        return read_saved(file, turn, text, stock);
     });
-}
-
-void write_stock_file(std::ostream& out, const cda::Shape& stock, std::span<const cda::Cell> carved,
-                      const std::vector<std::string>& assumed) {
-    std::vector<std::string> lines;
-    lines.reserve(assumed.size());
-    for (const std::string& text : assumed)
-        lines.push_back(report::one_line(text));
-    cda::ShapeWriter writer(out, stock.lattice, stock.outer, lines);
-    for (const cda::Cell& cell : stock.carved)
-        writer.carve(cell);
-    for (const cda::Cell& cell : carved)
-        writer.carve(cell);
-    writer.end();
 }
 
 }  // namespace ncsim::setup

@@ -9,6 +9,7 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/origin.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -65,6 +66,10 @@ struct Part {
     /// without adjacent facets, and over all remaining faces.
     double miss_mm = 0.0, facet_miss_mm = 0.0;
 };
+
+/// Marks planar faces of `origin` as facets if they meet another such face at an angle of less than
+/// 30°, as facets of a mesh do that stand for a curved surface. Returns: the number of faces.
+std::size_t mark_tessellated(Part& part, cda::Origin origin);
 
 /// Returns the boundary as a part with planes and straight edges only. `origins` are the motions
 /// that cut each face.

@@ -4,6 +4,7 @@
 // approximate. A bore looks round, not like a prism. No vertex is moved.
 #pragma once
 
+#include "ncsim/brep/candidate_filter.h"
 #include "ncsim/brep/surface_forms.h"
 #include "ncsim/brep/swept_surfaces.h"
 #include "ncsim/cda/boundary.h"
@@ -83,8 +84,8 @@ public:
 
 private:
     const cda::Boundary& boundary_;
-    std::vector<std::uint32_t> by_origin_;  // Faces, sorted by origin.
-    std::vector<double> errors_;            // Error of each surface of shading_, mm.
+    FacesByOrigin by_origin_;
+    std::vector<double> errors_;  // Error of each surface of shading_, mm.
     Shading shading_;
 };
 

@@ -19,7 +19,10 @@ namespace ncsim::brep {
 /// Result of recognise().
 struct Recognised {
     Part part;
-    std::size_t facets_kept = 0;           ///< Number of faces that were not recognised.
+    std::size_t facets_kept = 0;  ///< Number of faces that were not recognised.
+    /// Number of kept facets that belong to the mesh of the stock (mark_tessellated()); set by the
+    /// caller.
+    std::size_t stock_facets = 0;
     std::vector<cda::Origin> of_facets{};  ///< Motions that cut the facets, ascending.
     std::size_t shells_kept = 0;           ///< Number of shells that consist of facets alone.
     /// Number of facets that fit a surface of their source but not the adjacent faces; smaller

@@ -24,11 +24,21 @@ class WorkpieceModel;
 /// Prefix of lines in mesh files that list assumptions of the run that wrote the file.
 inline constexpr std::string_view kAssumedMark = "ncsim assumed: ";
 
+/// Record of what left the cells of one origin. The kernel keeps the texts and does not read them.
+struct ShapeSource {
+    std::string text;                   ///< One line.
+    std::vector<std::string> surfaces;  ///< Surfaces that the source left, a line each.
+    std::size_t line = 0;               ///< Line of `text` in the file, from 1.
+};
+
 /// outer \ (carved[0] ∪ carved[1] ∪ …)
 struct Shape {
     Lattice lattice;
     Cell outer;
     std::vector<Cell> carved;
+    /// Sources of the cells: entry i belongs to Origin{i}. Empty: unknown; all cells then have
+    /// kStockOrigin.
+    std::vector<ShapeSource> sources{};
     /// Assumptions of the run that wrote the shape to a file, each a line of text.
     std::vector<std::string> assumed{};
 };
@@ -66,37 +76,26 @@ struct Placement {
     Placement turned(int axis, int quarters) const;
 };
 
-/// Returns the placed shape, exactly. Throws: std::invalid_argument if the result leaves the range
-/// of the lattice.
+/// Returns the placed shape, exactly. Texts of the sources stay as they are. Throws:
+/// std::invalid_argument if the result leaves the range of the lattice.
 Shape placed(const Shape& shape, const Placement& placement);
 
-/// Writes a shape as text, cell by cell in the order of carve() calls:
+/// Writes a shape as text. Texts of the shape must be of one line each. The file has the form:
 ///
-///     ncsim stock 2
+///     ncsim stock 3
 ///     assumed T1: …         an assumption of the run that left the stock; any number of lines
 ///     unit 1e-05            millimetres
+///     source …              a source, for origin 0, 1, …; any number of lines
+///     surface …             a surface that the source left; any number of lines
 ///     normal 0 0 1          numbered from 0
 ///     outer 0 500 …         a cell: pairs of a normal's number and a distance, n·x <= d in units
+///     origin 4              origin of the cells that follow; 0 at the start
 ///     cell 3 -250 …         a carved cell
 ///     end 12                number of carved cells
-class ShapeWriter {
-public:
-    /// `assumed`: texts of one line.
-    ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& outer,
-                const std::vector<std::string>& assumed = {});
-    ~ShapeWriter();
-    ShapeWriter(ShapeWriter&&) noexcept;
-    void carve(const Cell& cell);
-    /// Writes the last line. Call exactly once, after the last carve().
-    void end();
+void write_shape(std::ostream& out, const Shape& shape);
 
-private:
-    struct State;
-    std::unique_ptr<State> state_;
-};
-
-/// Reads a file written by ShapeWriter, also version 1 of the format, which did not record
-/// assumptions; Shape::assumed then states this.
+/// Reads a file written by write_shape(), also versions 1 and 2 of the format, which did not record
+/// sources. Version 1 did not record assumptions; Shape::assumed then states this.
 /// Throws: std::runtime_error, "LINE: why", for numbers out of range, unbounded cells, truncated
 /// files, and all other text.
 Shape read_shape(std::istream& in);

@@ -16,13 +16,23 @@ namespace ncsim::exporter {
 /// 0, tool 0).
 struct Provenance {
     struct Entry {
-        std::uint32_t nc_line = 0;  ///< Line of the program, from 1; 0: uncut stock.
-        std::uint32_t tool = 0;     ///< Tool number; 0: no tool was called, or uncut stock.
+        /// Line of the program, from 1; 0: uncut stock, or cut by an earlier program.
+        std::uint32_t nc_line = 0;
+        std::uint32_t tool = 0;  ///< Tool number; 0: no tool was called, or uncut stock.
+        /// Earlier program that left the face, from 1 in Provenance::earlier_programs, and its
+        /// line; 0: none.
+        std::uint32_t earlier_program = 0, earlier_line = 0;
 
-        bool is_stock() const { return nc_line == 0 && tool == 0; }
+        bool is_stock() const { return nc_line == 0 && tool == 0 && earlier_program == 0; }
+        /// Returns a number that is equal for faces of one line of one program.
+        std::uint64_t place() const {
+            return std::uint64_t{earlier_program} << 32 |
+                   (earlier_program == 0 ? nc_line : earlier_line);
+        }
     };
     std::vector<Entry> entries;
     std::string program;  ///< File name without folders, as formats may quote.
+    std::vector<std::string> earlier_programs{};  ///< The same for programs that left the stock.
     /// Text of the lines that entries name, if known.
     std::map<std::uint32_t, std::string> text{};
     /// Reasons for doubt about the run, "stock-guess, tool-guess", which files record behind

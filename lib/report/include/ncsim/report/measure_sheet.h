@@ -15,9 +15,19 @@
 
 namespace ncsim::report {
 
+/// Line of a program that left the stock.
+struct EarlierLine {
+    std::string program;
+    std::uint32_t line = 0;
+    auto operator<=>(const EarlierLine&) const = default;
+};
+
 /// Lines and tools that cut a feature, ascending; empty: a surface of the stock.
 struct CutBy {
     std::vector<std::uint32_t> lines, tools;
+    std::vector<EarlierLine> earlier;
+
+    bool is_stock() const { return lines.empty() && earlier.empty(); }
 };
 
 /// Cylinder around air, more than half of a circle.

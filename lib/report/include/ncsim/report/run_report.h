@@ -31,8 +31,10 @@ struct SolidFacts {
     /// Number of faces of each kind, in the order of the list: "plane", "cylinder" …
     std::vector<std::pair<std::string, std::size_t>> kinds{};
     double miss_mm = 0.0;  ///< Largest distance of an edge from its surfaces.
-    /// Facets of round tools that were not recognised; included in the planes.
+    /// Facets of round tools that were not recognised, and of the mesh of the stock; included in
+    /// the planes.
     std::size_t facets_kept = 0;
+    std::size_t stock_facets = 0;  ///< Those of the mesh of the stock.
     /// Largest distance of an edge of these facets from the adjacent faces.
     double facet_miss_mm = 0.0;
     std::vector<std::uint32_t> facet_lines{};  ///< Lines that cut these facets, ascending.

@@ -9,9 +9,7 @@
 #include "ncsim/toolpath/stock.h"
 
 #include <array>
-#include <iosfwd>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -49,10 +47,5 @@ toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& input
 
 /// Does the same for the text of a .ncstock, which `file` names in messages.
 toolpath::Stock read_saved_stock(const toolpath::StockFile& file, const std::string& text);
-
-/// Writes the rest of `stock` after the cells `carved`, for read_stock_file(), with the assumptions
-/// of the run, a text each.
-void write_stock_file(std::ostream& out, const cda::Shape& stock, std::span<const cda::Cell> carved,
-                      const std::vector<std::string>& assumed);
 
 }  // namespace ncsim::setup

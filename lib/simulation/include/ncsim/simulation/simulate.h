@@ -23,6 +23,8 @@
 
 namespace ncsim::simulation {
 
+struct StockHistory;
+
 /// A motion that met the stock.
 struct Cut {
     verify::Place place;
@@ -33,8 +35,10 @@ struct Cut {
 /// The part, with facts about the run.
 struct Simulation : report::PartFacts {
     std::unique_ptr<cda::WorkpieceModel> part;
-    exporter::Provenance provenance;        ///< For the origins in `part`.
-    std::vector<Cut> cuts;                  ///< For the same origins, if kept.
+    exporter::Provenance provenance;  ///< For the origins in `part`.
+    std::vector<Cut> cuts;            ///< For the same origins, if kept.
+    /// Sources of the stock's faces, which have the first origins; null: all are the stock.
+    std::shared_ptr<const StockHistory> history;
     std::optional<cda::Boundary> boundary;  ///< Boundary of `part`, if kept.
     std::uint64_t steps = 0;                ///< Steps from pose to pose, with or without contact.
     std::vector<cda::Cell> carved;          ///< Removed cells, if kept.
@@ -57,12 +61,18 @@ struct Simulation : report::PartFacts {
     gcode::Diagnostics diagnostics;         ///< Motions that could not be followed.
 };
 
+/// Returns the number of origins that belong to earlier runs.
+std::uint32_t earlier_origins(const StockHistory* history);
+
 /// Replaces the origins of faces that tiles cut by the origins of a run without tiles. Throws:
 /// std::runtime_error if the motion of a face did not meet the stock.
 void name_motions(cda::Boundary& boundary, const Simulation& simulation);
 /// Returns the surface of the part, with the origins of `simulation.provenance`, with or without
 /// tiles.
 cda::Boundary surface_of(const Simulation& simulation);
+
+/// Returns the surface of the part on which faces of earlier runs count as the stock.
+cda::Boundary surface_of_program(const Simulation& simulation);
 
 /// Receives the number of moves done.
 using ProgressSink = std::function<void(std::uint64_t)>;
@@ -88,6 +98,8 @@ struct Verification {
     /// Stop cutting after so many motions that meet the stock, that is, after this origin.
     std::optional<std::uint32_t> most_cuts;
     bool keep_cuts = false;
+    /// read_stock_history() of the stock, if faces of earlier runs shall keep their origins.
+    std::shared_ptr<const StockHistory> history;
     PlayRecorder* play = nullptr;  ///< Receives path and states of the part; null: none.
     /// Each face belongs to a motion that left the whole face: steps are not combined.
     bool own_lines = false;

@@ -34,6 +34,8 @@ struct Stock {
     int axis = 2;  ///< Axis of a bar: 0, 1, 2 for X, Y, Z.
     std::optional<StockFile> from{};
     std::shared_ptr<const cda::Shape> shape{};  ///< Content of `from`, after it was read.
+    /// Placement of `shape` in relation to the file, for what Shape::sources record.
+    cda::Placement placement{};
     /// Largest distance between `shape` and the body that the file describes.
     double deflection_mm = 0.0;
     bool operator==(const Stock& o) const {
