@@ -16,6 +16,7 @@ TEST(Budget, IsUsedUpWhenWorkIsToStop) {
     EXPECT_NO_THROW(budget.check("a.nc", 3));
     stop.request_stop();
     EXPECT_THROW(budget.check("a.nc", 3), std::runtime_error);
+    EXPECT_THROW(budget.check("a.nc"), std::runtime_error);
 }
 
 }  // namespace

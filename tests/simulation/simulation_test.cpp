@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -37,6 +39,25 @@ TEST(Simulation, OfAStringLeavesThePart) {
     EXPECT_DOUBLE_EQ(part.stock_volume, 16000.0);
     EXPECT_DOUBLE_EQ(part.part_volume, 16000.0 - 6 * 40 * 5);
     EXPECT_FALSE(part.boundary);
+}
+
+TEST(Simulation, StopsAfterTheLastMoveToo) {
+    Plan plan = plan_of(kTool + kStock + kSlot);
+    plan.keep_boundary = true;
+    const Survey seen = survey(plan);
+    std::stop_source stop;
+    plan.budget.stop_with(stop.get_token());
+    const auto after = [&](std::uint64_t last) {
+        return [&stop, last](std::uint64_t moves) {
+            if (moves == last) stop.request_stop();
+        };
+    };
+    // The work that is left after the last move is the evaluation of the part.
+    const Simulation done = simulate(plan, seen, {}, after(seen.moves + 1));
+    EXPECT_THROW(simulate(plan, seen, {}, after(seen.moves)), std::runtime_error);
+    // A finished part answers after the time is over.
+    EXPECT_DOUBLE_EQ(done.part->volume(), done.part_volume);
+    EXPECT_FALSE(done.part->boundary().faces.empty());
 }
 
 // Returns: the guessed block of a contour around a part of 80 x 50 mm, D10, that begins at `start`.

@@ -24,6 +24,7 @@ std::unique_ptr<cda::WorkpieceModel> make_tree(const ModelParameters& parameters
     tree.threads = parameters.threads;
     tree.tile = parameters.tile;
     tree.halvings = parameters.halvings;
+    tree.interrupt = parameters.interrupt;
     return std::make_unique<cda::TreeCda>(tree);
 }
 

@@ -20,9 +20,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,7 +50,29 @@ int halvings_for(std::uint64_t moves) {
     return halvings;
 }
 
-std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan, std::uint64_t moves) {
+// Checks the budget between the tasks of a model until the simulation ends. Later queries of the
+// part are not limited.
+class Interrupt {
+public:
+    explicit Interrupt(const Plan& plan) : budget_(plan.budget), program_(plan.job.program.name) {}
+    ~Interrupt() { *is_armed_ = false; }
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+    std::function<void()> function() const {
+        return [is_armed = is_armed_, budget = budget_, program = program_] {
+            if (*is_armed) budget.check(program);
+        };
+    }
+
+private:
+    setup::Budget budget_;
+    std::string program_;
+    std::shared_ptr<std::atomic<bool>> is_armed_ = std::make_shared<std::atomic<bool>>(true);
+};
+
+std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan, std::uint64_t moves,
+                                               const Interrupt& interrupt) {
     ModelParameters parameters;
     parameters.threads = plan.threads;
     if (plan.hull_times) parameters.clock = &current_seconds;
@@ -54,6 +80,7 @@ std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan, std::uint64_t m
     parameters.only_along_z = plan.rays == RayDirections::AlongZ;
     parameters.halvings = halvings_for(moves);
     parameters.tile = plan.tile;
+    parameters.interrupt = interrupt.function();
     if (plan.tiles) parameters.tiles = plan.tiles->tiles;
     return make_model(plan.model, parameters);
 }
@@ -413,7 +440,8 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
             cell.origin = cda::kStockOrigin;
     }
     result.lattice = stock.lattice;
-    result.part = cda::create(*prototype(plan, survey.moves), stock);
+    const Interrupt interrupt(plan);
+    result.part = cda::create(*prototype(plan, survey.moves, interrupt), stock);
     result.stock_volume = result.part->volume();
     if (verification.start) result.part = verification.start->clone();
 

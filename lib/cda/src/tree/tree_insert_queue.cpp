@@ -230,8 +230,11 @@ void TreeCda::begin_flush(const std::function<bool(const Block&)>& goes) const {
     const AccountInput input{stock_planes_, *cells_, centre_, parameters_.leaf};
     flush_tasks_ = std::make_unique<Background>(
         threads - 1, flushing_blocks_.size(),
-        [input, changing = flushing_blocks_.data(), keeps_account = account_.has_value()](
-            std::size_t i) { changing[i]->settle(input, keeps_account); });
+        [input, changing = flushing_blocks_.data(), keeps_account = account_.has_value(),
+         interrupt = parameters_.interrupt](std::size_t i) {
+            if (interrupt) interrupt();
+            changing[i]->settle(input, keeps_account);
+        });
 }
 
 // Ends the insertion. After that, no other thread reads the blocks and the table of cells.

@@ -180,6 +180,7 @@ double TreeCda::volume() const {
     in_parallel(parameters_.threads, own_.size(), [&](std::size_t i) {
         const Block& block = blocks_[own_[i]];
         if (block.volume) return;
+        if (parameters_.interrupt) parameters_.interrupt();
         Evaluation result = evaluate(*block.tree, input);
         block.volume = result.volume;
         if (parameters_.tile)
@@ -205,7 +206,10 @@ Boundary TreeCda::boundary() const {
     Stitcher stitcher(lattice_, parameters_.threads);
     make_in_parallel(
         parameters_.threads, blocks_.size(),
-        [&](std::size_t i) { return evaluate(*blocks_[i].tree, input); },
+        [&](std::size_t i) {
+            if (parameters_.interrupt) parameters_.interrupt();
+            return evaluate(*blocks_[i].tree, input);
+        },
         [&](std::size_t i, const Evaluation& result) {
             blocks_[i].volume = result.volume;
             counts_.leaves += result.leaves;
@@ -232,6 +236,7 @@ void TreeCda::record_surface(SurfaceRecorder& recorder) const {
     make_in_parallel(
         parameters_.threads, changed.size(),
         [&](std::size_t i) {
+            if (parameters_.interrupt) parameters_.interrupt();
             std::vector<SurfaceRecorder::Cell> cells;
             LeafSurface surface(stock_planes_, *cells_);
             const BlockTree& tree = *blocks_[changed[i]].tree;

@@ -31,9 +31,12 @@ Budget::Budget(double memory_gb, double seconds)
     : memory_gb_(memory_gb), seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
 
 std::optional<std::string> Budget::exceeded() {
+    const bool is_due = asked_++ % kCallsPerQuery == 0;
+    return is_due || stop_.stop_requested() ? query() : std::nullopt;
+}
+
+std::optional<std::string> Budget::query() const {
     if (stop_.stop_requested()) return "the caller has stopped the work";
-    if (memory_gb_ <= 0.0 && seconds_ <= 0.0) return std::nullopt;
-    if (asked_++ % kCallsPerQuery != 0) return std::nullopt;
     if (memory_gb_ > 0.0) {
         const double used = 1e-9 * static_cast<double>(resident_bytes());
         if (used > memory_gb_)
@@ -49,6 +52,11 @@ std::optional<std::string> Budget::exceeded() {
 void Budget::check(const std::string& program, std::uint32_t line) {
     if (const auto why = exceeded())
         throw std::runtime_error(fmt::format("{}:{}: {}: given up", program, line, *why));
+}
+
+void Budget::check(const std::string& program) const {
+    if (const auto why = query())
+        throw std::runtime_error(fmt::format("{}: {}: given up", program, *why));
 }
 
 }  // namespace ncsim::setup

@@ -57,6 +57,9 @@ struct TreeParameters {
     /// Restricts the tree to the blocks of a tile. Volumes are then shares of the part's, the
     /// result is written by write_tile(), and no other query is valid.
     std::optional<TileNumber> tile = std::nullopt;
+    /// Called by any thread before it inserts cells into a block or evaluates a block; may throw.
+    /// After an exception, the workpiece may only be destroyed. Empty: not called.
+    std::function<void()> interrupt{};
 };
 
 /// Workpiece model with a tree of cells. Subtracted cells may wait until a query concerns their

@@ -28,8 +28,13 @@ public:
     std::optional<std::string> exceeded();
     /// Throws: std::runtime_error, "PROGRAM:LINE: reason: given up", if a limit is exceeded.
     void check(const std::string& program, std::uint32_t line);
+    /// Throws: the same without the line. Queries the system at every call; several threads may
+    /// call.
+    void check(const std::string& program) const;
 
 private:
+    std::optional<std::string> query() const;
+
     double memory_gb_ = 0.0;
     double seconds_ = 0.0;
     std::chrono::steady_clock::time_point start_;

@@ -8,6 +8,7 @@
 #include "ncsim/cda/tiles.h"
 #include "ncsim/cda/workpiece.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,6 +50,7 @@ struct ModelParameters {
     int halvings = 6;                                    ///< See cda::TreeParameters::halvings.
     std::optional<cda::TileNumber> tile = std::nullopt;  ///< Only this tile of the part.
     std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All tiles, which were cut before.
+    std::function<void()> interrupt{};                   ///< See cda::TreeParameters::interrupt.
 };
 
 /// Returns an empty prototype. Throws: std::invalid_argument if there is no model of this name.
