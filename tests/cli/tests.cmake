@@ -42,6 +42,7 @@ if(TARGET ncsim)
       parse_test.cpp
       project_test.cpp
       provenance_test.cpp
+      quiet_test.cpp
       rays_test.cpp
       report_units_test.cpp
       review_test.cpp
@@ -60,6 +61,7 @@ if(TARGET ncsim)
       tutorial_test.cpp
       triples_test.cpp
       verdicts_test.cpp
+      watch_test.cpp
       ../support/random_programs.cpp
       ../support/set_up_blocks.cpp
       ../support/set_up_draft.cpp
