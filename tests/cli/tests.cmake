@@ -47,6 +47,7 @@ if(TARGET ncsim)
       report_units_test.cpp
       review_test.cpp
       rotary_test.cpp
+      rule_examples_test.cpp
       run_program.cpp
       run_test.cpp
       samples_test.cpp
