@@ -59,7 +59,6 @@ if(TARGET ncsim)
       tile_meshes_test.cpp
       tiles_test.cpp
       tools_test.cpp
-      tutorial_test.cpp
       triples_test.cpp
       verdicts_test.cpp
       watch_test.cpp
