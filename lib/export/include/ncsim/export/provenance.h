@@ -15,6 +15,7 @@ namespace ncsim::exporter {
 /// Program line and tool of each origin. Entry i belongs to Origin{i}; entry 0 is the stock (line
 /// 0, tool 0).
 struct Provenance {
+    /// Line and tool of one origin.
     struct Entry {
         std::uint32_t nc_line = 0;  ///< Line of the program, from 1; 0: uncut stock.
         std::uint32_t tool = 0;     ///< Tool number; 0: no tool was called, or uncut stock.
