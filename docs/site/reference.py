@@ -8,6 +8,7 @@ Writes below FOLDER:
   cli.md            commands, options, topics, from `ncsim --help`, `ncsim COMMAND --help`, `ncsim help TOPIC`
   rules.md          all rules, from `ncsim rules --json`
   rules/RULE.md     a rule, with the programs of SOURCE/examples/rules/RULE
+  licences.md       libraries and licences, from `ncsim --version --verbose`, without the versions of this system
 
 Guarantees: the same program and examples give the same bytes.
 """
@@ -111,6 +112,24 @@ def rules_page(rules):
     return "\n".join(parts)
 
 
+def licence_page(program):
+    """Returns the table of the libraries: lines of name, version, licence and use in columns."""
+    text = help_pages.output_of(program, "--version", "--verbose")
+    rows = []
+    for line in text.split("\n"):
+        if line.startswith("  "):
+            name, _, licence, use = (line[start:end].strip() for start, end in ((2, 17), (17, 26), (26, 65), (65, None)))
+            rows.append((name, licence, use))
+    return "\n".join([
+        MADE + "# Licences\n",
+        "ncsim is free software: GPL-3.0-or-later, because Boolean operations of CGAL have this licence. The libraries of\n"
+        "the sources have the same licence. `ncsim --version --verbose` prints the versions of an installation.\n",
+        table(("library", "licence", "use"), rows),
+        "- `ncsim-step`, a program of its own, uses OpenCASCADE (LGPL-2.1 with an exception).\n"
+        "- The Python package uses pybind11 (BSD-3-Clause) and NumPy (BSD-3-Clause).\n"
+        "- `ncsim-mpi` uses the MPI of the system.\n"])
+
+
 def write(folder, name, text):
     path = os.path.join(folder, name)
     os.makedirs(os.path.dirname(path), exist_ok=True)
@@ -125,6 +144,7 @@ def main():
     rules = json.loads(help_pages.output_of(program, "rules", "--json"))["rules"]
     write(folder, "cli.md", cli_page(program))
     write(folder, "rules.md", rules_page(rules))
+    write(folder, "licences.md", licence_page(program))
     for rule in rules:
         write(folder, f"rules/{rule['id']}.md", rule_page(rule, os.path.join(source, "examples/rules", rule["id"])))
 

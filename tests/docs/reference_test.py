@@ -38,7 +38,8 @@ class Reference(unittest.TestCase):
         text = pages(os.path.join(SOURCE, "docs/reference"))
         for option in ("--watch", "--step-strict", "--write-baseline", "--tool-table", "--convert"):
             self.assertIn(f"`{option}`", text["cli.md"])
-        self.assertEqual(len(os.listdir(os.path.join(SOURCE, "examples/rules"))), len(text) - 2)
+        self.assertEqual(len(os.listdir(os.path.join(SOURCE, "examples/rules"))), len(text) - 3)
+        self.assertIn("| CGAL | GPL-3.0-or-later, LGPL-3.0-or-later |", text["licences.md"])
         for name in text:
             if name.startswith("rules/"):
                 self.assertIn("## A program that fails\n", text[name])

@@ -35,7 +35,7 @@ class Site(unittest.TestCase):
         docs = {os.path.relpath(os.path.join(folder, name), SOURCE)
                 for folder, _, names in os.walk(os.path.join(SOURCE, "docs")) for name in names
                 if name.endswith(".md")}
-        self.assertEqual(menu, docs | {"index.md", "CHANGELOG.md", "CONTRIBUTING.md"})
+        self.assertEqual(menu, docs | {"index.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"})
         for name in menu:
             self.assertTrue(os.path.exists(os.path.join(WORK, "site/site", name[:-2] + "html")), name)
         self.assertTrue(os.path.exists(os.path.join(WORK, "site/site/search/search_index.json")))
