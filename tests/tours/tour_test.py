@@ -6,7 +6,8 @@ Usage: tour_test.py NCSIM PAGE
 
 A block "```nc FILE" (or toml, python, yaml …) is a file, "```toml FILE +" is appended to a file. "```sh" has
 commands; "# exit code 4" at the end of a line is the code, otherwise 0. Each line of "```text" is part of the
-output of the commands above, in this order. Exits with 77 if a command of the page needs Python and there is none.
+output of the commands above, in this order. A picture of the page is a file that a command writes. Exits with 77 if
+the page needs the Python package and there is none.
 """
 import os
 import re
@@ -15,6 +16,7 @@ import sys
 import tempfile
 
 BLOCK = re.compile(r"^```(\w+) *(\S*) *(\+?)\n(.*?)^```$", re.M | re.S)
+PICTURE = re.compile(r"!\[[^\]]*\]\(([\w-]+\.png)\)")
 LEAST = 4  # commands and shown lines of a tutorial
 
 
@@ -56,6 +58,9 @@ def run_page(text, folder, environment):
             shown += content.count("\n")
         else:
             fail(f"a block of {language} without a name")
+    for picture in PICTURE.findall(text):
+        if not os.path.exists(os.path.join(folder, picture)):
+            fail(f"no command of the page writes {picture}")
     if commands < LEAST or shown < LEAST:
         fail(f"{commands} commands, {shown} lines of output")
     print(f"{commands} commands, {shown} lines of output")
