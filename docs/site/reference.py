@@ -8,6 +8,7 @@ Writes below FOLDER:
   cli.md            commands, options, topics, from `ncsim --help`, `ncsim COMMAND --help`, `ncsim help TOPIC`
   rules.md          all rules, from `ncsim rules --json`
   rules/RULE.md     a rule, with the programs of SOURCE/examples/rules/RULE
+  files/NAME.md     a format of files or reports, from docs/schemas/NAME.schema.json
   licences.md       libraries and licences, from `ncsim --version --verbose`, without the versions of this system
 
 Guarantees: the same program and examples give the same bytes.
@@ -18,6 +19,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../cmake"))
 import help_pages  # noqa: E402
+import schema_pages  # noqa: E402
 
 MADE = "<!-- Written by docs/site/reference.py from the program. -->\n"
 
@@ -145,6 +147,11 @@ def main():
     write(folder, "cli.md", cli_page(program))
     write(folder, "rules.md", rules_page(rules))
     write(folder, "licences.md", licence_page(program))
+    schemas = os.path.join(source, "docs/schemas")
+    for name in sorted(os.listdir(schemas)):
+        with open(os.path.join(schemas, name), encoding="utf-8") as file:
+            page = schema_pages.page_of(json.load(file), f"../../schemas/{name}")
+        write(folder, f"files/{name.split('.')[0]}.md", MADE + page)
     for rule in rules:
         write(folder, f"rules/{rule['id']}.md", rule_page(rule, os.path.join(source, "examples/rules", rule["id"])))
 

@@ -182,13 +182,14 @@ const std::array kTopics = {
 
 std::vector<std::string> topic_names() {
     std::vector<std::string> names;
+    names.reserve(kTopics.size());
     for (const Topic& topic : kTopics)
         names.emplace_back(topic.name);
     return names;
 }
 
 std::string topic_text(std::string_view name) {
-    const auto found = std::ranges::find(kTopics, name, &Topic::name);
+    const auto* const found = std::ranges::find(kTopics, name, &Topic::name);
     if (found == kTopics.end()) return {};
     std::string text = fmt::format("{}: {}\n", found->name, found->summary);
     if (!found->notation.empty() && !found->notation.starts_with("\n")) text += '\n';
