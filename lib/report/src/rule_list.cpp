@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -24,9 +24,9 @@ namespace {
 void append_file(std::string& text, std::string_view heading, const ExampleFile& file) {
     append(text, "\n{} ({}):\n\n", heading, file.name);
     for (std::string_view rest = file.text; !rest.empty();) {
-        const std::size_t end = rest.find('\n') + 1;
-        append(text, "  {}", rest.substr(0, end));
-        rest.remove_prefix(end);
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        append(text, "  {}\n", line);
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     }
 }
 
