@@ -296,6 +296,7 @@ TEST(Options, AreGuessedWhereSomebodyMistypes) {
               "--help\n");
     EXPECT_EQ(said({"run", "a.nc", "--frobnicate"}),
               "ncsim: there is no option --frobnicate\nTry: ncsim run --help\n");
+    EXPECT_EQ(said({"rnu", "--help"}), said({"rnu", "a.nc"}));
     EXPECT_EQ(said({"version"}), said({"--version"}));
     EXPECT_EQ(said({"-V"}), said({"--version"}));
     EXPECT_EQ(said({"help"}), said({"--help"}));

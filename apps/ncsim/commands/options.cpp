@@ -155,7 +155,11 @@ Command parse_options(const std::vector<std::string>& arguments) {
     try {
         const cli::App::Outcome outcome = app.parse(words);
         const cli::App* const chosen = app.chosen();
-        if (outcome == cli::App::Outcome::Help) return EarlyExit{kClean, chosen->help()};
+        if (outcome == cli::App::Outcome::Help) {
+            // `ncsim rnu --help` asks for a command that does not exist.
+            if (chosen == &app && !mistyped(app, words).empty()) throw cli::UsageError{};
+            return EarlyExit{kClean, chosen->help()};
+        }
         if (outcome == cli::App::Outcome::Version) {
             const bool all = std::ranges::find(words, "--verbose") != words.end();
             return EarlyExit{kClean,
