@@ -19,8 +19,8 @@ namespace ncsim::simulation {
 /// Recorder of the tool path and of states of the part, from which a page plays the program.
 class PlayRecorder {
 public:
-    /// Creates a recorder without states. `every`: number of moves between two states of the part; 0: chosen by the length of the
-    /// program. Requires: `survey` outlives the object.
+    /// Creates a recorder without states. `every`: number of moves between two states of the part;
+    /// 0: chosen by the length of the program. Requires: `survey` outlives the object.
     PlayRecorder(const Plan& plan, const Survey& survey, std::uint64_t every);
 
     /// Records the uncut part.
