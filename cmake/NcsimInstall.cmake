@@ -2,7 +2,12 @@ include(CMakePackageConfigHelpers)
 set(NCSIM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ncsim)
 configure_package_config_file(cmake/ncsimConfig.cmake.in ncsimConfig.cmake
   INSTALL_DESTINATION ${NCSIM_CMAKE_DIR})
-write_basic_package_version_file(ncsimConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+# Before 1.0 a new minor version may change the headers (docs/compatibility.md).
+set(ncsim_compatibility SameMajorVersion)
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(ncsim_compatibility SameMinorVersion)
+endif()
+write_basic_package_version_file(ncsimConfigVersion.cmake COMPATIBILITY ${ncsim_compatibility})
 install(EXPORT ncsimTargets NAMESPACE ncsim:: DESTINATION ${NCSIM_CMAKE_DIR})
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ncsimConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/ncsimConfigVersion.cmake
@@ -11,7 +16,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ncsimConfig.cmake
 # A package of the program for Debian 12, by `./dev package`: what it links to, and what it loads when
 # it draws. With it come the documents and the samples.
 install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES README.md CHANGELOG.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs samples examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -25,7 +25,7 @@ import sys
 
 OPTION = re.compile(r"  (?:(-\w),)?(--[\w-]+)(?: (\S+))?(?:\s{2,}(.*))?$")
 POSITIONAL = re.compile(r"  (\w+) ([A-Z]+)\s{2,}(.*)$")
-COMMAND = re.compile(r"  ([a-z]+)\s{2,}(.*)$")
+COMMAND = re.compile(r"  ([a-z-]+)\s{2,}(.*)$")  # or a topic
 FOOTER = re.compile(r"([A-Z][A-Za-z ]*): +(\S.*)$")
 REFUSED = "?"  # no option has this value
 SEVERITIES = ["note", "warning", "error"]
@@ -85,6 +85,7 @@ class Command:
         self.groups = []       # (title, options)
         self.positionals = []
         self.commands = []     # (name, text), of ncsim alone
+        self.topics = []       # (name, text), of ncsim alone
         self.footers = []      # (title, text)
         self.summary = self.usage = ""
         self.parse(text)
@@ -107,7 +108,7 @@ class Command:
                 self.usage = usage[1]
             elif re.match(r"[A-Z].*:$", line):
                 title = line[:-1]
-                if title not in ("Positionals", "Subcommands"):
+                if title not in ("Positionals", "Subcommands", "Topics"):
                     self.groups.append((title, []))
             elif footer:
                 self.footers.append(footer.groups())
@@ -117,6 +118,8 @@ class Command:
                 self.footers[-1] = (name, words + " " + line.strip())
             elif title == "Subcommands":
                 self.commands.append(COMMAND.match(line).groups())
+            elif title == "Topics":
+                self.topics.append(COMMAND.match(line).groups())
             elif title == "Positionals":
                 name, type_name, words = POSITIONAL.match(line).groups()
                 self.positionals.append(Option(None, name, type_name, words))
@@ -244,7 +247,7 @@ def man_page(version, command, others):
         lines += [rf".B ncsim {roff(words[0])}", roff(words[1]) if len(words) > 1 else ""]
     else:
         lines += [".B ncsim", r"\fICOMMAND\fR [\fIOPTIONS\fR] [\fIFILES\fR]", ".br", ".B ncsim",
-                  r"\fBhelp\fR \fICOMMAND\fR"]
+                  r"\fBhelp\fR \fITOPIC\fR"]
     lines += [".SH DESCRIPTION", roff(command.summary) + ("" if command.summary.endswith(".") else ".")]
     for option in command.positionals:
         lines += [".TP", rf"\fI{roff(option.name)}\fR", roff(option.text) + "."]
@@ -252,6 +255,10 @@ def man_page(version, command, others):
         lines += [".SH COMMANDS"]
         for name, text in command.commands:
             lines += [".TP", rf"\fBncsim {name}\fR", roff(text) + "."]
+    if command.topics:
+        lines += [".SH TOPICS"]
+        for name, text in command.topics:
+            lines += [".TP", rf"\fBncsim help {roff(name)}\fR", roff(text) + "."]
     lines += [".SH OPTIONS"]
     for group, options in command.groups:
         if group != "Options":
@@ -378,7 +385,7 @@ def bash_kind(option):
     return ("text" if option.type else ""), []
 
 
-def bash_completion(commands):
+def bash_completion(commands, topics):
     names = [command.name for command in commands]
     lines = [BASH_HEAD.replace("@COMMANDS@", " ".join(names + ["help", "--help", "--version"])).rstrip("\n")]
     for command in commands:
@@ -394,7 +401,7 @@ def bash_completion(commands):
         if endings:
             lines += [f"        [[ -z $kind && $typed != -* ]] && kind=files offered='{' '.join(endings)}'"]
         lines += ["        ;;"]
-    lines += ["    help) kind=words offered='" + " ".join(names) + "' ;;"]
+    lines += ["    help) kind=words offered='" + " ".join(names + [name for name, _ in topics]) + "' ;;"]
     return "\n".join(lines) + "\n" + BASH_TAIL
 
 
@@ -442,14 +449,16 @@ def zsh_option(option):
     return f"'{repeats}{option.name}{equals}{text}{value}'"
 
 
-def zsh_completion(commands):
+def zsh_completion(commands, topics):
     names = [f"'{command.name}:{zsh_quoted(command.summary)}'" for command in commands]
+    pages = [f"'{name}:{zsh_quoted(text)}'" for name, text in topics]
     rules = next(o.values for c in commands for o in c.options if o.type == "RULE=S")
     lines = ["#compdef ncsim", "# Completion of ncsim for zsh, written by cmake/help_pages.py from the help of ncsim.", "",
              "# Offers rules, then severities after =.", "__ncsim_severity() {", "    if compset -P '*='; then",
              f"        compadd - {' '.join(SEVERITIES)}", "    else",
-             f"        compadd -S = - {' '.join(rules)}", "    fi", "}", "", "_ncsim() {", "    local -a commands",
-             "    commands=(", *(f"        {name}" for name in names), "        'help:Print the help of a command'",
+             f"        compadd -S = - {' '.join(rules)}", "    fi", "}", "", "_ncsim() {", "    local -a commands topics",
+             "    topics=(", *(f"        {name}" for name in names + pages), "    )",
+             "    commands=(", *(f"        {name}" for name in names), "        'help:Explain a command or a topic'",
              "    )", "    if (( CURRENT == 2 )); then",
              "        if [[ $words[2] == -* ]]; then", "            compadd - --help --version", "        else",
              "            _describe -t commands command commands", "        fi", "        return", "    fi",
@@ -462,7 +471,7 @@ def zsh_completion(commands):
             files = "_files -/" if option.is_folder and command.name != "merge" else zsh_files(option)
             entries.append(f"'*:{zsh_text(option.text)}:{zsh_quoted(files)}'")
         lines += ["            " + " \\\n            ".join(entries), "        ;;"]
-    lines += ["    help) _describe -t commands command commands ;;", "    esac", "}", "",
+    lines += ["    help) _describe -t topics topic topics ;;", "    esac", "}", "",
               '_ncsim "$@"']
     return "\n".join(lines) + "\n"
 
@@ -546,12 +555,12 @@ def fish_option(command, option):
     return " ".join(words + ["-d", fish_quoted(option.text)])
 
 
-def fish_completion(commands):
-    names = [command.name for command in commands]
+def fish_completion(commands, topics):
+    names = [command.name for command in commands] + [name for name, _ in topics]
     lines = [FISH_HEAD.rstrip("\n")]
     for command in commands:
         lines += [f"complete -c ncsim -n __ncsim_no_command -a {command.name} -d {fish_quoted(command.summary)}"]
-    lines += ["complete -c ncsim -n __ncsim_no_command -a help -d 'Print the help of a command'",
+    lines += ["complete -c ncsim -n __ncsim_no_command -a help -d 'Explain a command or a topic'",
               f"complete -c ncsim -n '__ncsim_command help' -f -a '{' '.join(names)}'"]
     for command in commands:
         lines += [fish_option(command, option) for option in command.options]
@@ -586,9 +595,9 @@ def main():
     for command in [top] + commands:
         page = "ncsim-" + command.name if command.name else "ncsim"
         write(folder, f"man/man1/{page}.1", man_page(version, command, pages), "--gzip" in sys.argv)
-    write(folder, "bash-completion/completions/ncsim", bash_completion(commands))
-    write(folder, "zsh/vendor-completions/_ncsim", zsh_completion(commands))
-    write(folder, "fish/vendor_completions.d/ncsim.fish", fish_completion(commands))
+    write(folder, "bash-completion/completions/ncsim", bash_completion(commands, top.topics))
+    write(folder, "zsh/vendor-completions/_ncsim", zsh_completion(commands, top.topics))
+    write(folder, "fish/vendor_completions.d/ncsim.fish", fish_completion(commands, top.topics))
 
 
 if __name__ == "__main__":

@@ -13,15 +13,19 @@
 #include "run/run.h"
 #include "system/console.h"
 #include "system/large_pages.h"
+#include "system/watch.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -47,24 +51,11 @@ void keep_closed_streams_closed() {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+// Runs `work`, and reports an exception as a message and an exit code.
+int guarded(const std::function<int()>& work) {
     using namespace ncsim::app;
-    prefer_large_pages(argv);
     try {
-        keep_closed_streams_closed();
-        std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
-        const std::string when = take_colour(words);
-        const auto colour = colour_mode(when);
-        if (!colour) {
-            print_error("ncsim: --color '" + ncsim::report::one_line(when) +
-                        "': expected auto, always or never\n");
-            return kEnvironment;
-        }
-        set_colour_mode(*colour);
-        Command command = options_with_project(words);
-        return std::visit([](auto& chosen) { return run(std::move(chosen)); }, command);
+        return work();
     } catch (const std::bad_alloc&) {
         std::fputs("ncsim: out of memory\n", stderr);
         return kEnvironment;
@@ -76,4 +67,52 @@ int main(int argc, char** argv) {
         print_error("ncsim: " + ncsim::report::one_line(e.what()) + '\n');
         return kEnvironment;
     }
+}
+
+int run_command(ncsim::app::Command command) {
+    return std::visit([](auto& chosen) { return run(std::move(chosen)); }, command);
+}
+
+// Returns the command to repeat; empty if the command runs once.
+std::optional<ncsim::app::WatchedCommand> watched(const ncsim::app::Command& command,
+                                                  const std::vector<std::string>& words) {
+    using namespace ncsim::app;
+    return std::visit(
+        [&](const auto& options) -> std::optional<WatchedCommand> {
+            using Of = std::remove_cvref_t<decltype(options)>;
+            if constexpr (std::is_same_v<Of, Options> || std::is_same_v<Of, CheckOptions>) {
+                if (!options.watch) return std::nullopt;
+                // Each run reads the options again, because ncsim.toml may change.
+                const auto again = [words] {
+                    return guarded([&] { return run_command(options_with_project(words)); });
+                };
+                return WatchedCommand{again, inputs_of(options), outputs_of(options),
+                                      options.quiet};
+            } else {
+                return std::nullopt;
+            }
+        },
+        command);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace ncsim::app;
+    prefer_large_pages(argv);
+    return guarded([&] {
+        keep_closed_streams_closed();
+        std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+        const std::string when = take_colour(words);
+        const auto colour = colour_mode(when);
+        if (!colour) {
+            print_error("ncsim: --color '" + ncsim::report::one_line(when) +
+                        "': expected auto, always or never\n");
+            return static_cast<int>(kEnvironment);
+        }
+        set_colour_mode(*colour);
+        Command command = options_with_project(words);
+        if (const auto repeated = watched(command, words)) return watch(*repeated);
+        return run_command(std::move(command));
+    });
 }

@@ -17,7 +17,7 @@ import sys
 LINK = re.compile(r"(?<!\\)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^#{1,6} +(.*?) *$", re.M)
 CODE = re.compile(r"^```[\s\S]*?^```|^(?: {4}.*\n)+|`[^`\n]*`", re.M)
-PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")
+PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md")
 
 
 def anchors_of(text):
@@ -32,7 +32,9 @@ def anchors_of(text):
 def pages_of(source):
     """Returns the Markdown files of the site by their path in the repository."""
     names = [name for name in PAGES if os.path.exists(os.path.join(source, name))]
-    names += sorted(f"docs/{name}" for name in os.listdir(os.path.join(source, "docs")) if name.endswith(".md"))
+    for folder, _, files in sorted(os.walk(os.path.join(source, "docs"))):
+        place = os.path.relpath(folder, source)
+        names += sorted(f"{place}/{name}" for name in files if name.endswith(".md"))
     pages = {}
     for name in names:
         with open(os.path.join(source, name), encoding="utf-8") as file:
@@ -99,6 +101,15 @@ def make_source(source, folder):
     return linker.broken
 
 
+def with_rules(settings, source):
+    """Replaces an entry of the menu that ends in /* by an entry for each page of that folder."""
+    def entries(match):
+        names = sorted(name for name in os.listdir(os.path.join(source, match[2])) if name.endswith(".md"))
+        return "".join(f"{match[1]}- {name[:-3]}: {match[2]}/{name}\n" for name in names)
+
+    return re.sub(r"^( +)- (docs/\S+)/\*\n", entries, settings, flags=re.M)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("source")
@@ -113,7 +124,7 @@ def main():
         return 1
     with open(os.path.join(source, "docs/site/mkdocs.yml"), encoding="utf-8") as file:
         settings = file.read()
-    settings = settings.replace("../../build/docs", output)
+    settings = with_rules(settings.replace("../../build/docs", output), source)
     with open(os.path.join(output, "mkdocs.yml"), "w", encoding="utf-8") as file:
         file.write(settings)
     subprocess.run(["mkdocs", "build", "--quiet", "--config-file", os.path.join(output, "mkdocs.yml")], check=True)

@@ -94,7 +94,7 @@ class Verdict:
     totals: Optional[Dict[str, Any]]  #: Volumes, path lengths and times; None: not simulated.
     design: Optional[Dict[str, Any]]  #: Deviations from the design.
     text: str  #: Report of `ncsim check`.
-    json: Dict[str, Any]  #: Report of `ncsim check --json` about the program.
+    json: Dict[str, Any]  #: The program in `ncsim check --json`: an element of "programs".
     #: Blocks in the order of execution, a structured, read-only array; None without ledger=True.
     #: Fields: file, line, first_motion, last_motion, tool, kind, length, removed, seconds.
     ledger: Optional[npt.NDArray[np.void]] = field(default=None, compare=False, repr=False)

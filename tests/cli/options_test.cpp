@@ -3,6 +3,8 @@
 // Parsing of the command line: options, values and error messages.
 #include "commands/options.h"
 
+#include "commands/help_topics.h"
+#include "commands/libraries.h"
 #include "system/progress.h"
 
 #include <gtest/gtest.h>
@@ -294,10 +296,71 @@ TEST(Options, AreGuessedWhereSomebodyMistypes) {
               "--help\n");
     EXPECT_EQ(said({"run", "a.nc", "--frobnicate"}),
               "ncsim: there is no option --frobnicate\nTry: ncsim run --help\n");
+    EXPECT_EQ(said({"rnu", "--help"}), said({"rnu", "a.nc"}));
     EXPECT_EQ(said({"version"}), said({"--version"}));
     EXPECT_EQ(said({"-V"}), said({"--version"}));
     EXPECT_EQ(said({"help"}), said({"--help"}));
     EXPECT_EQ(said({"help", "check"}), said({"check", "--help"}));
+}
+
+TEST(Options, HelpExplainsCommandsAndTopics) {
+    const auto answer = [](const std::vector<std::string>& words) {
+        return std::get<EarlyExit>(parse_options(words));
+    };
+    const std::string all = answer({"help"}).text;
+    for (const std::string& name : topic_names()) {
+        SCOPED_TRACE(name);
+        const EarlyExit page = answer({"help", name});
+        EXPECT_EQ(page.exit_code, kClean);
+        EXPECT_TRUE(page.text.starts_with(name + ": ")) << page.text;
+        const std::string heading = page.text.substr(0, page.text.find('\n'));
+        const std::string summary = heading.substr(name.size() + 2);
+        EXPECT_NE(all.find("  " + name + std::string(12 - name.size(), ' ') + summary + "\n"),
+                  std::string::npos);
+        EXPECT_FALSE(page.text.find("\n\n\n") != std::string::npos || page.text.ends_with("\n\n"));
+        std::istringstream lines(page.text);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_LE(line.size(), 100U) << line;
+        // A command with the name of a topic would hide its own help.
+        EXPECT_EQ(answer({name}).exit_code, kEnvironment);
+    }
+    EXPECT_NE(answer({"help", "tool"}).text.find("reamer, boring-bar"), std::string::npos);
+    EXPECT_NE(answer({"help", "exit-codes"}).text.find("4  not proven"), std::string::npos);
+    EXPECT_EQ(answer({"help", "verdict"}).exit_code, kEnvironment);
+    EXPECT_EQ(answer({"help", "verdict"}).text,
+              "ncsim: there is no help topic 'verdict'; did you mean verdicts?\nTry: ncsim help\n");
+    EXPECT_EQ(answer({"help", "--help"}).text, all);
+}
+
+TEST(Options, VersionNamesLibrariesAndLicences) {
+    const auto answer = [](const std::vector<std::string>& words) {
+        return std::get<EarlyExit>(parse_options(words));
+    };
+    const std::string text = answer({"--version", "--verbose"}).text;
+    EXPECT_TRUE(text.starts_with(answer({"--version"}).text));
+    EXPECT_NE(text.find("GPL-3.0-or-later"), std::string::npos);
+    EXPECT_EQ(answer({"version", "--verbose"}).text, text);
+    EXPECT_EQ(answer({"--verbose", "--version"}).text, text);
+    EXPECT_GE(libraries().size(), 16U);
+    for (const Library& library : libraries()) {
+        SCOPED_TRACE(library.name);
+        EXPECT_NE(text.find("  " + library.name + " "), std::string::npos);
+        EXPECT_FALSE(library.licence.empty() || library.use.empty());
+        EXPECT_EQ(library.version.find_first_not_of("0123456789."), std::string::npos)
+            << library.version;
+        EXPECT_NE(library.version.find('.'), std::string::npos) << library.version;
+    }
+    EXPECT_EQ(refusal({"--verbose", "rules"}),
+              "ncsim: --verbose stands with --version, or behind a command\n");
+}
+
+TEST(Options, HelpOfFilesExplainsQuiet) {
+    const Command answer = parse_options({"help", "files"});
+    EXPECT_NE(std::get<EarlyExit>(answer).text.find("-q prints errors"), std::string::npos);
+    for (const char* command : {"run", "check", "merge", "diff", "measure", "init", "tools"}) {
+        const Command help = parse_options({command, "--help"});
+        EXPECT_NE(std::get<EarlyExit>(help).text.find("-q,--quiet"), std::string::npos) << command;
+    }
 }
 
 TEST(Options, RefusesAnOutputWithTheEndingOfAnotherFormat) {

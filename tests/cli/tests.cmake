@@ -42,10 +42,12 @@ if(TARGET ncsim)
       parse_test.cpp
       project_test.cpp
       provenance_test.cpp
+      quiet_test.cpp
       rays_test.cpp
       report_units_test.cpp
       review_test.cpp
       rotary_test.cpp
+      rule_examples_test.cpp
       run_program.cpp
       run_test.cpp
       samples_test.cpp
@@ -58,9 +60,9 @@ if(TARGET ncsim)
       tile_meshes_test.cpp
       tiles_test.cpp
       tools_test.cpp
-      tutorial_test.cpp
       triples_test.cpp
       verdicts_test.cpp
+      watch_test.cpp
       ../support/random_programs.cpp
       ../support/set_up_blocks.cpp
       ../support/set_up_draft.cpp

@@ -30,10 +30,12 @@ class Site(unittest.TestCase):
     def test_each_page_is_in_the_menu_and_no_link_is_broken(self):
         ran = build(SOURCE, os.path.join(WORK, "site"))
         self.assertEqual((ran.returncode, ran.stderr), (0, ""))
-        with open(os.path.join(SOURCE, "docs/site/mkdocs.yml"), encoding="utf-8") as file:
+        with open(os.path.join(WORK, "site/mkdocs.yml"), encoding="utf-8") as file:
             menu = set(names_in(yaml.safe_load(file)["nav"]))
-        docs = {f"docs/{name}" for name in os.listdir(os.path.join(SOURCE, "docs")) if name.endswith(".md")}
-        self.assertEqual(menu, docs | {"index.md", "CHANGELOG.md", "CONTRIBUTING.md"})
+        docs = {os.path.relpath(os.path.join(folder, name), SOURCE)
+                for folder, _, names in os.walk(os.path.join(SOURCE, "docs")) for name in names
+                if name.endswith(".md")}
+        self.assertEqual(menu, docs | {"index.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"})
         for name in menu:
             self.assertTrue(os.path.exists(os.path.join(WORK, "site/site", name[:-2] + "html")), name)
         self.assertTrue(os.path.exists(os.path.join(WORK, "site/site/search/search_index.json")))

@@ -28,6 +28,7 @@ CASES = [
     ("ncsim mea", ["measure"]),
     ("ncsim --ver", ["--version"]),
     ("ncsim help me", ["measure", "merge"]),
+    ("ncsim help ver", ["verdicts"]),
     ("ncsim run --vi", ["--view", "--views"]),
     ("ncsim run part.nc --3", ["--3mf"]),
     ("ncsim rules --j", ["--json"]),
@@ -71,7 +72,8 @@ def option_names(program, command):
 
 
 def commands_of(program):
-    return re.findall(r"^  ([a-z]+) ", output_of(program, "--help").stdout.split("Subcommands:")[1], re.M)
+    return re.findall(r"^  ([a-z]+) ", output_of(program, "--help").stdout.split("Subcommands:")[1].split("Topics:")[0],
+                      re.M)
 
 
 def expect(is_true, message):

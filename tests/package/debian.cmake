@@ -44,7 +44,8 @@ if(NOT output STREQUAL "ncsim ${VERSION}\n")
   message(FATAL_ERROR "it says: ${output}")
 endif()
 foreach(file doc/ncsim/copyright doc/ncsim/samples/simple.nc doc/ncsim/docs/ci.md
-    doc/ncsim/examples/python/own_rule.py
+    doc/ncsim/examples/python/own_rule.py doc/ncsim/examples/cpp/own_rule.cpp
+    doc/ncsim/examples/rules/plunge/fails.nc doc/ncsim/docs/reference/cli.md doc/ncsim/SECURITY.md
     man/man1/ncsim.1.gz man/man1/ncsim-check.1.gz bash-completion/completions/ncsim
     zsh/vendor-completions/_ncsim fish/vendor_completions.d/ncsim.fish)
   if(NOT EXISTS ${WORK}/root/usr/share/${file})

@@ -417,7 +417,7 @@ class Jobs(unittest.TestCase):
         steps = ncsim.steps(job)
         self.assertGreater(len(steps), 1)
         self.assertEqual([step.number for step in steps], list(range(1, len(steps) + 1)))
-        with self.assertRaisesRegex(ncsim.UsageError, "programs"):
+        with self.assertRaisesRegex(ncsim.UsageError, "programs: choose one with step=, from 1 to"):
             ncsim.simulate(job)
         with self.assertRaisesRegex(ncsim.UsageError, "there is no program 9: the job has"):
             ncsim.simulate(job, step=9)

@@ -234,6 +234,17 @@ TEST(ToolFile, OfCsvHasUnitsOfItsNamesAndValues) {
               "T4 chamfer mill D6 L50\n"
               "3:1 tool-unknown\n4:1 tool-unknown\n6:1 tool-unknown\n");
     EXPECT_EQ(tools_of("T,D\n"), "CSV tool table\n1:1 tool-table\n");
+    // Lines of spreadsheets and scripts that are no rows; ends of lines of any system.
+    for (const char* const table :
+         {"sep=;\r\nT;D;flute length\r\n1;6,35;19,05\r\n",
+          "SEP=,\nT,D,flute length\n1,6.35,19.05\n", "sep=\t\nT\tD\tflute length\n1\t6.35\t19.05\n",
+          "T,D,flute length\r1,6.35,19.05\r",
+          "# tools, of June\nT,D,flute length\n# T,D\n1,6.35,19.05\n",
+          "#name,T,D,flute length\n#201 end,1,6.35,19.05\n#\n"}) {
+        EXPECT_EQ(tools_of(table), six) << table;
+    }
+    EXPECT_EQ(tools_of("# a\rT,D\r\"1\",\"6\r7\"\r1,6\rx,2\r"),
+              "CSV tool table\nT1 flat end mill D6 L50\n3:1 tool-unknown\n6:1 tool-unknown\n");
     // A remark of LinuxCNC.
     EXPECT_EQ(tools_of("; tool, dia\nT1 P1 D6\n"),
               "LinuxCNC tool table\nT1 flat end mill D6 L50\n");

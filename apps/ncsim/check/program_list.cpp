@@ -155,7 +155,7 @@ ProgramList programs_of(CheckOptions& options, setup::InputSet& inputs) {
             collector.add_listed(name);
     }
     ProgramList list = std::move(collector).take();
-    print_error(report::text_of(list.excluded));
+    if (!options.quiet) print_error(report::text_of(list.excluded));
     if (list.programs.empty()) throw std::runtime_error("the list names no programs");
     return list;
 }

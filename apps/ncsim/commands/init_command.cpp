@@ -88,7 +88,7 @@ std::string first_job(const InitOptions& options, setup::InputSet& inputs) {
         if (all.file.stock) set_up.height = all.file.stock->box.size().z;
         set_ups.push_back(std::move(set_up));
     }
-    print_error(notes);
+    if (!options.quiet) print_error(notes);
     std::ostringstream out;
     setup::write_first_job(out, all.file, all.remarks, set_ups);
     return out.str();
@@ -126,6 +126,7 @@ cli::App* add_init(cli::App& app, InitOptions& o) {
         ->type_name("FILES");
     init->add_option("--output,-o", o.output, "File to write [job.toml]")->type_name("FILE");
     init->add_flag("--repo", o.repo, "Write ncsim.toml for a folder instead");
+    init->add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
     return init;
 }
 
@@ -161,6 +162,7 @@ int run(const InitOptions& options) {
                      : first_job(options, inputs);
     outputs.write(options.output, [&](std::ostream& out) { out << text; });
     outputs.commit();
+    if (options.quiet) return kClean;
     const std::string name = report::printable_path(options.output);
     if (options.repo) {
         put_text(fmt::format("{} written: remove the # before what applies\n", name));

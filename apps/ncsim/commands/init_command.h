@@ -14,6 +14,7 @@ struct InitOptions {
     std::vector<std::string> programs;  ///< NC programs, a set-up each; with `repo` a folder.
     std::string output;                 ///< File to write; empty: job.toml or ncsim.toml.
     bool repo = false;                  ///< Write ncsim.toml.
+    bool quiet = false;                 ///< Print errors and warnings only.
 };
 
 /// Adds the command `init` to `app`, which reads into `options`.

@@ -6,6 +6,8 @@
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
 
+#include "commands/help_topics.h"
+#include "commands/libraries.h"
 #include "options/suggestion.h"
 
 #include <fmt/format.h>
@@ -17,43 +19,16 @@ namespace ncsim::app {
 
 namespace {
 
-constexpr const char* kNotation = R"(
-Tools:  T1=flat:D10:L22:S12x30:H28x15,40x25  kinds flat, ball, bull, face, v, spot, engraver,
-        chamfer, countersink, drill, taper, slot, dovetail, lollipop, corner (rounding), tap,
-        reamer, boring-bar, thread (a thread mill); values
-        D diameter, L length of the flutes, R corner radius, K pitch of a thread,
-        A angle, P tip diameter; above the flutes N neck and S shank (diameter, or diameter x
-        length), E from the tip to the holder, H holder from below (diameter x height, or
-        lower-upper x height); mm, or inches: D1/4in
-Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest corner); bars
-        DdxH (top at Z0) or DdxH@x,y,z (lower end), along X or Y: DXdxL, DYdxL;
-        mm, or inches: 4x2x1/2in
-)";
-
-constexpr const char* kFiles = R"(
-Files:  - is the standard input or the standard output; text then goes to the standard error.
-Color:  --color auto, always, never with any command. auto: on a terminal, without NO_COLOR.
-)";
-
-constexpr const char* kExitCodes = R"(
-Exit codes: 0 clean; 1 faults in the NC program; 2 wrong usage, unreadable input or failed output;
-3 internal error; 4 not proven: no fault was found, but information is missing (check).
-
-)";
-
 std::string footer(const char* example) {
-    return fmt::format("{}{}{}Example: {}", kNotation, kFiles, kExitCodes, example);
+    return fmt::format("{}{}{}{}Example: {}", kToolNotation, kStockNotation, kFileNotes, kExitCodes,
+                       example);
 }
 
-// Translates common forms such as `ncsim help run` and `ncsim version` into options.
+// Translates common forms such as `ncsim version` into options.
 std::vector<std::string> as_options(std::vector<std::string> words) {
     if (words.empty()) return words;
     if (words[0] == "version" || words[0] == "-V") words[0] = "--version";
-    if (words[0] == "help") {
-        words.erase(words.begin());
-        if (words.size() > 1) words.resize(1);
-        words.emplace_back("--help");
-    }
+    if (words[0] == "help" && words.size() == 1) words[0] = "--help";
     return words;
 }
 
@@ -91,6 +66,22 @@ std::string mistyped(const cli::App& app, const std::vector<std::string>& words)
     return {};
 }
 
+// Answers `ncsim help NAME`: a topic, or the help of a command.
+EarlyExit help_of(const std::string& name, const cli::App& app) {
+    if (std::string text = topic_text(name); !text.empty()) return {kClean, std::move(text)};
+    std::vector<std::string> known = topic_names();
+    for (const cli::App* command : app.subcommands()) {
+        if (command->name() == name) return {kClean, command->help()};
+        known.push_back(command->name());
+    }
+    if (name.starts_with("-")) return {kClean, app.help()};
+    const std::string meant = nearest(name, known);
+    return {kEnvironment,
+            fmt::format("ncsim: there is no help topic '{}'{}\nTry: ncsim help\n",
+                        report::one_line(name),
+                        meant.empty() ? "" : fmt::format("; did you mean {}?", meant))};
+}
+
 // Throws Refusal for an empty file name, which results from an unset variable in a script.
 void refuse_empty_names(const cli::App& command) {
     for (const cli::Option* option : command.options()) {
@@ -107,10 +98,12 @@ void refuse_empty_names(const cli::App& command) {
 Command parse_options(const std::vector<std::string>& arguments) {
     cli::App app{"ncsim simulates and verifies NC milling programs.", "ncsim"};
     app.set_version_flag("--version", fmt::format("ncsim {}", report::kVersion));
+    bool verbose = false;
+    app.add_flag("--verbose", verbose, "With --version: libraries and licences");
     app.require_subcommand();
     const char* const run_example =
         "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
-    app.footer(fmt::format("{}Example: {}", kExitCodes, run_example));
+    app.footer(fmt::format("\nTopics:\n{}{}Example: {}", topic_list(), kExitCodes, run_example));
 
     const std::vector<std::string> words = as_options(arguments);
     // Adding the options of all commands would take longer than a small program.
@@ -158,12 +151,21 @@ Command parse_options(const std::vector<std::string>& arguments) {
         add("explain", add_explain, explain_options, "ncsim explain samples/simple.nc:14");
     cli::App* rules = add("rules", add_rules, rules_options, nullptr);
 
+    if (!words.empty() && words[0] == "help") return help_of(words[1], app);
     try {
         const cli::App::Outcome outcome = app.parse(words);
         const cli::App* const chosen = app.chosen();
-        if (outcome == cli::App::Outcome::Help) return EarlyExit{kClean, chosen->help()};
-        if (outcome == cli::App::Outcome::Version)
-            return EarlyExit{kClean, fmt::format("ncsim {}\n", report::kVersion)};
+        if (outcome == cli::App::Outcome::Help) {
+            // `ncsim rnu --help` asks for a command that does not exist.
+            if (chosen == &app && !mistyped(app, words).empty()) throw cli::UsageError{};
+            return EarlyExit{kClean, chosen->help()};
+        }
+        if (outcome == cli::App::Outcome::Version) {
+            const bool all = std::ranges::find(words, "--verbose") != words.end();
+            return EarlyExit{kClean,
+                             all ? version_text() : fmt::format("ncsim {}\n", report::kVersion)};
+        }
+        if (verbose) throw Refusal{"--verbose stands with --version, or behind a command"};
         refuse_empty_names(*chosen);
         if (chosen == run) {
             complete(run_options);

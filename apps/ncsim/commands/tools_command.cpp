@@ -44,6 +44,7 @@ cli::App* add_tools(cli::App& app, ToolsOptions& options) {
     tools->begin_group("Outputs");
     add_report_unit(*tools, options);
     tools->add_flag("--json", options.json, "JSON");
+    tools->add_flag("--quiet,-q", options.quiet, "With --save-job or --convert: no text");
     tools
         ->add_option("--convert", options.convert,
                      "Tools of --tool-table as a job (.toml) or for LinuxCNC (.tbl)")
@@ -78,7 +79,7 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
         } else {
             write_stdout(sheet);
         }
-    } else {
+    } else if (!options.quiet) {
         put_text(report::tool_sheet(survey, job.tools, plunges, options.report_unit),
                  outputs.takes_standard_output());
     }
@@ -119,6 +120,7 @@ int convert(const ToolsOptions& options) {
         }
     });
     outputs.commit();
+    if (options.quiet) return kClean;
     put_text(
         fmt::format("{}: {} tools\n", report::printable_path(options.convert), file.tools.size()));
     return kClean;
@@ -127,6 +129,8 @@ int convert(const ToolsOptions& options) {
 }  // namespace
 
 void complete(ToolsOptions& o) {
+    // Without a file, the sheet is the result.
+    if (o.convert.empty() && o.save_job.empty()) o.quiet = false;
     if (o.convert.empty()) return complete(static_cast<ProgramOptions&>(o));
     if (!o.convert.ends_with(kTableEnding) && !setup::is_job_file(o.convert))
         throw Refusal{fmt::format("--convert '{}': expected a file .toml or .tbl", o.convert)};

@@ -12,6 +12,7 @@ namespace ncsim::app {
 struct ToolsOptions : ProgramOptions {
     std::string machine;  ///< Offsets and kinematics.
     bool json = false;
+    bool quiet = false;   ///< No sheet; only with a file to write.
     std::string convert;  ///< Job file or table of LinuxCNC to write, instead of a sheet.
 };
 

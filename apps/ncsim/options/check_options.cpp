@@ -100,10 +100,10 @@ std::string long_name(const cli::Option& option) {
 // work, or limits.
 bool decides_verdicts(const std::string& name) {
     static const std::set<std::string, std::less<>> others{
-        "programs",  "list",       "shard",          "shards",  "out",     "redo",
-        "cache",     "jobs",       "json",           "sarif",   "junit",   "csv",
-        "html",      "github",     "write-baseline", "isolate", "threads", "max-time",
-        "exit-zero", "max-memory", "no-project",     "tile",    "tile-out"};
+        "programs",  "list",       "shard",          "shards",  "out",      "redo",
+        "cache",     "jobs",       "json",           "sarif",   "junit",    "csv",
+        "html",      "github",     "write-baseline", "isolate", "threads",  "max-time",
+        "exit-zero", "max-memory", "no-project",     "tile",    "tile-out", "watch"};
     return !others.contains(name);
 }
 
@@ -195,6 +195,7 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
     add_rule_options(*check, o);
     add_report_options(*check, o);
     add_report_unit(*check, o);
+    add_watch(*check, o);
     check->add_option("--csv", o.csv, "Volume and time of each block, CSV; slower")
         ->type_name("FILE");
     check->add_option("--html", o.html, "Page with the part; DIR/: pages with an index")
@@ -294,6 +295,7 @@ void complete(CheckOptions& o) {
     if (!o.shard.empty() && (o.github || !outputs_of(o).empty()))
         throw Refusal{"--shard: reports are written by ncsim merge"};
     if (!o.shard.empty()) o.number = shard_number(o.shard, o.shards);
+    require_watchable(o, inputs_of(o), !o.shard.empty() || !o.tile.empty());
 }
 
 std::string settings_of(const cli::App& command) {

@@ -260,4 +260,8 @@ App::Outcome App::parse(std::vector<std::string> words) {
     }
 }
 
+const char* library_version() {
+    return CLI11_VERSION;
+}
+
 }  // namespace ncsim::app::cli

@@ -128,6 +128,9 @@ private:
     std::vector<std::unique_ptr<App>> commands_;
 };
 
+/// Returns the version of CLI11.
+const char* library_version();
+
 /// Description of a command line that does not fit the options.
 struct UsageError {
     std::string text;

@@ -213,6 +213,18 @@ void add_report_unit(cli::App& command, ProgramOptions& o) {
         ->type_name("UNIT");
 }
 
+void add_watch(cli::App& command, ProgramOptions& o) {
+    command.add_flag("--watch", o.watch, "Run again when a file changes that was read");
+}
+
+void require_watchable(const ProgramOptions& options, const std::vector<std::string>& inputs,
+                       bool is_share) {
+    if (!options.watch) return;
+    if (is_share) throw Refusal{"--watch: shards and tiles are not watched"};
+    if (std::ranges::find(inputs, "-") != inputs.end())
+        throw Refusal{"--watch: the standard input cannot be watched; save it as a file"};
+}
+
 std::vector<std::string> inputs_of(const ProgramOptions& o) {
     std::vector<std::string> paths = o.tool_tables;
     for (const std::string* path : {&o.program, &o.job, &o.holders}) {

@@ -43,6 +43,7 @@ struct ProgramOptions : setup::JobOptions {
     std::string project;      ///< The ncsim.toml with settings for the program; empty: none.
     std::string set_up;       ///< Number or name of a set-up of the job; empty: all set-ups.
     bool verbose = false;     ///< Print the source of each setting.
+    bool watch = false;       ///< Run again when a file changes.
     /// Unit of lengths in texts, pictures and CSV.
     report::LengthUnit report_unit = report::LengthUnit::Millimetre;
     std::shared_ptr<LeftStocks> left_stocks = std::make_shared<LeftStocks>();
@@ -58,6 +59,12 @@ void add_language_options(cli::App& command, ProgramOptions& options);
 void add_setup_options(cli::App& command, ProgramOptions& options);
 /// Adds the unit of the texts, for commands that print lengths.
 void add_report_unit(cli::App& command, ProgramOptions& options);
+/// Adds --watch, for commands that run again when a file changes.
+void add_watch(cli::App& command, ProgramOptions& options);
+/// Checks --watch after all options were read. `is_share`: the command is a shard or a tile.
+/// Throws: Refusal if one of the `inputs` is the standard input, or for a share.
+void require_watchable(const ProgramOptions& options, const std::vector<std::string>& inputs,
+                       bool is_share);
 /// Returns the paths of all input files that are named; no path is empty.
 std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// Checks `options` after all options were read.

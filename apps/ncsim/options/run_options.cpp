@@ -234,6 +234,7 @@ void add_outputs(cli::App& run, Options& o) {
                  "Volume that each block removes, in --report; slower")
         ->needs(report);
     run.add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
+    add_watch(run, o);
 }
 
 void add_step_options(cli::App& run, Options& o) {
@@ -366,7 +367,7 @@ cli::App* add_run(cli::App& app, Options& o) {
 
 std::vector<std::string> words_of_part(const cli::App& command) {
     static const std::set<std::string, std::less<>> others{
-        "tile", "tile-out", "redo", "threads", "quiet", "max-time", "max-memory"};
+        "tile", "tile-out", "redo", "threads", "quiet", "watch", "max-time", "max-memory"};
     return words_of(command, [](const std::string& name) { return !others.contains(name); });
 }
 
@@ -446,6 +447,7 @@ void complete(Options& options) {
             "--every says how often pictures are taken: it needs --frames, --gif or --html"};
     }
     complete_tile(options);
+    require_watchable(options, inputs_of(options), !options.tile.empty());
 }
 
 }  // namespace ncsim::app

@@ -8,13 +8,45 @@
 
 #include "append.h"
 #include "json.h"
+#include "rule_examples.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ncsim::report {
+
+namespace {
+
+void append_file(std::string& text, std::string_view heading, const ExampleFile& file) {
+    append(text, "\n{} ({}):\n\n", heading, file.name);
+    for (std::string_view rest = file.text; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        append(text, "  {}\n", line);
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    }
+}
+
+// Appends the program that fails the rule, the program that passes, and the settings of both.
+void append_example(std::string& text, std::string_view rule) {
+    const std::vector<ExampleFile> files = rule_example(rule);
+    const auto append_named = [&](std::string_view heading, std::string_view name) {
+        for (const ExampleFile& file : files)
+            if (file.name == name) append_file(text, heading, file);
+    };
+    append_named("A program that fails", "fails.nc");
+    append_named("A program that passes", "passes.nc");
+    append_named("Settings of both", "ncsim.toml");
+    append_named("Machine", "machine.toml");
+    for (const ExampleFile& file : files)
+        if (file.text.empty()) append(text, "\nMesh: {}\n", file.name);
+    append(text, "\nThe files are in examples/rules/{} of the documentation folder.\n", rule);
+}
+
+}  // namespace
 
 std::string rules_text() {
     std::string text;
@@ -46,6 +78,7 @@ std::string rule_text(const std::string& id) {
                "  off       --ignore {0}; for one block: the comment (ncsim: ignore {0})\n"
                "  severity  --severity {0}=note\n",
                rule.id);
+        if (id == rule.id) append_example(text, rule.id);
     }
     for (const verify::ReasonInfo& reason : verify::reasons()) {
         if (id != reason.id) continue;

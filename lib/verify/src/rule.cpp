@@ -159,7 +159,7 @@ constexpr std::array kRules = {
          judge_spindle_limit},
     Rule{{"no-feed", Category::Process, Severity::Error, "Feed moves without a feed.",
           "Without a feed a control stops, or uses the one of the last program.",
-          "Program F before or with the first feed move."},
+          "Program F before or with the first feed move, and again after G93, G94 or G95."},
          false,
          needs_nothing,
          judge_no_feed},

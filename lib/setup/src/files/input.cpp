@@ -3,6 +3,8 @@
 // Reading of files and of the standard input, and conflicts between inputs and outputs.
 #include "ncsim/setup/input.h"
 
+#include "ncsim/setup/input_observer.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -126,6 +128,7 @@ std::string InputSet::read_open(const std::string& path, int descriptor, std::ui
 }
 
 std::string InputSet::read(const std::string& path, std::uintmax_t most) {
+    note_input(path);
     if (path == kStandardInput) {
         const std::lock_guard lock(standard_input_mutex_);
         if (!standard_input_) standard_input_ = read_open(path, STDIN_FILENO, most);
@@ -151,6 +154,7 @@ std::string InputSet::read(const std::string& path, std::uintmax_t most) {
 }
 
 bool InputSet::is_there(const std::string& path) {
+    note_input(path);
     std::error_code ignored;
     return std::filesystem::is_regular_file(path, ignored);
 }

@@ -4,6 +4,7 @@
 #include "ncsim/setup/program_folder.h"
 
 #include "ncsim/gcode/program_text.h"
+#include "ncsim/setup/input_observer.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -130,6 +131,7 @@ bool is_subprogram_file(const std::string& path) {
 }
 
 ProgramFolder programs_in_folder(const std::string& folder) {
+    note_input(folder);
     ProgramFolder found;
     std::error_code error;
     const fs::path whole = fs::canonical(folder, error);

@@ -493,9 +493,15 @@ std::optional<std::size_t> selected_step(const JobOptions& options, InputSet& in
             fmt::format("'{}' is no program of '{}'", name_of_input(options.program), name));
     }
     if (found.size() > 1) {
-        throw std::runtime_error(fmt::format(
-            "'{}' has {} programs{}: name the job instead of a program, as in ncsim check {}", name,
-            found.size(), options.program.empty() ? "" : " of this name", name));
+        if (options.program.empty()) {
+            throw std::runtime_error(
+                fmt::format("'{}' has {} programs: choose one with step=, from 1 to {}", name,
+                            found.size(), found.size()));
+        }
+        throw std::runtime_error(
+            fmt::format("'{}' has {} programs of this name: name the job instead of a program, as "
+                        "in ncsim check {}",
+                        name, found.size(), name));
     }
     return found.front();
 }

@@ -133,9 +133,11 @@ struct Row {
         return std::ranges::all_of(fields,
                                    [](const std::string& f) { return text::trimmed(f).empty(); });
     }
+    bool begins_with_hash() const { return text::trimmed(fields.front()).starts_with('#'); }
 };
 
-// Rows of a text, one at a time. A field in quotes may contain separators and ends of lines.
+// Rows of a text, one at a time. A field in quotes may contain separators and ends of lines. A line
+// ends with a line feed, a carriage return, or both.
 class Rows {
 public:
     Rows(std::string_view text, char separator) : text_(text), separator_(separator) {
@@ -148,22 +150,34 @@ public:
         row.line = line_;
         for (bool goes_on = true; goes_on;) {
             row.fields.push_back(field());
-            goes_on = !text_.empty() && text_.front() == separator_;
-            if (!text_.empty()) text_.remove_prefix(1);
+            goes_on = text_.starts_with(separator_);
+            if (goes_on) text_.remove_prefix(1);
         }
-        ++line_;
+        end_line();
         return row;
     }
 
 private:
+    static constexpr std::string_view kLineEnds = "\r\n";
+
+    // Removes an end of line, if there is one, and counts a line.
+    void end_line() {
+        ++line_;
+        if (text_.starts_with(kLineEnds)) text_.remove_prefix(1);
+        if (!text_.empty()) text_.remove_prefix(1);
+    }
+
+    // Removes and returns the text before the first of the characters `ends`.
+    std::string_view taken(std::string_view ends) {
+        const std::size_t end = std::min(text_.find_first_of(ends), text_.size());
+        const std::string_view before = text_.substr(0, end);
+        text_.remove_prefix(end);
+        return before;
+    }
+
     std::string field() {
-        if (!text_.starts_with('"')) {
-            const std::size_t end =
-                std::min(text_.find_first_of(std::string{separator_, '\n'}), text_.size());
-            std::string plain(text_.substr(0, end));
-            text_.remove_prefix(end);
-            return plain;
-        }
+        const std::string ends = std::string(kLineEnds) + separator_;
+        if (!text_.starts_with('"')) return std::string(taken(ends));
         std::string quoted;
         text_.remove_prefix(1);
         while (!text_.empty()) {
@@ -171,14 +185,10 @@ private:
             text_.remove_prefix(1);
             if (c == '"' && !text_.starts_with('"')) break;
             if (c == '"') text_.remove_prefix(1);
-            if (c == '\n') ++line_;
+            if (c == '\n' || (c == '\r' && !text_.starts_with('\n'))) ++line_;
             quoted += c;
         }
-        // Text between the quote and the separator, such as a carriage return.
-        const std::size_t end =
-            std::min(text_.find_first_of(std::string{separator_, '\n'}), text_.size());
-        quoted += text::trimmed(text_.substr(0, end));
-        text_.remove_prefix(end);
+        quoted += text::trimmed(taken(ends));
         return quoted;
     }
 
@@ -208,12 +218,23 @@ struct Table {
     Rows rows;
 };
 
+// True for the line "sep=;" of spreadsheets. The line is read with the separator that is named.
+bool names_separator(const Row& row) {
+    return row.line == 1 && row.fields.size() == 2 && row.fields[1].empty() &&
+           text::upper(text::trimmed(row.fields[0])) == "SEP=";
+}
+
+// True for a line that begins with # and names no columns.
+bool is_comment(const Row& row) {
+    return row.begins_with_hash() && columns_of(row).empty();
+}
+
 std::optional<Table> table_of(std::string_view text) {
     if (text::trimmed(text).starts_with(';')) return std::nullopt;  // LinuxCNC's comment
     for (const char separator : {',', ';', '\t'}) {
         Rows rows(text, separator);
         auto row = rows.next();
-        while (row && row->is_empty())
+        while (row && (row->is_empty() || names_separator(*row) || is_comment(*row)))
             row = rows.next();
         if (!row) return std::nullopt;
         auto columns = columns_of(*row);
@@ -309,9 +330,10 @@ void read_row(const Row& row, const Table& table, double unit, Collector& out) {
     const auto number = text::quantity_at(written, 0);
     constexpr double kMostTools = 1e8;
     if (written.empty() || written == "0") return;
-    if (!number || number->end != written.size() || number->value < 1 ||
-        number->value >= kMostTools)
-        return out.add_remark(Message::CsvNumber, span, {text::quoted(written)});
+    const bool is_number =
+        number && number->end == written.size() && number->value >= 1 && number->value < kMostTools;
+    if (!is_number && row.begins_with_hash()) return;  // A comment; "#201" may also be a name.
+    if (!is_number) return out.add_remark(Message::CsvNumber, span, {text::quoted(written)});
     ToolSpec spec;
     spec.number = static_cast<int>(number->value);
     spec.diameter = line.length_of(Column::Diameter);

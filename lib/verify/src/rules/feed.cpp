@@ -24,7 +24,7 @@ void judge_no_feed(const Setup&, const Move& move, FindingLog& log) {
         log.end_row("no-feed");
         return;
     }
-    Occurrence s{"feed move without a feed: no F was ever given"};
+    Occurrence s{"feed move without a feed: no F was given in this feed mode"};
     s.lasts = true;
     s.sums = true;
     s.quantity = Quantity{"path", move.length_mm, "mm"};

@@ -15,6 +15,7 @@ namespace ncsim::exporter {
 /// Program line and tool of each origin. Entry i belongs to Origin{i}; entry 0 is the stock (line
 /// 0, tool 0).
 struct Provenance {
+    /// Line and tool of one origin.
     struct Entry {
         /// Line of the program, from 1; 0: uncut stock, or cut by an earlier program.
         std::uint32_t nc_line = 0;

@@ -16,10 +16,11 @@
 
 namespace ncsim::simulation {
 
+/// Recorder of the tool path and of states of the part, from which a page plays the program.
 class PlayRecorder {
 public:
-    /// `every`: number of moves between two states of the part; 0: chosen by the length of the
-    /// program. Requires: `survey` outlives the object.
+    /// Creates a recorder without states. `every`: number of moves between two states of the part;
+    /// 0: chosen by the length of the program. Requires: `survey` outlives the object.
     PlayRecorder(const Plan& plan, const Survey& survey, std::uint64_t every);
 
     /// Records the uncut part.

@@ -16,6 +16,7 @@ namespace ncsim::verify {
 /// Rules that the user deselected, and severities that the user changed. Each entry names the
 /// option or the place in a file: "--ignore", "ncsim.toml:3:1".
 struct Selection {
+    /// Changed severity of a rule, and the option or the place that changed it.
     struct Weight {
         Severity severity = Severity::Error;
         std::string by;
