@@ -377,9 +377,9 @@ TEST(Klartext, FeedAfterACycleIsTheFeedBefore) {
     EXPECT_DOUBLE_EQ(r.moves.back().feed, 77.0);
 }
 
-TEST(Klartext, PocketsAreRefusedByName) {
-    expect_refused("CYCL DEF 251 RECTANGULAR POCKET ~\n Q215=0",
-                   "4:1: CYCL DEF 251 is not read; the program is stopped here [klartext-verb]");
+TEST(Klartext, ConstructsAreRefusedByName) {
+    expect_refused("CYCL DEF 258 POLYGON STUD ~\n Q215=0",
+                   "4:1: CYCL DEF 258 is not read; the program is stopped here [klartext-verb]");
     expect_refused("CYCL DEF 14.0 CONTOUR",
                    "4:1: CYCL DEF 14 is not read; the program is stopped here [klartext-verb]");
     expect_refused("TCH PROBE 400 BASIC ROTATION",
@@ -393,6 +393,15 @@ TEST(Klartext, PocketsAreRefusedByName) {
     expect_refused(
         "FUNCTION MODE TURN",
         "4:1: FUNCTION MODE TURN is not read; the program is stopped here [klartext-verb]");
+}
+
+TEST(Klartext, ProbingOfTheToolIsLeftOut) {
+    for (const char* number : {"30", "481", "584"}) {
+        const Made r = run(klartext(std::string("TCH PROBE ") + number +
+                                    " TOOL LENGTH ~\n Q340=+1 ~\n Q260=+100\nL X+1 FMAX"));
+        expect_end(r, 1, 0, 50);
+        EXPECT_TRUE(r.says("tool-probe"));
+    }
 }
 
 TEST(Klartext, UnreachedBlocksAreNotRefused) {

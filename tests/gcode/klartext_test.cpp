@@ -238,6 +238,13 @@ TEST(Klartext, CallPgmWithoutFolderAndEnding) {
         "it); the program is stopped here [program-not-found]");
 }
 
+TEST(Klartext, CallPgmWithTheEndingOfTheMainProgram) {
+    const Made r =
+        language_test::run(klartext("CALL PGM100\nL IX+1"), {{"100.nc", "L IY+1 F100\n"}},
+                           Dialect::Auto, false, "PART/MAIN.nc");
+    expect_end(r, 1, 1, 50);
+}
+
 TEST(Klartext, CalledProgramEqualsPasted) {
     const std::string part = "L X+5 F100\nL Y+7\nCC X+0 Y+7\nCP IPA+90 DR+\n";
     EXPECT_EQ(run(klartext("CALL PGM SUB"), {{"SUB", part}}).texts, run(klartext(part)).texts);

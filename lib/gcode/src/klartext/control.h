@@ -156,6 +156,13 @@ private:
     using BlockControl::peck;
     using BlockControl::tap;
     bool bore_mill(SourceSpan span, double bottom, double clear);
+    static bool is_area_cycle(int number);
+    bool read_milling(SourceSpan span, double bottom, double clear, language::Milling& m);
+    bool mill_area(SourceSpan span, double bottom, double clear);
+    std::optional<Point> middle_of_area(const language::MilledArea& area) const;
+    bool read_blank(SourceSpan span, language::Milling& m);
+    bool mill_circular_slots(SourceSpan span, language::Milling& m);
+    bool thread_mill(SourceSpan span, double bottom, double clear);
 
     Parameters& parameters_;
     bool inches_ = false;

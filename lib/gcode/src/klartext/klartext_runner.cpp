@@ -117,7 +117,7 @@ bool Runner::act() {
         case Verb::Depart: return control_.depart(block_);
         case Verb::Rounding:
         case Verb::Chamfer: return true;  // Part of the block before.
-        case Verb::Other: return refuse(block_.name);
+        case Verb::Other: return probes_tool() || refuse(block_.name);
         case Verb::Unreadable: return refuse_text();
         default: return path();
     }
@@ -139,6 +139,20 @@ bool Runner::act() {
                        }),
         repeats_.end());
     return true;
+}
+
+/// True for a touch probe cycle that measures the tool, after reporting the cycle: its moves do not
+/// touch the part.
+bool Runner::probes_tool() {
+    if (block_.name != "TCH PROBE") return false;
+    Scanner scan(block_.code, block_.rest);
+    scan.skip_blanks();
+    const std::uint32_t number = scan.whole().value_or(0);
+    // Cycles 30 to 33 and 480 to 485; 580 to 589 of machine builders.
+    const bool is_known = (number >= 30 && number <= 33) || (number >= 480 && number <= 485) ||
+                          (number >= 580 && number <= 589);
+    if (is_known) log_.add(Message::KlartextToolProbe, block_.whole(), {std::to_string(number)});
+    return is_known;
 }
 
 bool Runner::refuse_text() {
@@ -557,7 +571,11 @@ bool Runner::call_label() {
 std::optional<std::size_t> Runner::open_file(const std::string& name) {
     if (!options_.read_file) return std::nullopt;
     std::optional<SourceFile> source;
-    for (const char* ending : {"", ".h", ".H"}) {
+    // Last, the ending of the main program.
+    const std::string& main = files_.front().source->name;
+    const std::size_t point = std::min(main.find_last_of('.'), main.size());
+    for (const std::string& ending :
+         {std::string(), std::string(".h"), std::string(".H"), main.substr(point)}) {
         source = options_.read_file(name + ending);
         if (source) break;
     }

@@ -80,6 +80,7 @@ private:
     std::optional<std::size_t> open_file(const std::string& name);
     bool refuse(std::string_view what);
     bool refuse_text();
+    bool probes_tool();
 
     OpenFile& file() { return files_[current_]; }
 

@@ -15,7 +15,6 @@ namespace ncsim::gcode::language {
 namespace {
 
 const gcode::Block kNoWords;
-constexpr std::array kCentres{'I', 'J', 'K'};
 
 }  // namespace
 
@@ -198,6 +197,11 @@ std::optional<double> BlockControl::diameter_of(int tool) const {
     const auto entry = std::ranges::find(tools, tool, &ToolTableEntry::number);
     if (entry == tools.end() || !entry->diameter) return std::nullopt;
     return entry->diameter->mm() / machine_.state().unit_mm();
+}
+
+void BlockControl::report_unknown_radius(std::string_view name) {
+    const std::string tool = std::to_string(tool_);
+    log_.add(Message::CycleRadiusUnknown, cycle_span_, {name, tool, tool});
 }
 
 }  // namespace ncsim::gcode::language

@@ -127,8 +127,10 @@ bool Runner::built_in(const std::string& name, CodeScanner& scan, bool is_modal,
     }
     const bool is_hole = Control::is_hole_cycle(name);
     const bool is_pattern = Control::is_pattern(name);
+    const bool mills = Control::is_milling_cycle(name);
+    if (mills && is_modal) return fail(Message::NotRead, span, {"MCALL " + name});
     const bool swivels = name == "CYCLE800";
-    if (is_hole || ((is_pattern || swivels) && !is_modal)) {
+    if (is_hole || mills || ((is_pattern || swivels) && !is_modal)) {
         const auto values = cycle_arguments(scan);
         if (!values || !is_at_end(scan)) return false;
         const CycleCall call{name, *values, span};
@@ -140,6 +142,7 @@ bool Runner::built_in(const std::string& name, CodeScanner& scan, bool is_modal,
         }
         if (swivels) return control_.swivel(call);
         if (is_hole) return control_.cycle(call);
+        if (mills) return control_.mill_cycle(call);
         const auto places = control_.pattern(call);
         if (!places) return false;
         if (frame().modal.is_active && !frame().modal.is_cycle) {
