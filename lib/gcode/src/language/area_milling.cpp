@@ -262,8 +262,8 @@ bool BlockControl::mill(const Milling& m, std::string_view name) {
 
 // --- Faces and threads ---
 
-/// Mills a face. The strokes begin and end outside of the face; the first and the last stroke cover the
-/// sides.
+/// Mills a face. The strokes begin and end outside of the face; the first and the last stroke cover
+/// the sides.
 bool BlockControl::mill_face(const FaceMilling& m) {
     const double across = m.is_along_second ? m.length : m.width;
     const double along = m.is_along_second ? m.width : m.length;

@@ -89,9 +89,10 @@ private:
     bool dwell_block(const Words& words, SourceSpan span);
     bool seek_home(const Words& words, SourceSpan span);
     bool set_pole(int code, const Words& words, SourceSpan span);
-    bool move(const Words& words, const Command& command, SourceSpan span);
+    bool move(const Words& words, Command& command, SourceSpan span);
     void check_turn(const Axes& end, SourceSpan span);
-    bool line(const Words& words, Command command, Axes end, AxisMask mask, SourceSpan span);
+    bool line(const Words& words, Command& command, const Axes& end, AxisMask mask,
+              SourceSpan span);
     bool arc(const Words& words, const Command& command, const Axes& end, AxisMask mask,
              SourceSpan span);
     bool arc_by_points(const Words& words, const Command& command, ProgramArc arc, AxisMask mask,
