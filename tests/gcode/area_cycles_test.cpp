@@ -322,6 +322,110 @@ TEST(KlartextAreas, ThreadMilling) {
                                     back);
 }
 
+/// An SL program: labels 1 (a rectangle, by RL counter-clockwise), 2 (a round island) and 3 (a
+/// second pocket, by RR clockwise).
+Made contours(const std::string& labels, const std::string& cycles,
+              const std::string& data = "Q3=+0 Q4=+0") {
+    return klartext_test::run(
+        "BEGIN PGM T MM\nTOOL CALL 1 Z S1000\nL X+0 Y+0 Z+50 R0 FMAX M3\nCYCL DEF 14.0 CONTOUR\n"
+        "CYCL DEF 14.1 CONTOUR LABEL" +
+        labels +
+        "\nCYCL DEF 20 CONTOUR DATA ~\n Q1=-10 ~\n Q2=+1 ~\n Q5=+0 ~\n Q6=+2 ~\n Q7=+20 ~\n "
+        "Q8=+0 ~\n Q9=+1 ~\n " +
+        data + "\n" + cycles +
+        "\nL Z+50 FMAX\nM30\nLBL 1\nL X-30 Y-20 RL\nL X+30\nRND R8\nL Y+20\nRND R8\nL X-30\n"
+        "RND R8\nL Y-20\nLBL 0\nLBL 2\nCC X+0 Y+0\nL X+7 Y+0 RR\nC X+7 Y+0 DR+\nLBL 0\n"
+        "LBL 3\nL X-30 Y+30 RR\nL Y+50\nL IX+40\nL Y+30\nL X-30\nLBL 0\nEND PGM T MM\n");
+}
+
+const std::string kRough = "CYCL DEF 22 ROUGH-OUT ~\n Q10=+4 ~\n Q11=+150 ~\n Q12=+500\nCYCL CALL";
+
+TEST(KlartextContours, PocketWithAnIsland) {
+    const Made r = contours("1 /2", kRough);
+    // Three corners of the pocket are rounded by 8, one is as round as the tool.
+    const Distance round = rectangle(60.0, 40.0, 8.0);
+    const Distance square = rectangle(60.0, 40.0, kRadius);
+    const Distance island = rectangle(14.0, 14.0, 7.0);
+    expect_swept(
+        r,
+        [&](double x, double y) {
+            const double pocket = x < 0.0 && y < 0.0 ? square(x, y) : round(x, y);
+            return std::max(pocket, -island(x, y));
+        },
+        -10.0, 36.0);
+    expect_rapids_in_cut(r, 0.0);
+}
+
+TEST(KlartextContours, TwoPockets) {
+    const Made r = contours("2/3", kRough);
+    EXPECT_EQ(r.errors(),
+              "19:1: cycle 14 needs islands inside of pockets; the program is stopped here "
+              "[word-missing]\n");
+    const Distance first = rectangle(60.0, 40.0, 8.0);
+    const Distance square = rectangle(60.0, 40.0, kRadius);
+    const Distance other = rectangle(40.0, 20.0, kRadius, 0.0, -10.0, 40.0);
+    expect_swept(
+        contours("1/3", kRough),
+        [&](double x, double y) {
+            const double pocket = x < 0.0 && y < 0.0 ? square(x, y) : first(x, y);
+            return std::min(pocket, other(x, y));
+        },
+        -10.0, 56.0);
+}
+
+TEST(KlartextContours, AllowancesAndFinishing) {
+    const std::string allowances = "Q3=+0.5 Q4=+0.2";
+    const Distance other = rectangle(40.0, 20.0, kRadius, 0.0, -10.0, 40.0);
+    expect_swept(contours("3", kRough, allowances),
+                 rectangle(39.0, 19.0, kRadius, 0.0, -10.0, 40.0), -9.8, 56.0);
+    const std::string finish =
+        "\nCYCL DEF 23 FLOOR ~\n Q11=+150 ~\n Q12=+500\nCYCL CALL\nCYCL DEF 24 SIDE ~\n Q9=+1 ~\n "
+        "Q10=+5 ~\n Q11=+150 ~\n Q12=+400 ~\n Q14=+0\nL FMAX M99";
+    expect_swept(contours("3", kRough + finish, allowances), other, -10.0, 56.0);
+}
+
+TEST(KlartextContours, DirectionOfTheCutIsThatOfCycle20) {
+    const auto turns = [](const std::string& circle, const std::string& direction) {
+        const Made r = klartext_test::run(klartext(
+            "CYCL DEF 14.1 LABEL 7\nCYCL DEF 20 DATA Q1=-5 Q2=1 Q5=0 Q6=2 Q7=20 Q9=" + direction +
+            "\nCYCL DEF 24 A Q10=5 Q11=100 Q12=500\nL FMAX M99\nM30\nLBL 7\n"
+            "CC X+0 Y+0\nL X+8 Y+0 " +
+            circle + "\nLBL 0"));
+        EXPECT_EQ(r.errors(), "");
+        int found = 0;
+        for (const Motion& motion : r.moves) {
+            if (const auto* const arc = std::get_if<Arc>(&motion.action)) found = arc->turns;
+        }
+        return found;
+    };
+    // Climb milling in a pocket is counter-clockwise, whatever the direction of the subprogram.
+    EXPECT_EQ(turns("RL\nC X+8 Y+0 DR+", "+1"), 1);
+    EXPECT_EQ(turns("RR\nC X+8 Y+0 DR-", "+1"), 1);
+    EXPECT_EQ(turns("RL\nC X+8 Y+0 DR+", "-1"), -1);
+}
+
+TEST(KlartextContours, ShiftAndParametersAct) {
+    const Made r = klartext_test::run(
+        klartext("Q5 = 8\nCYCL DEF 7.0\nCYCL DEF 7.1 X+40\nCYCL DEF 14.0\nCYCL DEF 14.1 LABEL 7\n"
+                 "CYCL DEF 20.0 DATA Q1=-5 Q2=1 Q5=0 Q6=2 Q7=20 Q9=+1\nQ5 = 8\n"
+                 "CYCL DEF 22 A Q10=5 Q11=100 Q12=500\nL FMAX M99\nM30\nLBL 7\nCC X+0 Y+0\n"
+                 "L X+Q5 Y+0 RL\nC X+Q5 Y+0 DR+\nLBL 0"));
+    expect_swept(r, rectangle(16.0, 16.0, 8.0, 0.0, 40.0, 0.0), -5.0, 50.0);
+}
+
+TEST(KlartextContours, Faults) {
+    EXPECT_EQ(contours("9", kRough).errors(),
+              "19:1: there is no LBL 9; the program is stopped here [label-missing]\n");
+    EXPECT_EQ(contours("1/1", kRough).errors(),
+              "19:1: cycle 14 with contours that overlap is not read; the program is stopped here "
+              "[klartext-verb]\n");
+    const Made r = klartext_test::run(klartext(kRough));
+    EXPECT_EQ(r.errors(),
+              "8:1: cycle 22 needs cycle 14 (contours) before; the program is stopped "
+              "here [word-missing]\n");
+    EXPECT_TRUE(contours("3", kRough, "Q8=+1").says("inner-radius"));
+}
+
 TEST(KlartextAreas, CyclesOfPatterns) {
     const Made r = klartext_test::run(
         klartext("CYCL DEF 252 POCKET Q215=0 Q223=16 Q368=0 Q369=0 Q370=1 Q366=1" + kDepths +

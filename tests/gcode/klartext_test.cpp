@@ -250,6 +250,22 @@ TEST(Klartext, CalledProgramEqualsPasted) {
     EXPECT_EQ(run(klartext("CALL PGM SUB"), {{"SUB", part}}).texts, run(klartext(part)).texts);
 }
 
+TEST(Klartext, CallPgmKeepsTransformationsAndTheTool) {
+    const Made r =
+        run(klartext("CALL PGM SUB\nL X+1 Y+0 F100"),
+            {{"SUB", "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nTOOL CALL 2 Z S9\n"}});
+    expect_end(r, 0, 1, 50);
+    EXPECT_EQ(r.moves.back().tool, 2);
+}
+
+TEST(Klartext, OutputsOfFnHaveNoEffect) {
+    const Made r =
+        run(klartext("FN 16: F-PRINT TNC:\\A.A / TNC:\\B.TXT\nFN 19: PLC=+10/+1\n"
+                     "FN 20: WAIT FOR SYNC\nL X+1 FMAX"));
+    expect_end(r, 1, 0, 50);
+    EXPECT_EQ(r.moves.size(), 2U);
+}
+
 TEST(Klartext, QIsGlobalAndQlIsLocal) {
     const Made r = run(klartext("Q1 = 3\nQL1 = 4\nCALL PGM SUB\nL X+Q1 Y+QL1 F100"),
                        {{"SUB", "Q1 = 7\nQL1 = 9\n"}});

@@ -34,6 +34,7 @@ enum class By : unsigned char {
     Tip,
     Turning,
     Klartext,
+    KlartextTool,
     Sinumerik,
     SinumerikTurning
 };
@@ -74,11 +75,11 @@ std::vector<std::string> said_of(const Case& c) {
     options.dialect = c.by == By::Fanuc || c.by == By::Turning                ? Dialect::Fanuc
                       : c.by == By::Grbl                                      ? Dialect::Grbl
                       : c.by == By::Mach3                                     ? Dialect::Mach3
-                      : c.by == By::Klartext                                  ? Dialect::Heidenhain
+                      : c.by == By::Klartext || c.by == By::KlartextTool      ? Dialect::Heidenhain
                       : c.by == By::Sinumerik || c.by == By::SinumerikTurning ? Dialect::Sinumerik
                                                                               : Dialect::Rs274;
-    if (c.by == By::SinumerikTurning) {
-        options.joints = std::make_shared<Stubborn>();
+    if (c.by == By::SinumerikTurning) options.joints = std::make_shared<Stubborn>();
+    if (c.by == By::SinumerikTurning || c.by == By::KlartextTool) {
         options.tools = {{.number = 1,
                           .offset = {},
                           .length_specified = false,
@@ -391,6 +392,11 @@ const std::vector<Case>& cases() {
         {By::Klartext, kKlartext + "CYCL DEF 247 A Q339=999",
          "3:1: error: the preset 999 of cycle 247 is no number from 0 to 290; the program is "
          "stopped here [preset-unknown]"},
+        {By::KlartextTool,
+         kKlartext + "CYCL DEF 14.1 LABEL1~CYCL DEF 20 A Q1=-1 Q8=1~CYCL DEF 22 A Q10=1 Q11=9 "
+                     "Q12=9~CYCL CALL",
+         "6:1: warning: Q8 of cycle 20 rounds the path at inner corners, which is not simulated; "
+         "the corners are as round as the tool [inner-radius]"},
         {By::Klartext, kKlartext + "TCH PROBE 480 CALIBRATE TT",
          "3:1: warning: TCH PROBE 480 measures the tool; its moves and its result are left out "
          "[tool-probe]"},

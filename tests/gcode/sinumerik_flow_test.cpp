@@ -85,6 +85,10 @@ TEST(SinumerikFlow, TextsShowNumbersInShortestForm) {
 
 // --- Jumps ---
 
+TEST(SinumerikFlow, VariablesOfCharacters) {
+    expect_equal("DEF CHAR C=65\nDEF BOOL B=1\nG1 X=C Y=B F100", "G1 X65 Y1 F100");
+}
+
 TEST(SinumerikFlow, JumpsForwardAndBackward) {
     expect_same(
         "GOTOF A\nG1 X9 F100\nA: R1=0\nB: R1=R1+1\nG1 X=R1 F100\nIF R1<3 GOTOB B\nGOTO "

@@ -132,8 +132,10 @@ bool Control::read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle)
 bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
     if (has_no_path(number)) return true;
     const bool is_pattern = number == 220 || number == 221;
+    const bool mills_contours = number >= 22 && number <= 24;
     const bool is_known = (is_hole_cycle(number) && number >= 200) || is_area_cycle(number) ||
-                          number == 262 || number == 247 || is_pattern;
+                          number == 262 || number == 247 || is_pattern || number == 20 ||
+                          mills_contours;
     if (!is_known) return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
     Cycle cycle;
     cycle.number = number;
@@ -145,7 +147,12 @@ bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
         return preset(block, found->second.number);
     }
     if (is_pattern) return pattern(cycle, block.whole());
+    if (number == 20) {
+        contour_data_ = std::move(cycle);
+        return true;
+    }
     cycle_ = std::move(cycle);
+    show_defined_cycle(number, block.whole());
     return true;
 }
 
@@ -165,6 +172,13 @@ bool Control::old_cycle(const Block& block, Scanner& scan, int number, int part)
         }
         case 10: return is_head || rotation(block, scan);
         case 11: return is_head || scaling(block, scan, false);
+        case 14: return is_head || contour_labels(block, scan);
+        case 20:
+        case 22:
+        case 23:
+        case 24:
+            if (is_head) return numbered_cycle(block, scan, number);
+            return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
         case 19: return is_head || working_plane(block, scan);
         case 26: return is_head || scaling(block, scan, true);
         case 13:
@@ -177,6 +191,7 @@ bool Control::old_cycle(const Block& block, Scanner& scan, int number, int part)
     if (is_head) {
         old_ = {};
         old_.number = number;
+        show_defined_cycle(number, block.whole());
         return true;
     }
     // Pecking, tapping: SETUP, DEPTH, PECKG, DWELL, F or PITCH, in the order of the parts.
@@ -407,6 +422,7 @@ bool Control::call_cycle(SourceSpan span) {
     }
     if (side_ != CutterSide::Off)
         return fail(Message::KlartextVerb, span, {"a cycle under RL or RR"});
+    if (records_contour_) return fail(Message::KlartextVerb, span, {"a cycle in a contour"});
     const SourceSpan definition = cycle_span_;
     cycle_span_ = span;
     MachineState& state = machine_.state();
@@ -423,6 +439,7 @@ bool Control::call_cycle(SourceSpan span) {
 bool Control::drill(SourceSpan span) {
     const int number = cycle_.number;
     if (number == 204) return back_bore(span);
+    if (number >= 22 && number <= 24) return mill_contours(span);
     if (!needs({200, 201}, span)) return false;
     const std::string name = std::to_string(number);
     const double depth = value(201, 0.0);

@@ -83,7 +83,12 @@ bool BlockControl::is_unknown(AxisMask mask) const {
            (named(kZ) && (!state.known.z || state.relative.z));
 }
 
+void BlockControl::show_defined_cycle(int number, SourceSpan span) {
+    machine_.state().defined_cycle = {number, number != 0 ? span.line : 0};
+}
+
 void BlockControl::end_program(SourceSpan span) {
+    show_defined_cycle(0, span);
     for (const ActiveMode& mode : modes_left_on())
         log_.add(Message::LeftOnAtEnd, span, {mode.name, mode.end});
     machine_.flush();

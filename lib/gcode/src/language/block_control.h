@@ -77,6 +77,8 @@ public:
     /// Sets the file of the following blocks, as an index into Interpretation::files.
     void set_file(std::uint32_t file) { file_ = file; }
     void add_tool_names(const std::vector<std::string>& names);
+    /// Shows the cycle `number` that the block `span` defines for calls (DefinedCycle); 0: none.
+    void show_defined_cycle(int number, SourceSpan span);
     /// True after the end of the program.
     bool has_ended() const { return has_ended_; }
     /// Ends the main program at the block `span`: reports modes that are still active.

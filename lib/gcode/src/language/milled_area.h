@@ -3,8 +3,7 @@
 // Outlines of the areas that pocket, slot and stud cycles mill.
 #pragma once
 
-#include "control/cycles/area.h"
-#include "control/machine.h"
+#include "control/cycles/outline.h"
 
 #include <vector>
 

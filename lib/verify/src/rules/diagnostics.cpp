@@ -96,6 +96,7 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"mills-outside", "reading-guess"},
         {"turn-fraction", "reading-guess"},
         {"tool-probe", "not-simulated"},
+        {"inner-radius", "reading-guess"},
         {"turn-by-vector", "reading-guess"},
         {"moves-after-end", "not-simulated"},
         {"never-called", "not-simulated"},
