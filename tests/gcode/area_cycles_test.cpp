@@ -342,6 +342,7 @@ const std::string kRough = "CYCL DEF 22 ROUGH-OUT ~\n Q10=+4 ~\n Q11=+150 ~\n Q1
 
 TEST(KlartextContours, PocketWithAnIsland) {
     const Made r = contours("1 /2", kRough);
+    EXPECT_FALSE(r.says("feed-missing"));
     // Three corners of the pocket are rounded by 8, one is as round as the tool.
     const Distance round = rectangle(60.0, 40.0, 8.0);
     const Distance square = rectangle(60.0, 40.0, kRadius);

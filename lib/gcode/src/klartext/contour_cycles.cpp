@@ -16,10 +16,11 @@
 namespace ncsim::gcode::klartext {
 namespace {
 
-constexpr double kChord = 0.001;          // Chord tolerance of arcs of contours, mm.
+constexpr double kChord = 0.002;          // Chord tolerance of arcs of contours, mm.
 constexpr double kMaxClosingGap = 0.005;  // Between the ends of a closed contour, mm.
-constexpr double kMostStrokes = 100'000.0;
-constexpr double kMostWork = 1e8;      // Strokes, or pairs of contours, times sides.
+constexpr double kMostStrokes = 20'000.0;
+constexpr double kMostWork = 2e7;  // Strokes times sides.
+constexpr double kMostSides = 2000.0;
 constexpr double kWidestStroke = 1.8;  // Distance of strokes, radii of the tool.
 constexpr std::size_t kMostContours = 100;
 
@@ -116,8 +117,7 @@ bool Control::check_contours(SourceSpan span, const std::vector<MilledContour>& 
     double sides = 0.0;
     for (const MilledContour& contour : contours)
         sides += static_cast<double>(contour.polygon.size());
-    if (sides * sides > kMostWork)
-        return fail(Message::KlartextVerb, span, {"a contour of so many arcs"});
+    if (sides > kMostSides) return fail(Message::KlartextVerb, span, {"a contour of so many arcs"});
     for (const MilledContour& contour : contours) {
         int pockets = 0;
         for (const MilledContour& other : contours) {
@@ -185,12 +185,14 @@ bool Control::mill_levels(SourceSpan span, const ContourMilling& m) {
         polygons.push_back(contour.polygon);
         sides += static_cast<double>(contour.polygon.size());
     }
-    const Area area(std::move(polygons), m.inset);
-    const double height = area.highest() - area.lowest();
+    const Area area(polygons, m.inset);
+    // Chords of islands are inside of their arcs.
+    const Area room(polygons, m.inset + kChord / machine_.state().unit_mm());
+    const double height = room.highest() - room.lowest();
     const double levels =
         m.infeed > 0.0 ? std::ceil((m.surface - m.bottom) / m.infeed - 1e-9) : 1.0;
-    const double strokes = m.has_strokes ? std::ceil(height / m.step - 1e-9) : 0.0;
-    if (height < 0.0)
+    const double strokes = m.has_strokes ? std::max(0.0, std::ceil(height / m.step - 1e-9)) : 0.0;
+    if (!(area.highest() >= area.lowest()))
         return fail(Message::BlockNeeds, span,
                     {"cycle " + std::to_string(cycle_.number), "a contour with room for the tool"});
     const double work = (strokes + static_cast<double>(m.contours.size())) * std::max(levels, 1.0);
@@ -198,8 +200,8 @@ bool Control::mill_levels(SourceSpan span, const ContourMilling& m) {
     for (double i = 1.0; i <= std::max(levels, 1.0); ++i) {
         const double level = i < levels ? m.surface - i * m.infeed : m.bottom;
         for (double s = 0.0; m.has_strokes && s <= strokes; ++s) {
-            const double at = s < strokes ? area.lowest() + s * m.step : area.highest();
-            std::vector<Stroke> pieces = area.strokes_at(at);
+            const double at = s < strokes ? room.lowest() + s * m.step : room.highest();
+            std::vector<Stroke> pieces = room.strokes_at(at);
             const bool is_back = std::fmod(s, 2.0) == 1.0;
             if (is_back) std::ranges::reverse(pieces);
             for (const Stroke& piece : pieces) {

@@ -259,6 +259,8 @@ void Control::begin_contour(const Control& caller) {
     Command command = make({});
     put(command, plane_ == Plane::XY ? Code::G17 : plane_ == Plane::ZX ? Code::G18 : Code::G19);
     (void)machine_.execute(command);
+    // The feed of the cycle counts.
+    machine_.state().feed = 1.0;
     refresh();
 }
 

@@ -15,8 +15,8 @@
 namespace ncsim::gcode::language {
 namespace {
 
-constexpr double kMostPasses = 100'000.0;  // Passes of a cycle, at all levels.
-constexpr double kRounding = 1e-9;         // Relative to the radius of the tool.
+constexpr double kMostPasses = 20'000.0;  // Passes of a cycle, at all levels.
+constexpr double kRounding = 1e-9;        // Relative to the radius of the tool.
 /// Largest distance of passes, in radii of the tool, that leaves no material in square corners.
 constexpr double kWidestStep = 1.4;
 /// Slope of ramps and helices without a specified pitch.
