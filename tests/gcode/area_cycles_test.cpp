@@ -210,6 +210,15 @@ TEST(KlartextAreas, CircularPocket) {
     expect_rapids_in_cut(r, 0.0);
 }
 
+TEST(KlartextAreas, PocketsHardlyWiderThanTheTool) {
+    const Made pocket = milled("252 POCKET Q215=0 Q223=10.001 Q368=0 Q369=0 Q370=1 Q366=1");
+    expect_swept(pocket, rectangle(10.001, 10.001, 5.0005), -10.0, 8.0);
+    const Made slot = milled("253 SLOT Q215=0 Q218=10.002 Q219=10.001 Q368=0 Q369=0 Q366=1");
+    expect_swept(slot, rectangle(10.002, 10.001, 5.0005), -10.0, 8.0);
+    EXPECT_LT(pocket.moves.size(), 500U);
+    EXPECT_LT(slot.moves.size(), 500U);
+}
+
 TEST(KlartextAreas, ClimbMillingIsCounterClockwiseInAPocket) {
     const auto turns = [](const Made& r) {
         const auto* const arc = std::get_if<Arc>(&r.moves[r.moves.size() - 5].action);

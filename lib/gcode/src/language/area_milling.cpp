@@ -21,7 +21,8 @@ constexpr double kRounding = 1e-9;        // Relative to the radius of the tool.
 constexpr double kWidestStep = 1.4;
 /// Slope of ramps and helices without a specified pitch.
 constexpr double kSlope = 1.0 / 20.0;
-constexpr double kStudMargin = 2.0;  // Distance from a blank at which the tool goes down, mm.
+constexpr double kLeastDrop = 1.0 / 50.0;  // Of a turn or a ramp, in radii of the tool.
+constexpr double kStudMargin = 2.0;        // Distance from a blank at which the tool goes down, mm.
 
 double step_of(const Milling& m) {
     const double widest = kWidestStep * m.tool_radius;
@@ -151,7 +152,9 @@ bool BlockControl::plunge(const Milling& m, double from, double level) {
         const double wanted = m.helix_radius > 0.0 ? m.helix_radius : m.tool_radius;
         const double radius = std::min(wanted, room);
         const double turn = 2.0 * std::numbers::pi * radius;
-        const double pitch = m.helix_pitch > 0.0 ? m.helix_pitch : turn * kSlope;
+        const double pitch = m.helix_pitch > 0.0
+                                 ? m.helix_pitch
+                                 : std::max(turn * kSlope, kLeastDrop * m.tool_radius);
         const PlanePoint edge{place.x + radius, place.y};
         return move_to(from, m.plunge_feed) && move_in_plane(edge, m.plunge_feed) &&
                wind(place, level, pitch, m.is_clockwise, m.plunge_feed) &&
@@ -162,7 +165,7 @@ bool BlockControl::plunge(const Milling& m, double from, double level) {
         double length = 0.0;
         for (const OutlineMove& move : line)
             length += length_of(move);
-        const double drop = length * kSlope;
+        const double drop = std::max(length * kSlope, kLeastDrop * m.tool_radius);
         const double rounds = std::ceil((from - level) / drop - kRounding);
         if (rounds > kMostPasses) return fail(Message::CycleRepeats, cycle_span_);
         if (!move_to(from, m.plunge_feed)) return false;
