@@ -210,6 +210,17 @@ TEST(KlartextAreas, CircularPocket) {
     expect_rapids_in_cut(r, 0.0);
 }
 
+TEST(KlartextAreas, MiddleIsMilledIfThePassesAreFarApart) {
+    // The innermost pass is farther from the middle than the radius.
+    for (const std::string length : {"60", "23.8"}) {
+        const Made r = milled(
+            "251 POCKET Q215=0 Q219=23.8 Q220=0 Q368=0 Q369=0 Q370=1.9999 Q366=0 "
+            "Q218=" +
+            length);
+        expect_swept(r, rectangle(std::stod(length), 23.8, kRadius), -10.0, 34.0);
+    }
+}
+
 TEST(KlartextAreas, PocketsHardlyWiderThanTheTool) {
     const Made pocket = milled("252 POCKET Q215=0 Q223=10.001 Q368=0 Q369=0 Q370=1 Q366=1");
     expect_swept(pocket, rectangle(10.001, 10.001, 5.0005), -10.0, 8.0);

@@ -85,6 +85,10 @@ TEST(SinumerikFlow, TextsShowNumbersInShortestForm) {
 
 // --- Jumps ---
 
+TEST(SinumerikFlow, VariablesWithTheNameOfAWord) {
+    expect_equal("DEF REAL A1[3], X2=4\nA1[2]=5\nX2=X2+1\nG1 X=A1[2] Y=X2 F100", "G1 X5 Y5 F100");
+}
+
 TEST(SinumerikFlow, VariablesOfCharacters) {
     expect_equal("DEF CHAR C=65\nDEF BOOL B=1\nG1 X=C Y=B F100", "G1 X65 Y1 F100");
 }
