@@ -200,6 +200,9 @@ TEST(Explain, ReadsKlartextAndSinumerik) {
     EXPECT_EQ(of_block("11")["line"], 3);
     EXPECT_EQ(of_block("2")["line"], 2);
     EXPECT_EQ(of_block("14")["position"]["after"]["x"], 10);
+    EXPECT_EQ(mode(of_block("14"), "cycle")["value"], "CYCL DEF 200");
+    EXPECT_EQ(mode(of_block("14"), "cycle")["set_by"]["line"], 3);
+    EXPECT_EQ(mode(of_block("2"), "cycle")["value"], "none");
     folder.write("a.mpf",
                  "G17 G90 G71\nT1\nM6\nS2000 M3\nG0 X-10 Y10 Z5\nG1 Z-1 F500\n"
                  "TRANS X10\nX=AC(60)\nM30\n");
@@ -207,6 +210,18 @@ TEST(Explain, ReadsKlartextAndSinumerik) {
         explained(folder, {"a.mpf:8", "--tool", "T1=flat:D10", "--stock", "0,0,-20:60,40,0"});
     EXPECT_EQ(sinumerik["motions"][0]["to"]["x"], 70);
     EXPECT_EQ(sinumerik["removed_mm3"], 600);
+    folder.write("b.mpf",
+                 "G17 G90 G710\nT1\nM6\nS2000 M3\nG0 X0 Y0 Z5\nF100\n"
+                 "MCALL CYCLE81(5,0,1,-2)\nX5\nMCALL\nMCALL L1\nX6\nMCALL\nX7\nM30\n"
+                 "%_N_L1_SPF\nG91 G1 Z-1 F9\nG90\nM17\n");
+    const auto cycle_of = [&](const char* line) {
+        return mode(explained(folder, {"b.mpf", "--line", line, "--tool", "T1=drill:D6"}), "cycle");
+    };
+    EXPECT_EQ(cycle_of("8")["value"], "MCALL CYCLE81");
+    EXPECT_EQ(cycle_of("8")["set_by"]["line"], 7);
+    EXPECT_EQ(cycle_of("11")["value"], "MCALL of a subprogram");
+    EXPECT_EQ(cycle_of("11")["set_by"]["line"], 10);
+    EXPECT_EQ(cycle_of("13")["value"], "none");
 }
 
 TEST(Explain, SaysWhyThereIsNothing) {

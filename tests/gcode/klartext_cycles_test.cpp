@@ -34,6 +34,40 @@ TEST(Klartext, ToolByNameHasANumberOfItsOwn) {
     EXPECT_EQ(r.moves[2].tool, 9001);
 }
 
+TEST(Klartext, ToolCallByParameter) {
+    for (const char* call : {"Q1 = 7\nTOOL CALL Q1 Z S9", "TOOL CALL 7 Z S9"})
+        EXPECT_EQ(run(klartext(std::string(call) + "\nL X+1 FMAX")).moves.back().tool, 7);
+    const Made named = run(klartext("QS1 = \"FR_D10\"\nTOOL CALL QS1 Z S9\nL X+1 FMAX"));
+    EXPECT_EQ(named.errors(), "");
+    EXPECT_EQ(named.moves.back().tool, 9001);
+    expect_refused("TOOL CALL 5.1 Z S9",
+                   "4:11: a step of a tool (T.1) is not read; the program is stopped here "
+                   "[klartext-verb]");
+}
+
+TEST(Klartext, ToolCallOfZeroUnloads) {
+    const Made r = run(klartext("TOOL CALL 0\nL X+1 FMAX"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_EQ(r.moves.back().tool, 0);
+    EXPECT_EQ(r.moves.back().length, Length());
+}
+
+TEST(Klartext, OversizeWithADigitIsOfTheCornerRadius) {
+    // DR2 is no oversize of the radius; DR+ without a digit is a direction.
+    const std::string path = "\nL X+10 RL F100\nL X+20\nL X+30";
+    const Made corner = run(klartext("TOOL CALL 1 Z S9 DR2+0.5" + path));
+    const Made radius = run(klartext("TOOL CALL 1 Z S9 DR+0.5" + path));
+    EXPECT_NEAR(end_of(corner.moves[1])->y.mm(), 5.0, 1e-9);
+    EXPECT_NEAR(end_of(radius.moves[1])->y.mm(), 5.5, 1e-9);
+}
+
+TEST(Klartext, DataOfTheToolInQ108AndQ109) {
+    const Made r = run(klartext("TOOL CALL 1 Y S9\nL X+Q108 Z+Q109 FMAX"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_NEAR(r.end().x.mm(), 5.0, 1e-9);
+    EXPECT_NEAR(r.end().z.mm(), 1.0, 1e-9);
+}
+
 TEST(Klartext, OversizeOfTheLengthIsRefused) {
     EXPECT_TRUE(
         run("BEGIN PGM T MM\nTOOL CALL 1 Z S1 DL+0.1\nEND PGM T MM\n").says("klartext-verb"));
@@ -123,6 +157,20 @@ TEST(Klartext, Cycle200) {
     expect_same(
         kDrill + "L X+10 Y+10 FMAX M99\nL X+20 FMAX M99",
         "G99 G81 X10. Y10. Z-20. R2. F150\nG80 G0 Z50.\nG99 G81 X20. Z-20. R2. F150\nG80 G0 Z50.");
+}
+
+TEST(Klartext, BlockWithoutAxesCallsTheCycle) {
+    const std::string cycle =
+        "CYCL DEF 200 A Q200=2 Q201=-10 Q206=100 Q202=10 Q203=0 Q204=5\nL X+3 FMAX";
+    EXPECT_EQ(run(klartext(cycle + "\nL FMAX M99")).texts, run(klartext(cycle + " M99")).texts);
+}
+
+TEST(Klartext, CyclesOfTheMachineBuilderWithoutGeometry) {
+    for (const char* number : {"32.0", "239", "332", "392"}) {
+        const Made r = run(klartext(std::string("CYCL DEF ") + number + " TOLERANCE\nL X+1 FMAX"));
+        expect_end(r, 1, 0, 50);
+        EXPECT_EQ(r.moves.size(), 2U);
+    }
 }
 
 TEST(Klartext, CyclCallAndM89) {
@@ -377,22 +425,33 @@ TEST(Klartext, FeedAfterACycleIsTheFeedBefore) {
     EXPECT_DOUBLE_EQ(r.moves.back().feed, 77.0);
 }
 
-TEST(Klartext, PocketsAreRefusedByName) {
-    expect_refused("CYCL DEF 251 RECTANGULAR POCKET ~\n Q215=0",
-                   "4:1: CYCL DEF 251 is not read; the program is stopped here [klartext-verb]");
-    expect_refused("CYCL DEF 14.0 CONTOUR",
-                   "4:1: CYCL DEF 14 is not read; the program is stopped here [klartext-verb]");
+TEST(Klartext, ConstructsAreRefusedByName) {
+    expect_refused("CYCL DEF 258 POLYGON STUD ~\n Q215=0",
+                   "4:1: CYCL DEF 258 is not read; the program is stopped here [klartext-verb]");
+    expect_refused("CYCL DEF 21 PILOT DRILLING",
+                   "4:1: CYCL DEF 21 is not read; the program is stopped here [klartext-verb]");
     expect_refused("TCH PROBE 400 BASIC ROTATION",
                    "4:1: TCH PROBE is not read; the program is stopped here [klartext-verb]");
     expect_refused("FL AN+45 LEN10",
                    "4:1: FL is not read; the program is stopped here [klartext-verb]");
     expect_refused("APPR X+1 Y+1 LEN5 RL",
                    "4:1: APPR is not read; the program is stopped here [klartext-verb]");
+    expect_refused("LN X+1 Y+2 Z+3 NX+0 NY+0 NZ+1 F100",
+                   "4:1: LN is not read; the program is stopped here [klartext-verb]");
     expect_refused("FN 26: TABOPEN A.TAB",
                    "4:1: FN 26 is not read; the program is stopped here [klartext-verb]");
     expect_refused(
         "FUNCTION MODE TURN",
         "4:1: FUNCTION MODE TURN is not read; the program is stopped here [klartext-verb]");
+}
+
+TEST(Klartext, ProbingOfTheToolIsLeftOut) {
+    for (const char* number : {"30", "481", "584"}) {
+        const Made r = run(klartext(std::string("TCH PROBE ") + number +
+                                    " TOOL LENGTH ~\n Q340=+1 ~\n Q260=+100\nL X+1 FMAX"));
+        expect_end(r, 1, 0, 50);
+        EXPECT_TRUE(r.says("tool-probe"));
+    }
 }
 
 TEST(Klartext, UnreachedBlocksAreNotRefused) {

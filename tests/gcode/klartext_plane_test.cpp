@@ -86,6 +86,27 @@ TEST(KlartextPlane, EulerAndVectorGiveTheSamePlane) {
     EXPECT_EQ(klartext("PLANE VECTOR BX1 BY0 BZ0 NX0 NY-1 NZ0" + moves).texts, spatial.texts);
 }
 
+TEST(KlartextPlane, SignOfTheAxisBySeq) {
+    const auto a_of = [](const std::string& angle) {
+        const Outcome r =
+            klartext("PLANE SPATIAL SPA" + angle + " SPB+0 SPC+0 TURN FMAX SEQ" + angle[0]);
+        return end_of(r.moves.back())->a.degrees();
+    };
+    EXPECT_NEAR(a_of("+30"), 30.0, 1e-9);
+    EXPECT_NEAR(a_of("-30"), -30.0, 1e-9);
+}
+
+TEST(KlartextPlane, TableRotAndCoordRotChangeNothing) {
+    const std::string plane = "PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX";
+    const std::string move = "\nL X+5 Y+6 Z+7 FMAX";
+    for (const char* word : {" TABLE ROT", " COORD ROT"})
+        EXPECT_EQ(klartext(plane + word + move).texts, klartext(plane + move).texts);
+}
+
+TEST(KlartextPlane, AxialWithoutAnglesIsNoPlane) {
+    EXPECT_EQ(klartext("PLANE AXIAL A+0 C+0 STAY\nL X+5 FMAX").texts, klartext("L X+5 FMAX").texts);
+}
+
 TEST(KlartextPlane, MoveKeepsTheTip) {
     const Outcome r = klartext("PLANE SPATIAL SPA+30 SPB+0 SPC+0 MOVE DIST20 F1000");
     ASSERT_EQ(r.moves.size(), 2U);

@@ -238,9 +238,32 @@ TEST(Klartext, CallPgmWithoutFolderAndEnding) {
         "it); the program is stopped here [program-not-found]");
 }
 
+TEST(Klartext, CallPgmWithTheEndingOfTheMainProgram) {
+    const Made r =
+        language_test::run(klartext("CALL PGM100\nL IX+1"), {{"100.nc", "L IY+1 F100\n"}},
+                           Dialect::Auto, false, "PART/MAIN.nc");
+    expect_end(r, 1, 1, 50);
+}
+
 TEST(Klartext, CalledProgramEqualsPasted) {
     const std::string part = "L X+5 F100\nL Y+7\nCC X+0 Y+7\nCP IPA+90 DR+\n";
     EXPECT_EQ(run(klartext("CALL PGM SUB"), {{"SUB", part}}).texts, run(klartext(part)).texts);
+}
+
+TEST(Klartext, CallPgmKeepsTransformationsAndTheTool) {
+    const Made r =
+        run(klartext("CALL PGM SUB\nL X+1 Y+0 F100"),
+            {{"SUB", "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nTOOL CALL 2 Z S9\n"}});
+    expect_end(r, 0, 1, 50);
+    EXPECT_EQ(r.moves.back().tool, 2);
+}
+
+TEST(Klartext, OutputsOfFnHaveNoEffect) {
+    const Made r =
+        run(klartext("FN 16: F-PRINT TNC:\\A.A / TNC:\\B.TXT\nFN 19: PLC=+10/+1\n"
+                     "FN 20: WAIT FOR SYNC\nL X+1 FMAX"));
+    expect_end(r, 1, 0, 50);
+    EXPECT_EQ(r.moves.size(), 2U);
 }
 
 TEST(Klartext, QIsGlobalAndQlIsLocal) {

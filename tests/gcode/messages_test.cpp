@@ -34,6 +34,7 @@ enum class By : unsigned char {
     Tip,
     Turning,
     Klartext,
+    KlartextTool,
     Sinumerik,
     SinumerikTurning
 };
@@ -74,10 +75,16 @@ std::vector<std::string> said_of(const Case& c) {
     options.dialect = c.by == By::Fanuc || c.by == By::Turning                ? Dialect::Fanuc
                       : c.by == By::Grbl                                      ? Dialect::Grbl
                       : c.by == By::Mach3                                     ? Dialect::Mach3
-                      : c.by == By::Klartext                                  ? Dialect::Heidenhain
+                      : c.by == By::Klartext || c.by == By::KlartextTool      ? Dialect::Heidenhain
                       : c.by == By::Sinumerik || c.by == By::SinumerikTurning ? Dialect::Sinumerik
                                                                               : Dialect::Rs274;
     if (c.by == By::SinumerikTurning) options.joints = std::make_shared<Stubborn>();
+    if (c.by == By::SinumerikTurning || c.by == By::KlartextTool) {
+        options.tools = {{.number = 1,
+                          .offset = {},
+                          .length_specified = false,
+                          .diameter = Length::from_mm(10.0)}};
+    }
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
         std::string line = render(d, SourceFile{});
@@ -385,12 +392,24 @@ const std::vector<Case>& cases() {
         {By::Klartext, kKlartext + "CYCL DEF 247 A Q339=999",
          "3:1: error: the preset 999 of cycle 247 is no number from 0 to 290; the program is "
          "stopped here [preset-unknown]"},
+        {By::KlartextTool,
+         kKlartext + "CYCL DEF 14.1 LABEL1~CYCL DEF 20 A Q1=-1 Q8=1~CYCL DEF 22 A Q10=1 Q11=9 "
+                     "Q12=9~CYCL CALL",
+         "6:1: warning: Q8 of cycle 20 rounds the path at inner corners, which is not simulated; "
+         "the corners are as round as the tool [inner-radius]"},
+        {By::Klartext, kKlartext + "TCH PROBE 480 CALIBRATE TT",
+         "3:1: warning: TCH PROBE 480 measures the tool; its moves and its result are left out "
+         "[tool-probe]"},
+        {By::Klartext,
+         kKlartext + "TOOL CALL 77 Z S9~CYCL DEF 252 A Q200=1 Q201=-1 Q223=9~CYCL CALL",
+         "5:1: warning: cycle 252 is left out: the diameter of T77 is not known (--tool "
+         "T77=flat:D…) [compensation-radius-unknown]"},
         {By::Klartext, kKlartext + "CYCL END",
          "3:1: warning: CYCL END is no block of the control; it is taken to end M89 "
          "[klartext-verb]"},
         // SINUMERIK
-        {By::Sinumerik, kSinumerik + "POCKET4(1)",
-         "3:1: error: POCKET4 is not read; the program is stopped here [not-read]"},
+        {By::Sinumerik, kSinumerik + "SLOT1(1)",
+         "3:1: error: SLOT1 is not read; the program is stopped here [not-read]"},
         {By::Sinumerik, kSinumerik + "?",
          "3:1: error: '?' is no block of SINUMERIK; the program is stopped here [not-read]"},
         {By::Sinumerik, kSinumerik + "G0 G1",
@@ -431,6 +450,15 @@ const std::vector<Case>& cases() {
         {By::Sinumerik, kSinumerik + "CYCLE81(5,0,1,2)",
          "3:1: error: the depth of CYCLE81 is above the reference plane; the program is stopped "
          "here [depth-positive]"},
+        {By::SinumerikTurning, kSinumerik + "POCKET4(9,0,1,1,20,0,0,1,0,0,9,9,0,11,5,,,,,,,,,1,1)",
+         "3:1: warning: the size of POCKET4 with _GMODE is taken as a diameter; older controls "
+         "have "
+         "the radius here [pocket-size]"},
+        {By::SinumerikTurning, kSinumerik + "CYCLE61(9,0,1,-1,0,0,9,9,1,1,0,9,11)",
+         "3:1: warning: how far CYCLE61 mills outside of its face or blank is up to the control; "
+         "material there makes the part uncertain [mills-outside]"},
+        {By::Sinumerik, kSinumerik + "G0 X0 Y0~G3 X1 Y1 I1 J0 TURN=1.5",
+         "4:16: warning: TURN counts whole turns; the fraction is left out [turn-fraction]"},
         {By::Sinumerik, kSinumerik + "G70",
          "3:1: warning: G70 leaves the unit of feeds to the machine; mm is taken (--units names "
          "the unit of the machine; G700 sets both) [feed-unit]"},

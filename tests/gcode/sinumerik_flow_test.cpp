@@ -85,6 +85,14 @@ TEST(SinumerikFlow, TextsShowNumbersInShortestForm) {
 
 // --- Jumps ---
 
+TEST(SinumerikFlow, VariablesWithTheNameOfAWord) {
+    expect_equal("DEF REAL A1[3], X2=4\nA1[2]=5\nX2=X2+1\nG1 X=A1[2] Y=X2 F100", "G1 X5 Y5 F100");
+}
+
+TEST(SinumerikFlow, VariablesOfCharacters) {
+    expect_equal("DEF CHAR C=65\nDEF BOOL B=1\nG1 X=C Y=B F100", "G1 X65 Y1 F100");
+}
+
 TEST(SinumerikFlow, JumpsForwardAndBackward) {
     expect_same(
         "GOTOF A\nG1 X9 F100\nA: R1=0\nB: R1=R1+1\nG1 X=R1 F100\nIF R1<3 GOTOB B\nGOTO "

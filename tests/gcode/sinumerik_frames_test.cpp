@@ -51,6 +51,7 @@ TEST(SinumerikFrames, ScaleAndMirror) {
     expect_place("SCALE X2 Y2 Z2\nG0 X1 Y2 Z3", 2, 4, 6);
     expect_place("TRANS X10\nASCALE X2\nATRANS X1\nG0 X1 Y0 Z0", 14, 0, 0);
     expect_place("MIRROR X0\nG0 X1 Y2 Z3", -1, 2, 3);
+    expect_place("TRANS X10\nAMIRROR X0\nG0 X1 Y2 Z3", 9, 2, 3);
     expect_place("MIRROR X0\nAROT RPL=90\nG0 X10 Y0 Z1", 0, 10, 1);
     expect_place("MIRROR X0\nAROT RPL=90\nG0 X0 Y10 Z1", 10, 0, 1);
     expect_refused("SCALE X2\nAROT RPL=30",

@@ -234,6 +234,11 @@ TEST(Sinumerik, IntermediatePoint) {
         "6:1: CIP outside the plane is not read; the program is stopped here [not-read]");
 }
 
+TEST(Sinumerik, IntermediatePointFollowsTheDistanceMode) {
+    expect_equal("G1 X10 Y0 F100\nG91 CIP X-10 Y10 I1=-2.928932188 J1=7.071067812",
+                 "G1 X10 Y0 F100\nCIP X0 Y10 I1=7.071067812 J1=7.071067812");
+}
+
 TEST(Sinumerik, TangentialArc) {
     const Made r = run(sinumerik("G1 X10 Y0 F100\nCT X20 Y10"));
     expect_end(r, 20, 10, 50);
@@ -255,6 +260,15 @@ TEST(Sinumerik, ArcWithoutCentre) {
 TEST(Sinumerik, PolarCoordinates) {
     expect_same("G111 X10 Y10\nG1 AP=90 RP=5 F100\nG1 AP=180\nG110 X1 Y0\nG0 RP=2 AP=0",
                 "G1 X10. Y15. F100\nG1 X5. Y10.\nG0 X8. Y10.");
+}
+
+TEST(Sinumerik, PoleFromTheLastPole) {
+    expect_same("G111 X10 Y10\nG112 X5 Y1\nG1 AP=0 RP=4 F100", "G1 X19. Y11. F100");
+}
+
+TEST(Sinumerik, PositionsOfTheProgramAndTheMachine) {
+    const Made r = run(sinumerik("G0 X3 Y4\nG0 X=$P_EP[X]*2 Y=$AA_IW[Y]+1"));
+    expect_end(r, 6, 5, 50);
 }
 
 TEST(Sinumerik, RoundingAndChamfer) {
@@ -390,8 +404,8 @@ TEST(Sinumerik, ConstructsAreRefusedByName) {
           "CUT3DC", "WHEN", "SETINT", "G33", "G34", "G81", "G331"})
         expect_refused(name,
                        "5:1: " + name + " is not read; the program is stopped here [not-read]");
-    for (const std::string name : {"POCKET4", "POCKET1", "SLOT1", "SLOT2", "LONGHOLE", "CYCLE61",
-                                   "CYCLE76", "CYCLE90", "CYCLE95", "CYCLE930", "TRACYL"})
+    for (const std::string name : {"SLOT1", "SLOT2", "LONGHOLE", "CYCLE71", "CYCLE72", "CYCLE79",
+                                   "CYCLE95", "CYCLE930", "TRACYL"})
         expect_refused(name + "(1,2)",
                        "5:1: " + name + " is not read; the program is stopped here [not-read]");
     expect_refused("WHENEVER $A_IN[1] DO M5",

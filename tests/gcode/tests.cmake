@@ -1,6 +1,7 @@
 ncsim_add_test(gcode
   LIBRARIES ncsim::gcode ncsim::trig
   SOURCES
+    area_cycles_test.cpp
     codes_test.cpp
     control_codes_test.cpp
     control_table_test.cpp

@@ -185,7 +185,13 @@ std::string tilted_text(const MachineState& s) {
                        plain_number(normal[0]), plain_number(normal[1]), plain_number(normal[2]));
 }
 
+std::string defined_cycle_text(int number) {
+    if (number == gcode::kModalProgram) return "MCALL of a subprogram";
+    return number > 0 ? fmt::format("CYCL DEF {}", number) : fmt::format("MCALL CYCLE{}", -number);
+}
+
 std::string cycle_text(const MachineState& s, bool with_codes) {
+    if (s.defined_cycle.number != 0) return defined_cycle_text(s.defined_cycle.number);
     if (!s.cycle.running) return "none";
     const std::string code = with_codes ? code_text(s.cycle.code) + ", " : "";
     std::string text = fmt::format("{}clearance {}, depth {}", code, plain_number(s.cycle.r),
@@ -288,7 +294,9 @@ ModeNumbers numbers_of(const MachineState& s) {
              f.rows[2][2]});
     }
     set(ModeGroup::Controlled, {n(s.coordinates)});
-    if (s.cycle.running) {
+    if (s.defined_cycle.number != 0) {
+        set(ModeGroup::Cycle, {2.0, n(s.defined_cycle.number), n(s.defined_cycle.line)});
+    } else if (s.cycle.running) {
         set(ModeGroup::Cycle, {1.0, n(s.cycle.code), mm(s.cycle.r), mm(s.cycle.z), mm(s.cycle.q),
                                s.cycle.p, n(s.retract_to_r)});
     }

@@ -19,7 +19,7 @@
 #include "control/command.h"
 #include "control/control_rules.h"
 #include "control/control_state.h"
-#include "control/cycles/area.h"
+#include "control/cycles/outline.h"
 #include "control/frames/plane_words.h"
 #include "control/parameters.h"
 #include "control/paths/arc_centres.h"
@@ -38,13 +38,6 @@
 #include <vector>
 
 namespace ncsim::gcode {
-
-/// A move of an outline in X and Y of the program. `turns` = 0: a line; otherwise an arc about
-/// `centre`.
-struct OutlineMove {
-    PlanePoint from, to, centre;
-    int turns = 0;  ///< > 0 counter-clockwise, < 0 clockwise.
-};
 
 /// Executes the commands of a program.
 class Machine {

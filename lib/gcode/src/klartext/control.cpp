@@ -252,7 +252,23 @@ bool Control::act_before(const Block& block, Words& words, Command& command) {
     return set_side(command, words, block.whole());
 }
 
+void Control::begin_contour(const Control& caller) {
+    records_contour_ = true;
+    set_units(caller.inches_);
+    plane_ = caller.plane_;
+    Command command = make({});
+    put(command, plane_ == Plane::XY ? Code::G17 : plane_ == Plane::ZX ? Code::G18 : Code::G19);
+    (void)machine_.execute(command);
+    // The feed of the cycle counts.
+    machine_.state().feed = 1.0;
+    refresh();
+}
+
 bool Control::set_side(Command& command, const Words& words, SourceSpan span) {
+    if (records_contour_) {
+        if (words.side && *words.side != CutterSide::Off) contour_side_ = *words.side;
+        return true;
+    }
     if (!words.side || *words.side == side_) return true;
     if (*words.side != CutterSide::Off && side_ != CutterSide::Off)
         return fail(Message::KlartextSideChange, span);

@@ -15,10 +15,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::gcode::klartext {
@@ -36,6 +38,22 @@ public:
             DiagnosticLog& log);
 
     void set_units(bool inches);
+
+    /// A contour of an SL cycle: the moves of a subprogram, and the side of the tool.
+    struct Contour {
+        language::Pass moves;
+        CutterSide side = CutterSide::Off;
+    };
+    /// Runs the subprogram with a label without the machine, and returns its moves in the plane;
+    /// nullopt after reporting an error.
+    using ContourReader =
+        std::function<std::optional<Contour>(const std::string& label, SourceSpan span)>;
+    void set_contour_reader(ContourReader reader) { read_contour_ = std::move(reader); }
+    /// Records a contour for `caller`: plane and units are those of the caller; cutter compensation
+    /// is noted and does not act.
+    void begin_contour(const Control& caller);
+    CutterSide contour_side() const { return contour_side_; }
+    Plane plane() const { return plane_; }
 
     // Each function returns false after reporting an error at which the program stops.
     bool path(const Block& block, const Corner* corner);
@@ -156,6 +174,23 @@ private:
     using BlockControl::peck;
     using BlockControl::tap;
     bool bore_mill(SourceSpan span, double bottom, double clear);
+    static bool is_area_cycle(int number);
+    bool read_milling(SourceSpan span, double bottom, double clear, language::Milling& m);
+    bool mill_area(SourceSpan span, double bottom, double clear);
+    std::optional<Point> middle_of_area(const language::MilledArea& area) const;
+    bool read_blank(SourceSpan span, language::Milling& m);
+    bool mill_circular_slots(SourceSpan span, language::Milling& m);
+    bool thread_mill(SourceSpan span, double bottom, double clear);
+    struct MilledContour;
+    struct ContourMilling;
+    bool contour_labels(const Block& block, Scanner& scan);
+    bool read_contours(SourceSpan span, bool is_climb, ContourMilling& m);
+    bool check_contours(SourceSpan span, const std::vector<MilledContour>& contours);
+    bool mill_contours(SourceSpan span);
+    bool mill_levels(SourceSpan span, const ContourMilling& m);
+    bool reach(const ContourMilling& m, const Area& area, PlanePoint to, double level);
+    bool mill_contour(const ContourMilling& m, const Area& area, const MilledContour& contour,
+                      double level);
 
     Parameters& parameters_;
     bool inches_ = false;
@@ -176,6 +211,11 @@ private:
     Cycle cycle_;
     Cycle old_;  ///< Cycle with parts ("CYCL DEF 1.1 …") that is being defined.
     Transformation transformation_;
+    std::vector<std::string> contour_labels_;  ///< Cycle 14.
+    Cycle contour_data_;                       ///< Cycle 20.
+    ContourReader read_contour_;
+    bool records_contour_ = false;
+    CutterSide contour_side_ = CutterSide::Off;  ///< Last RL or RR of the contour.
 };
 
 }  // namespace ncsim::gcode::klartext

@@ -13,8 +13,6 @@
 namespace ncsim::gcode::klartext {
 namespace {
 
-constexpr double kMostPecks = 100'000.0;
-
 bool is_hole_cycle(int number) {
     switch (number) {
         case 1:
@@ -134,7 +132,10 @@ bool Control::read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle)
 bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
     if (has_no_path(number)) return true;
     const bool is_pattern = number == 220 || number == 221;
-    const bool is_known = (is_hole_cycle(number) && number >= 200) || number == 247 || is_pattern;
+    const bool mills_contours = number >= 22 && number <= 24;
+    const bool is_known = (is_hole_cycle(number) && number >= 200) || is_area_cycle(number) ||
+                          number == 262 || number == 247 || is_pattern || number == 20 ||
+                          mills_contours;
     if (!is_known) return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
     Cycle cycle;
     cycle.number = number;
@@ -146,7 +147,12 @@ bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
         return preset(block, found->second.number);
     }
     if (is_pattern) return pattern(cycle, block.whole());
+    if (number == 20) {
+        contour_data_ = std::move(cycle);
+        return true;
+    }
     cycle_ = std::move(cycle);
+    show_defined_cycle(number, block.whole());
     return true;
 }
 
@@ -166,6 +172,13 @@ bool Control::old_cycle(const Block& block, Scanner& scan, int number, int part)
         }
         case 10: return is_head || rotation(block, scan);
         case 11: return is_head || scaling(block, scan, false);
+        case 14: return is_head || contour_labels(block, scan);
+        case 20:
+        case 22:
+        case 23:
+        case 24:
+            if (is_head) return numbered_cycle(block, scan, number);
+            return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
         case 19: return is_head || working_plane(block, scan);
         case 26: return is_head || scaling(block, scan, true);
         case 13:
@@ -178,6 +191,7 @@ bool Control::old_cycle(const Block& block, Scanner& scan, int number, int part)
     if (is_head) {
         old_ = {};
         old_.number = number;
+        show_defined_cycle(number, block.whole());
         return true;
     }
     // Pecking, tapping: SETUP, DEPTH, PECKG, DWELL, F or PITCH, in the order of the parts.
@@ -408,6 +422,7 @@ bool Control::call_cycle(SourceSpan span) {
     }
     if (side_ != CutterSide::Off)
         return fail(Message::KlartextVerb, span, {"a cycle under RL or RR"});
+    if (records_contour_) return fail(Message::KlartextVerb, span, {"a cycle in a contour"});
     const SourceSpan definition = cycle_span_;
     cycle_span_ = span;
     MachineState& state = machine_.state();
@@ -424,6 +439,7 @@ bool Control::call_cycle(SourceSpan span) {
 bool Control::drill(SourceSpan span) {
     const int number = cycle_.number;
     if (number == 204) return back_bore(span);
+    if (number >= 22 && number <= 24) return mill_contours(span);
     if (!needs({200, 201}, span)) return false;
     const std::string name = std::to_string(number);
     const double depth = value(201, 0.0);
@@ -436,6 +452,11 @@ bool Control::drill(SourceSpan span) {
     }
     if (depth == 0.0) {
         log_.add(Message::KlartextDepthZero, span, {name});
+        return true;
+    }
+    const bool needs_radius = number == 208 || number == 262 || is_area_cycle(number);
+    if (needs_radius && !(radius_of_tool().value_or(0.0) > 0.0)) {
+        report_unknown_radius("cycle " + name);
         return true;
     }
     const std::size_t axis = axes_of(plane_).third;
@@ -468,6 +489,13 @@ bool Control::drill(SourceSpan span) {
         case 207:
         case 209: done = tap(span, surface, bottom, clear); break;
         case 208: done = bore_mill(span, bottom, clear); break;
+        case 251:
+        case 252:
+        case 253:
+        case 254:
+        case 256:
+        case 257: done = mill_area(span, bottom, clear); break;
+        case 262: done = thread_mill(span, bottom, clear); break;
         default: done = peck(span, surface, bottom, clear); break;
     }
     if (!done) return false;
@@ -594,11 +622,10 @@ bool Control::tap(SourceSpan span, double surface, double bottom, double clear) 
 }
 
 /// 208: mills a bore along a helix.
+/// Requires: the radius of the tool is known.
 bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
     if (!needs({206, 334, 335}, span)) return false;
-    const std::optional<double> tool = radius_of_tool();
-    if (!tool) return fail(Message::BlockNeeds, span, {"cycle 208", "the radius of the tool"});
-    const double radius = value(335, 0.0) / 2.0 - *tool;
+    const double radius = value(335, 0.0) / 2.0 - *radius_of_tool();
     const double infeed = std::abs(value(334, 0.0));
     if (!(radius > 0.0))
         return fail(Message::BlockNeeds, span, {"cycle 208", "a diameter larger than the tool"});
@@ -606,38 +633,15 @@ bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
     const bool is_climb = value(351, 1.0) >= 0.0;
     const bool is_clockwise = machine_.state().spindle == SpindleTurning::Counterclockwise;
     const bool is_left = is_climb != is_clockwise;  // Climb milling in a bore: counter-clockwise.
-    const PlaneAxes axes = axes_of(plane_);
-    constexpr std::array kCentres{'I', 'J', 'K'};
-    const double x = at_[axes.first];
-    const double y = at_[axes.second];
-    const auto arc = [&](double to_1, double to_2, double c1, double c2, double height) {
-        Command command = make(span);
-        put(command, is_left ? Code::G3 : Code::G2);
-        put(command, 'F', feed);
-        put(command, kAxisNames[axes.first], to_1);
-        put(command, kAxisNames[axes.second], to_2);
-        if (height != at_[axes.third]) put(command, kAxisNames[axes.third], height);
-        put(command, kCentres[axes.first], c1);
-        put(command, kCentres[axes.second], c2);
-        command.axis_words = true;
-        if (!run(command)) return false;
-        at_[axes.first] = to_1;
-        at_[axes.second] = to_2;
-        at_[axes.third] = height;
-        return true;
-    };
-    const double edge = x + radius;
-    if (!arc(edge, y, x + radius / 2.0, y, at_[axes.third])) return false;
-    double height = clear;
+    const PlanePoint centre = point_in_plane();
+    const PlanePoint edge{centre.x + radius, centre.y};
+    const PlanePoint between{centre.x + radius / 2.0, centre.y};
+    const int turn = is_left ? 1 : -1;
     // The helix begins at the clearance; each turn goes down by the infeed.
-    double count = 0.0;
-    while (height > bottom) {
-        if (++count > kMostPecks) return fail(Message::CycleRepeats, span);
-        height = infeed > 0.0 ? std::max(bottom, height - infeed) : bottom;
-        if (!arc(edge, y, x, y, height)) return false;
-    }
-    return arc(edge, y, x, y, bottom) && arc(x, y, x + radius / 2.0, y, bottom) &&
-           move_to(clear, std::nullopt);
+    return cut({centre, edge, between, turn}, clear, feed) &&
+           wind(centre, bottom, infeed, !is_left, feed) &&
+           wind(centre, bottom, 0.0, !is_left, feed) &&
+           cut({edge, centre, between, turn}, bottom, feed) && move_to(clear, std::nullopt);
 }
 
 }  // namespace ncsim::gcode::klartext

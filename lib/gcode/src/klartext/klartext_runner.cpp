@@ -31,8 +31,12 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
                ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log,
                Interpretation& result)
     : ProgramRunner(program, options, rules, centres, sink, log, result),
+      rules_(rules),
+      centres_(centres),
       parameters_(log),
       control_(options, machine_, parameters_, log) {
+    control_.set_contour_reader(
+        [this](const std::string& label, SourceSpan span) { return record_contour(label, span); });
     files_.push_back({&program, nullptr, Reader(program), false, {}});
     control_.add_tool_names(tool_names(program));
     has_begin_ = has_begin_pgm(program);
@@ -117,7 +121,7 @@ bool Runner::act() {
         case Verb::Depart: return control_.depart(block_);
         case Verb::Rounding:
         case Verb::Chamfer: return true;  // Part of the block before.
-        case Verb::Other: return refuse(block_.name);
+        case Verb::Other: return probes_tool() || refuse(block_.name);
         case Verb::Unreadable: return refuse_text();
         default: return path();
     }
@@ -139,6 +143,81 @@ bool Runner::act() {
                        }),
         repeats_.end());
     return true;
+}
+
+/// Runs the subprogram `label` with a machine of its own, and returns its moves in the plane; the
+/// first move leads to the contour and is left out.
+std::optional<Control::Contour> Runner::record_contour(const std::string& label, SourceSpan span) {
+    const PlaneAxes axes = axes_of(control_.plane());
+    const double unit = machine_.state().unit_mm();
+    Control::Contour contour;
+    bool is_known = true;
+    const MotionSink take = [&](const Motion& motion) {
+        const Position* const from = start_of(motion);
+        const Position* const to = end_of(motion);
+        if (!from) return;
+        const auto in_plane = [&](const Position& p) {
+            const std::array<double, 3> all{p.x.mm(), p.y.mm(), p.z.mm()};
+            return PlanePoint{all[axes.first] / unit, all[axes.second] / unit};
+        };
+        OutlineMove move{in_plane(*from), in_plane(*to), {}, 0};
+        if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
+            move.centre = {arc->centre_1.mm() / unit, arc->centre_2.mm() / unit};
+            move.turns = arc->turns;
+        }
+        const bool moves = move.turns != 0 || move.from.x != move.to.x || move.from.y != move.to.y;
+        if (moves) contour.moves.push_back(move);
+        const std::array<bool, 3> known{motion.known_end.x, motion.known_end.y, motion.known_end.z};
+        is_known = is_known && known[axes.first] && known[axes.second];
+    };
+    Interpretation ignored;
+    {
+        Runner contour_runner(*file().source, options_, rules_, centres_, take, log_, ignored);
+        contour_runner.parameters_.copy_values(parameters_);
+        contour_runner.control_.begin_contour(control_);
+        // Reading the file for its labels counts as running its lines.
+        contour_runner.repeated_ = repeated_ + line_count(file().source->text);
+        const bool done = contour_runner.run_contour(label, span);
+        repeated_ = std::max<std::uint64_t>(1, contour_runner.repeated_);
+        log_.set_file(current_ == 0 ? std::string() : file().source->name);
+        if (!done) return std::nullopt;
+        contour.side = contour_runner.control_.contour_side();
+    }
+    if (!is_known || contour.moves.empty()) {
+        fail(Message::BlockNeeds, span,
+             {"LBL " + label, "a contour that begins with a line to a point"});
+        return std::nullopt;
+    }
+    contour.moves.erase(contour.moves.begin());
+    return contour;
+}
+
+/// Runs the subprogram `label` up to LBL 0.
+bool Runner::run_contour(const std::string& label, SourceSpan span) {
+    has_begun_ = true;
+    frames_.push_back({});
+    frames_.back().label = label;
+    if (!jump_to(label, span)) return false;
+    while (!frames_.empty()) {
+        if (!step() || ended_) return false;
+    }
+    machine_.flush();
+    path_.finish();
+    return !machine_.stopped();
+}
+
+/// True for a touch probe cycle that measures the tool, after reporting the cycle: its moves do not
+/// touch the part.
+bool Runner::probes_tool() {
+    if (block_.name != "TCH PROBE") return false;
+    Scanner scan(block_.code, block_.rest);
+    scan.skip_blanks();
+    const std::uint32_t number = scan.whole().value_or(0);
+    // Cycles 30 to 33 and 480 to 485; 580 to 589 of machine builders.
+    const bool is_known = (number >= 30 && number <= 33) || (number >= 480 && number <= 485) ||
+                          (number >= 580 && number <= 589);
+    if (is_known) log_.add(Message::KlartextToolProbe, block_.whole(), {std::to_string(number)});
+    return is_known;
 }
 
 bool Runner::refuse_text() {
@@ -557,7 +636,11 @@ bool Runner::call_label() {
 std::optional<std::size_t> Runner::open_file(const std::string& name) {
     if (!options_.read_file) return std::nullopt;
     std::optional<SourceFile> source;
-    for (const char* ending : {"", ".h", ".H"}) {
+    // Last, the ending of the main program.
+    const std::string& main = files_.front().source->name;
+    const std::size_t point = std::min(main.find_last_of('.'), main.size());
+    for (const std::string& ending :
+         {std::string(), std::string(".h"), std::string(".H"), main.substr(point)}) {
         source = options_.read_file(name + ending);
         if (source) break;
     }

@@ -80,9 +80,14 @@ private:
     std::optional<std::size_t> open_file(const std::string& name);
     bool refuse(std::string_view what);
     bool refuse_text();
+    bool probes_tool();
+    std::optional<Control::Contour> record_contour(const std::string& label, SourceSpan span);
+    bool run_contour(const std::string& label, SourceSpan span);
 
     OpenFile& file() { return files_[current_]; }
 
+    const Rules& rules_;
+    ArcCentres& centres_;
     Parameters parameters_;
     Control control_;
     std::deque<OpenFile> files_;

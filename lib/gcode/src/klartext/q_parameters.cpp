@@ -60,6 +60,15 @@ std::optional<double> Parameters::read_value(Scanner& scan, const Block& block) 
     return value_of(value, block.span(begin, scan.at() - begin));
 }
 
+void Parameters::copy_values(const Parameters& other) {
+    values_ = other.values_;
+    is_set_ = other.is_set_;
+    locals_ = other.locals_;
+    kept_ = other.kept_;
+    texts_ = other.texts_;
+    reported_ = other.reported_;
+}
+
 bool Parameters::set(const Value& parameter, double value) {
     constexpr std::uint32_t kMostOthers = 500;
     if (parameter.set != 'Q') {

@@ -35,6 +35,9 @@ public:
     /// Evaluates the formula up to the end of the code.
     std::optional<double> read_formula(Scanner& scan, const Block& block);
 
+    /// Takes over the values of `other`.
+    void copy_values(const Parameters& other);
+
     /// Sets a parameter.
     /// Returns: false if there is no such parameter.
     bool set(const Value& parameter, double value);

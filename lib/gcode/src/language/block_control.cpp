@@ -15,7 +15,6 @@ namespace ncsim::gcode::language {
 namespace {
 
 const gcode::Block kNoWords;
-constexpr std::array kCentres{'I', 'J', 'K'};
 
 }  // namespace
 
@@ -84,7 +83,12 @@ bool BlockControl::is_unknown(AxisMask mask) const {
            (named(kZ) && (!state.known.z || state.relative.z));
 }
 
+void BlockControl::show_defined_cycle(int number, SourceSpan span) {
+    machine_.state().defined_cycle = {number, number != 0 ? span.line : 0};
+}
+
 void BlockControl::end_program(SourceSpan span) {
+    show_defined_cycle(0, span);
     for (const ActiveMode& mode : modes_left_on())
         log_.add(Message::LeftOnAtEnd, span, {mode.name, mode.end});
     machine_.flush();
@@ -198,6 +202,11 @@ std::optional<double> BlockControl::diameter_of(int tool) const {
     const auto entry = std::ranges::find(tools, tool, &ToolTableEntry::number);
     if (entry == tools.end() || !entry->diameter) return std::nullopt;
     return entry->diameter->mm() / machine_.state().unit_mm();
+}
+
+void BlockControl::report_unknown_radius(std::string_view name) {
+    const std::string tool = std::to_string(tool_);
+    log_.add(Message::CycleRadiusUnknown, cycle_span_, {name, tool, tool});
 }
 
 }  // namespace ncsim::gcode::language

@@ -8,6 +8,7 @@
 
 #include "control/command.h"
 #include "control/machine.h"
+#include "language/milling.h"
 
 #include <array>
 #include <cstdint>
@@ -22,6 +23,8 @@ namespace ncsim::gcode::language {
 
 /// Letters of the axes, by index.
 inline constexpr std::string_view kAxisNames = "XYZABCUVW";
+/// Letters of the coordinates of a centre, by the index of the axis.
+inline constexpr std::array kCentres{'I', 'J', 'K'};
 /// Number of the first tool with a name; the next names follow.
 inline constexpr int kFirstNamedTool = 9001;
 
@@ -74,6 +77,8 @@ public:
     /// Sets the file of the following blocks, as an index into Interpretation::files.
     void set_file(std::uint32_t file) { file_ = file; }
     void add_tool_names(const std::vector<std::string>& names);
+    /// Shows the cycle `number` that the block `span` defines for calls (DefinedCycle); 0: none.
+    void show_defined_cycle(int number, SourceSpan span);
     /// True after the end of the program.
     bool has_ended() const { return has_ended_; }
     /// Ends the main program at the block `span`: reports modes that are still active.
@@ -122,8 +127,19 @@ protected:
     /// Retracts with the spindle oriented. `steps_aside`: the tool leaves the wall first.
     bool bore_out(double clear, std::optional<double> feed, bool steps_aside);
 
+    bool cut(const OutlineMove& move, double height, std::optional<double> feed);
+    bool move_in_plane(PlanePoint to, std::optional<double> feed);
+    PlanePoint point_in_plane() const;
+    bool wind(PlanePoint centre, double end, double pitch, bool is_clockwise, double feed);
+    /// Mills an area; the tool ends at the height `m.clear`. `name`: the cycle.
+    bool mill(const Milling& m, std::string_view name);
+    bool mill_face(const FaceMilling& m);
+    bool mill_thread(const ThreadMilling& m);
+
     int number_of(const std::string& tool_name);
     std::optional<double> diameter_of(int tool) const;
+    /// Reports that the cycle `name` is left out.
+    void report_unknown_radius(std::string_view name);
 
     const InterpreterOptions& options_;
     Machine& machine_;
@@ -140,6 +156,13 @@ protected:
     /// change of the frame.
     std::optional<double> lowest_feed_, highest_;
     bool has_ended_ = false;
+
+private:
+    bool follow(const Pass& pass, double feed);
+    bool plunge(const Milling& m, double from, double level);
+    bool rough(const Milling& m, PlanePoint entry);
+    bool finish(const Milling& m, PlanePoint entry);
+    bool leave(const Milling& m, double height, PlanePoint entry);
 };
 
 }  // namespace ncsim::gcode::language

@@ -33,8 +33,9 @@ bool Control::arc(const Words& words, const Command& command_of_block, const Axe
     const std::string_view name = motion_ == 2 ? "G2" : "G3";
     arc.turns = motion_ == 2 ? -1 : 1;
     if (words.turns) {
-        const double turns = std::round(*words.turns);
-        if (turns != *words.turns || !(turns >= 0.0 && turns <= 999.0))
+        const double turns = std::floor(*words.turns);
+        if (turns != *words.turns) log_.add(Message::TurnFraction, words.corner_span);
+        if (!(turns >= 0.0 && turns <= 999.0))
             return fail(Message::BlockNeeds, words.corner_span, {"TURN", "a number from 0 to 999"});
         arc.turns *= 1 + static_cast<int>(turns);
     }

@@ -95,7 +95,9 @@ std::optional<double> Expressions::literal(CodeScanner& scan, const Line& line) 
     auto length = static_cast<std::size_t>(number.end - text.data());
     double value = number.value;
     // "1.5EX3"
-    if (upper_of(text.substr(length, 2)) == "EX") {
+    const bool has_exponent =
+        length + 1 < text.size() && upper(text[length]) == 'E' && upper(text[length + 1]) == 'X';
+    if (has_exponent) {
         const std::string_view rest = text.substr(length + 2);
         const PlainNumber power = read_plain_number(rest.data(), rest.data() + rest.size());
         if (power.end && std::abs(power.value) <= 300.0) {
@@ -103,10 +105,11 @@ std::optional<double> Expressions::literal(CodeScanner& scan, const Line& line) 
             length += 2 + static_cast<std::size_t>(power.end - rest.data());
         }
     }
-    const SourceSpan span = line.span(scan.at(), length);
-    scan.move_to(scan.at() + length);
-    const std::optional<Value> sane = checked(value, span);
-    return sane ? std::optional(sane->number) : std::nullopt;
+    const std::size_t begin = scan.at();
+    scan.move_to(begin + length);
+    if (std::abs(value) <= kLargest) return value;
+    log_.add(Message::NotANumber, line.span(begin, length));
+    return std::nullopt;
 }
 
 // --- Operators ---

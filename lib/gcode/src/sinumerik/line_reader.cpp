@@ -49,6 +49,19 @@ void skip_slash(std::string_view text, std::size_t& at, Line& line) {
     skip_blanks(text, at);
 }
 
+/// Skips a label: "NAME:".
+void split_label(std::string_view text, std::size_t& at, Line& line) {
+    const std::string_view name = name_at(text.substr(at));
+    std::size_t after = at + name.size();
+    skip_blanks(text, after);
+    const bool is_label = !name.empty() && name[0] != '$' && after < text.size() &&
+                          text[after] == ':' && text.substr(after, 2) != ":=";
+    if (!is_label) return;
+    line.label = name;
+    at = after + 1;
+    skip_blanks(text, at);
+}
+
 /// Splits `text`, a line without comment, into number, label and code.
 void split(std::string_view text, Line& line) {
     std::size_t at = 0;
@@ -62,16 +75,7 @@ void split(std::string_view text, Line& line) {
         skip_slash(text, at, line);
     }
     skip_blanks(text, at);
-    const std::string_view name = name_at(text.substr(at));
-    std::size_t after = at + name.size();
-    skip_blanks(text, after);
-    const bool is_label = !name.empty() && name[0] != '$' && after < text.size() &&
-                          text[after] == ':' && text.substr(after, 2) != ":=";
-    if (is_label) {
-        line.label = name;
-        at = after + 1;
-        skip_blanks(text, at);
-    }
+    if (text.find(':', at) != std::string_view::npos) split_label(text, at, line);
     line.code = text.substr(at);
     line.column = static_cast<std::uint32_t>(at + 1);
 }

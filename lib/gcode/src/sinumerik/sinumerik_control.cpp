@@ -9,6 +9,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace ncsim::gcode::sinumerik {
@@ -366,6 +367,7 @@ double Control::end_of(const Coordinate& word, std::size_t axis) const {
         if (machine_way == RotaryWay::Shortest) way = Way::Shortest;
         if (machine_way == RotaryWay::Positive) way = Way::Positive;
     }
+    if (way == Way::Modal || way == Way::Absolute) return word.value;
     double turn = std::fmod(word.value - at, kTurn);
     switch (way) {
         case Way::Shortest:
@@ -420,7 +422,7 @@ std::optional<language::Corner> Control::corner_of(const Words& words) const {
     return corner;
 }
 
-bool Control::move(const Words& words, const Command& command, SourceSpan span) {
+bool Control::move(const Words& words, Command& command, SourceSpan span) {
     const bool is_of_machine = words.of(CodeGroup::Suppress).has_value();
     AxisMask mask = 0;
     Axes end = ends(words, mask);
@@ -454,13 +456,18 @@ void Control::check_turn(const Axes& end, SourceSpan span) {
     log_.add(Message::TurnByVector, span);
 }
 
-bool Control::line(const Words& words, Command command, Axes end, AxisMask mask, SourceSpan span) {
+bool Control::line(const Words& words, Command& command, const Axes& end, AxisMask mask,
+                   SourceSpan span) {
     MachineState& state = machine_.state();
     const bool suppresses = words.of(CodeGroup::Suppress).has_value();
     put(command, motion_ == 0 ? Code::G0 : Code::G1);
     bool all_incremental = !words.polar_angle && !words.polar_radius;
-    for (std::size_t i = 0; i < words.axis.size(); ++i) {
-        if (words.axis[i]) all_incremental = all_incremental && is_increment(*words.axis[i]);
+    const auto next_axis = [](AxisMask axes) {
+        return static_cast<std::size_t>(std::countr_zero(axes));
+    };
+    for (AxisMask rest = mask; rest != 0; rest &= rest - 1) {
+        const auto& word = words.axis[next_axis(rest)];
+        all_incremental = all_incremental && (!word || is_increment(*word));
     }
     const bool is_of_machine = suppresses && !(all_incremental && mask != 0);
     if (is_of_machine) put(command, Code::G53);
@@ -469,8 +476,8 @@ bool Control::line(const Words& words, Command command, Axes end, AxisMask mask,
     // Increments are known even if the position before the move is unknown.
     const bool by_increments = is_unknown(mask) && all_incremental && !is_of_machine &&
                                !has_corner && side_ == CutterSide::Off;
-    for (std::size_t i = 0; i < end.size(); ++i) {
-        if ((mask >> i & 1U) == 0) continue;
+    for (AxisMask rest = mask; rest != 0; rest &= rest - 1) {
+        const std::size_t i = next_axis(rest);
         double value = by_increments && words.axis[i] ? words.axis[i]->value : end[i];
         // The length of the tool acts under SUPA, too.
         if (is_of_machine && i < 3) value += state.tool_offset[i];

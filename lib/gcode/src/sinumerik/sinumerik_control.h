@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Control floor of SINUMERIK: moves, arcs, tools, frames and hole cycles, as commands of Machine.
+// Control floor of SINUMERIK: moves, arcs, tools, frames and cycles, as commands of Machine.
 // No text of G-code is made.
 #pragma once
 
@@ -66,6 +66,9 @@ public:
     std::optional<std::vector<HolePlace>> pattern(const CycleCall& call);
     static bool is_hole_cycle(std::string_view name);
     static bool is_pattern(std::string_view name);
+    /// Executes a cycle that mills an area, a face or a thread.
+    bool mill_cycle(const CycleCall& call);
+    static bool is_milling_cycle(std::string_view name);
 
     SavedModes save() const { return {motion_, plane_, is_incremental_, chain_}; }
     bool restore(const SavedModes& saved, SourceSpan span);
@@ -86,9 +89,10 @@ private:
     bool dwell_block(const Words& words, SourceSpan span);
     bool seek_home(const Words& words, SourceSpan span);
     bool set_pole(int code, const Words& words, SourceSpan span);
-    bool move(const Words& words, const Command& command, SourceSpan span);
+    bool move(const Words& words, Command& command, SourceSpan span);
     void check_turn(const Axes& end, SourceSpan span);
-    bool line(const Words& words, Command command, Axes end, AxisMask mask, SourceSpan span);
+    bool line(const Words& words, Command& command, const Axes& end, AxisMask mask,
+              SourceSpan span);
     bool arc(const Words& words, const Command& command, const Axes& end, AxisMask mask,
              SourceSpan span);
     bool arc_by_points(const Words& words, const Command& command, ProgramArc arc, AxisMask mask,
@@ -126,6 +130,15 @@ private:
                                 std::optional<std::size_t> unit);
     bool bore_hole(const CycleCall& call, const Hole& hole);
     bool stop_spindle_at_bottom(const CycleCall& call, const Hole& hole);
+    struct MillingArguments;
+    static MillingArguments milling_arguments(std::string_view name);
+    bool rise(double retract);
+    bool mill_area_cycle(const CycleCall& call, double radius);
+    bool read_milling_depth(const CycleCall& call, const MillingArguments& a, Hole& hole);
+    bool read_variant(const CycleCall& call, const MillingArguments& a, language::Milling& m);
+    bool read_spigot_blank(const CycleCall& call, const MillingArguments& a, language::Milling& m);
+    bool mill_face_cycle(const CycleCall& call, double radius);
+    bool mill_thread_cycle(const CycleCall& call, double radius);
 
     std::array<RotaryWay, 3> ways_;
     bool tool_word_changes_ = false;

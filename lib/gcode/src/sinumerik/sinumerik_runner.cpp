@@ -33,16 +33,18 @@ bool has_tool_change(const SourceFile& file) {
     return false;
 }
 
-/// True for a letter and a number, "X10", "G1", "Z-3.5", that no assignment and no call begins.
-bool is_plain_word(std::string_view name, std::string_view rest) {
-    if (name.size() > 1 && !std::ranges::all_of(name.substr(1), is_digit)) return false;
-    if (name.size() == 1) {
-        return !rest.empty() &&
-               (is_digit(rest[0]) || rest[0] == '-' || rest[0] == '+' || rest[0] == '.');
-    }
-    while (!rest.empty() && is_blank(rest[0]))
-        rest.remove_prefix(1);
-    return rest.empty() || (rest[0] != '=' && rest[0] != '[' && rest[0] != '(');
+/// True if `text` begins with a letter and a number, "X10", "G1", "Z-3.5", that begin no assignment
+/// and no call.
+bool begins_plain_word(std::string_view text) {
+    if (text.size() < 2 || !is_letter(text[0])) return false;
+    std::size_t at = 1;
+    while (at < text.size() && is_digit(text[at]))
+        ++at;
+    if (at == 1) return text[1] == '-' || text[1] == '+' || text[1] == '.';
+    if (at < text.size() && (is_letter(text[at]) || text[at] == '_')) return false;
+    while (at < text.size() && is_blank(text[at]))
+        ++at;
+    return at == text.size() || (text[at] != '=' && text[at] != '[' && text[at] != '(');
 }
 
 constexpr auto kFrames = std::to_array<std::string_view>(
@@ -143,8 +145,9 @@ bool Runner::act() {
     CodeScanner scan(line_.code);
     scan.skip_blanks();
     // "G1", "X10": most blocks begin with a word.
+    if (!is_letter(scan.peek(1)) && scan.peek(1) != '_') return items(scan);
     const std::string_view raw = name_at(scan.remaining());
-    if (raw.size() < 2 || is_digit(raw[1])) return items(scan);
+    if (raw.empty()) return items(scan);
     bool is_done = true;
     return statement(upper_of(raw), scan, is_done) && (is_done || items(scan));
 }
@@ -264,10 +267,19 @@ bool Runner::frame_statement(std::string_view name, CodeScanner& scan) {
 
 // --- Words, assignments, calls ---
 
+/// Executes the words, assignments and calls of the block.
 bool Runner::items(CodeScanner& scan) {
     Words words;
     bool has_words = false;
     while (!scan.is_at_end()) {
+        if (begins_plain_word(scan.remaining())) {
+            const WordReader::Found found = words_.plain_word(scan, line_, words);
+            if (found == WordReader::Found::Error) return false;
+            if (found == WordReader::Found::Yes) {
+                has_words = true;
+                continue;
+            }
+        }
         const std::size_t frames = frames_.size();
         const Place place = reader_->place();
         if (!item(scan, words, has_words)) return false;
@@ -280,18 +292,11 @@ bool Runner::items(CodeScanner& scan) {
     return !has_words || finish_block(words, line_.whole());
 }
 
+/// Reads an item that is no plain word: an assignment, a call, a keyword, a word with a sign.
 bool Runner::item(CodeScanner& scan, Words& words, bool& has_words) {
     const std::size_t begin = scan.at();
     const std::string_view raw = name_at(scan.remaining());
     if (raw.empty()) return refuse_text(begin);
-    if (is_plain_word(raw, line_.code.substr(begin + raw.size()))) {
-        const WordReader::Found found = words_.plain_word(scan, line_, words);
-        if (found == WordReader::Found::Error) return false;
-        if (found == WordReader::Found::Yes) {
-            has_words = true;
-            return true;
-        }
-    }
     const std::string name = upper_of(raw);
     const SourceSpan span = line_.span(begin, raw.size());
     CodeScanner behind(line_.code, begin + raw.size());

@@ -80,6 +80,7 @@ private:
         CycleCall cycle;
         std::string program;
         std::vector<Argument> arguments;
+        SourceSpan span;  // Of the block with MCALL.
     };
     /// A program that runs.
     struct Frame {
@@ -141,6 +142,7 @@ private:
     bool proc(CodeScanner& scan);
     bool modal(CodeScanner& scan);
     bool call_modal();
+    void show_modal();
     std::optional<std::vector<Argument>> arguments(CodeScanner& scan);
     std::optional<Arguments> cycle_arguments(CodeScanner& scan);
     bool call(const std::string& name, std::vector<Argument> arguments, double runs,

@@ -127,8 +127,10 @@ bool Runner::built_in(const std::string& name, CodeScanner& scan, bool is_modal,
     }
     const bool is_hole = Control::is_hole_cycle(name);
     const bool is_pattern = Control::is_pattern(name);
+    const bool mills = Control::is_milling_cycle(name);
+    if (mills && is_modal) return fail(Message::NotRead, span, {"MCALL " + name});
     const bool swivels = name == "CYCLE800";
-    if (is_hole || ((is_pattern || swivels) && !is_modal)) {
+    if (is_hole || mills || ((is_pattern || swivels) && !is_modal)) {
         const auto values = cycle_arguments(scan);
         if (!values || !is_at_end(scan)) return false;
         const CycleCall call{name, *values, span};
@@ -136,10 +138,13 @@ bool Runner::built_in(const std::string& name, CodeScanner& scan, bool is_modal,
             frame().modal = {};
             frame().modal.is_active = frame().modal.is_cycle = true;
             frame().modal.cycle = call;
+            frame().modal.span = span;
+            show_modal();
             return true;
         }
         if (swivels) return control_.swivel(call);
         if (is_hole) return control_.cycle(call);
+        if (mills) return control_.mill_cycle(call);
         const auto places = control_.pattern(call);
         if (!places) return false;
         if (frame().modal.is_active && !frame().modal.is_cycle) {
@@ -189,6 +194,7 @@ bool Runner::named_call(std::string_view raw, CodeScanner& scan, bool is_first) 
 bool Runner::modal(CodeScanner& scan) {
     if (scan.is_at_end()) {
         frame().modal = {};
+        show_modal();
         return true;
     }
     const std::size_t begin = scan.at();
@@ -208,7 +214,20 @@ bool Runner::modal(CodeScanner& scan) {
     frame().modal.is_active = true;
     frame().modal.program = std::string(raw);
     frame().modal.arguments = std::move(*passed);
+    frame().modal.span = line_.whole();
+    show_modal();
     return true;
+}
+
+/// Shows the modal call of the program that runs.
+void Runner::show_modal() {
+    constexpr std::size_t kName = 5;  // "CYCLE"
+    const Modal& modal = frame().modal;
+    int number = 0;
+    if (modal.is_active) {
+        number = modal.is_cycle ? -std::stoi(modal.cycle.name.substr(kName)) : kModalProgram;
+    }
+    control_.show_defined_cycle(number, modal.span);
 }
 
 /// Executes the modal call at the position of the tool.
@@ -219,7 +238,11 @@ bool Runner::call_modal() {
         cycle.span = line_.whole();
         return control_.cycle(cycle);
     }
-    return call(modal.program, modal.arguments, 1.0, line_.whole());
+    const SourceSpan definition = modal.span;
+    const bool done = call(modal.program, modal.arguments, 1.0, line_.whole());
+    // The subprogram runs because of the modal call.
+    control_.show_defined_cycle(kModalProgram, definition);
+    return done;
 }
 
 std::optional<std::size_t> Runner::program_of(std::size_t file, const std::string& name) {
@@ -293,6 +316,7 @@ bool Runner::call(const std::string& called, std::vector<Argument> passed, doubl
     entered.arguments = std::move(passed);
     entered.runs_left = static_cast<std::uint64_t>(std::min(runs, 1e9)) - 1;
     frames_.push_back(std::move(entered));
+    show_modal();
     variables_.begin_program();
     const Program& target = program();
     const SourceFile& file = *files_[target.file].source;
@@ -326,6 +350,7 @@ bool Runner::finish_program() {
     const std::optional<SavedModes> saved = leaving.saved;
     const Place back = leaving.back;
     frames_.pop_back();
+    show_modal();
     variables_.end_program();
     const Program& target = program();
     const SourceFile& file = *files_[target.file].source;

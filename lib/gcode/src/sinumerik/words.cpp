@@ -63,6 +63,10 @@ constexpr auto kLong = std::to_array<std::string_view>(
      "SPI",      "CTOL",  "OTOL",    "ATOL",   "TCARR", "JERKLIM", "VELOLIM", "ACCLIMA", "JERKLIMA",
      "VELOLIMA", "X1",    "Y1",      "Z1",     "G",     "TOFFL",   "TOFFR"});
 
+std::string name_of_g(double number) {
+    return "G" + text_of(number);
+}
+
 /// Addresses that move no axis.
 constexpr auto kLongWithoutPath = std::to_array<std::string_view>(
     {"OVR",     "OVRRAP",  "FAD",     "LIMS",     "ADIS",     "ADISPOS", "ACC",
@@ -103,12 +107,13 @@ WordReader::Found WordReader::fail(const MessageText& message, SourceSpan span,
     return Found::Error;
 }
 
+/// Sets the code of `group`. An empty `name` stands for "G" and `code`.
 bool WordReader::set_code(CodeGroup group, int code, std::string_view name, SourceSpan span,
                           Words& words) {
     if (group == CodeGroup::None) return true;
     std::optional<int>& there = words.code[static_cast<std::size_t>(group)];
     if (there && *there != code) {
-        log_.add(Message::CodesExclude, span, {name});
+        log_.add(Message::CodesExclude, span, {name.empty() ? name_of_g(code) : std::string(name)});
         return false;
     }
     there = code;
@@ -116,12 +121,9 @@ bool WordReader::set_code(CodeGroup group, int code, std::string_view name, Sour
 }
 
 WordReader::Found WordReader::g_code(double number, SourceSpan span, Words& words) {
-    const double whole = std::round(number);
-    std::string name = "G";
-    name += text_of(number);
-    if (number != whole || !(whole >= 0.0 && whole < 1000.0))
-        return fail(Message::NotRead, span, {name});
-    const int g = static_cast<int>(whole);
+    const bool is_in_range = number >= 0.0 && number < 1000.0;
+    const int g = is_in_range ? static_cast<int>(number) : -1;
+    if (g != number) return fail(Message::NotRead, span, {name_of_g(number)});
     CodeGroup group = CodeGroup::None;
     if (g <= 3) {
         group = CodeGroup::Motion;
@@ -150,9 +152,9 @@ WordReader::Found WordReader::g_code(double number, SourceSpan span, Words& word
         const bool has_no_path = g == 9 || (g >= 601 && g <= 603) || g == 62 || g == 621 ||
                                  (g >= 140 && g <= 143) || g == 340 || g == 341 ||
                                  (g >= 460 && g <= 462) || g == 290;
-        if (!has_no_path) return fail(Message::NotRead, span, {name});
+        if (!has_no_path) return fail(Message::NotRead, span, {name_of_g(number)});
     }
-    return set_code(group, g, name, span, words) ? Found::Yes : Found::Error;
+    return set_code(group, g, {}, span, words) ? Found::Yes : Found::Error;
 }
 
 WordReader::Found WordReader::keyword(std::string_view name, SourceSpan span, Words& words) {

@@ -310,6 +310,15 @@ bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
     return letters != 0 && has_digit;
 }
 
+/// Returns `line` without the beginning "120 L " of a straight move in Klartext.
+std::string_view without_line_verb(std::string_view line) {
+    std::size_t at = 0;
+    while (at < line.size() && (is_digit(line[at]) || line[at] == ' '))
+        ++at;
+    const bool has_verb = at + 1 < line.size() && line[at] == 'L' && line[at + 1] == ' ';
+    return has_verb ? line.substr(at + 2) : line;
+}
+
 /// True for "PART.MPF", "part.spf": main programs and subprograms of SINUMERIK.
 bool has_siemens_name(std::string_view name) {
     if (name.size() < 4) return false;
@@ -329,6 +338,9 @@ bool has_iso_code(std::string_view code) {
     return false;
 }
 
+/// Sign of Kind::Heidenhain: lines like "L X+10".
+constexpr std::size_t kLinesOfKlartext = 40;
+
 class DialectDetector {
 public:
     explicit DialectDetector(std::string_view name) : is_named_siemens_(has_siemens_name(name)) {}
@@ -339,7 +351,9 @@ public:
         constexpr Letters kPlain = letters_of("NXYZF");
         constexpr Letters kPlainArcs = kPlain | letters_of("ABCIJKRS");
         Letters seen = 0;
-        if (is_plain(line, every ? kPlain : kPlainArcs, seen)) {
+        const bool has_lines = (kinds_[kHeidenhain].seen >> kLinesOfKlartext & 1U) != 0;
+        if (is_plain(has_lines ? without_line_verb(line) : line, every ? kPlain : kPlainArcs,
+                     seen)) {
             has_words_ = true;
             has_y_ = has_y_ || (seen & bit_of('Y')) != 0;
             has_xz_ = has_xz_ || (seen & letters_of("XZ")) != 0;
@@ -515,7 +529,7 @@ private:
         if (at < code.size() && (code[at] == '+' || code[at] == '-')) ++at;
         if (at >= code.size() || (code[at] != 'Q' && code[at] != '.' && !is_digit(code[at])))
             return;  // "C X-axis to the left" is prose.
-        add(kinds_[kHeidenhain], 40, 4, "lines like L X+10 and CC X+10", line);
+        add(kinds_[kHeidenhain], kLinesOfKlartext, 4, "lines like L X+10 and CC X+10", line);
     }
 
     /// Counts values after "=", as on Siemens: "G1 X=AC(20)", "CR=5", "R1=10". In other languages

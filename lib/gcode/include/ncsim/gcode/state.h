@@ -48,6 +48,16 @@ struct CycleState {
     bool operator==(const CycleState&) const = default;
 };
 
+/// Cycle of Klartext or SINUMERIK that is defined for calls or for each move.
+struct DefinedCycle {
+    /// n > 0: CYCL DEF n; n < 0: MCALL CYCLE-n, or kModalProgram; 0: none.
+    int number = 0;
+    std::uint32_t line = 0;  ///< Line of the definition.
+    bool operator==(const DefinedCycle&) const = default;
+};
+/// Number of a subprogram that MCALL calls after each move.
+inline constexpr int kModalProgram = -1'000'000;
+
 /// G68, G51 and G16 of Fanuc and similar controls: transformation of programmed coordinates,
 /// applied first.
 struct ProgrammedTransform {
@@ -188,6 +198,7 @@ struct MachineState {
 
     ProgrammedTransform programmed;
     CycleState cycle;
+    DefinedCycle defined_cycle;
 
     double unit_mm() const { return inches ? 25.4 : 1.0; }
     bool operator==(const MachineState&) const = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances and scan lines of a polygon.
+// Distances and scan lines of polygons.
 #include "control/cycles/area.h"
 
 #include "ncsim/trig/angles.h"
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -81,21 +82,26 @@ double signed_area(const std::vector<PlanePoint>& outline) {
     return twice / 2.0;
 }
 
-Area::Area(std::vector<PlanePoint> outline, double distance) : outline_(std::move(outline)) {
-    const auto [low, high] =
-        std::ranges::minmax_element(outline_, {}, [](const PlanePoint& p) { return p.y; });
-    lowest_ = low->y + distance;
-    highest_ = high->y - distance;
-    const double size = distance + high->y - low->y;
+Area::Area(const std::vector<std::vector<PlanePoint>>& outlines, double distance) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const std::vector<PlanePoint>& outline : outlines) {
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            sides_.push_back({outline[i], outline[(i + 1) % outline.size()]});
+            low = std::min(low, outline[i].y);
+            high = std::max(high, outline[i].y);
+        }
+    }
+    lowest_ = low + distance;
+    highest_ = high - distance;
+    const double size = distance + high - low;
     of_strokes_ = std::max(0.0, distance - kRounding * size);
     path_margin_ = std::max(0.0, distance - kPathRounding * size);
 }
 
 bool Area::contains(PlanePoint p) const {
     bool inside = false;
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-        const PlanePoint& a = outline_[i];
-        const PlanePoint& b = outline_[(i + 1) % outline_.size()];
+    for (const auto& [a, b] : sides_) {
         if (distance(p, a, b) < path_margin_) return false;
         if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
             inside = !inside;
@@ -105,19 +111,14 @@ bool Area::contains(PlanePoint p) const {
 }
 
 bool Area::contains(PlanePoint a, PlanePoint b) const {
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-        if (distance(a, b, outline_[i], outline_[(i + 1) % outline_.size()]) < path_margin_)
-            return false;
-    }
-    return true;
+    return std::ranges::none_of(
+        sides_, [&](const Side& side) { return distance(a, b, side.a, side.b) < path_margin_; });
 }
 
 std::vector<Stroke> Area::strokes_at(double y) const {
     std::vector<double> crossings;
     std::vector<Stroke> near;
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-        const PlanePoint& a = outline_[i];
-        const PlanePoint& b = outline_[(i + 1) % outline_.size()];
+    for (const auto& [a, b] : sides_) {
         if ((a.y <= y) != (b.y <= y))
             crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
         if (const auto stroke = near_segment(a, b, of_strokes_, y)) near.push_back(*stroke);

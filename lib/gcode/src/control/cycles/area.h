@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The region inside a closed outline where the centre of a round cutter may be, and strokes that
+// The region inside closed outlines where the centre of a round cutter may be, and strokes that
 // cover the region.
 #pragma once
 
@@ -18,21 +18,22 @@ struct Stroke {
     double from = 0.0, to = 0.0;
 };
 
-/// Points inside a polygon whose distance from the polygon is at least a given distance.
+/// Points inside an odd number of polygons whose distance from all polygons is at least a given
+/// distance.
 class Area {
 public:
-    /// `outline` is closed implicitly and does not intersect itself; either orientation. `distance`
+    /// The outlines are closed implicitly, do not intersect, and have any orientation. `distance`
     /// ≥ 0.
-    Area(std::vector<PlanePoint> outline, double distance);
+    Area(const std::vector<std::vector<PlanePoint>>& outlines, double distance);
 
     /// True if `p` is in the area.
-    /// Cost: O(sides of the outline).
+    /// Cost: O(sides of the outlines).
     bool contains(PlanePoint p) const;
     /// True if the whole segment between two points of the area is in the area.
-    /// Cost: O(sides of the outline).
+    /// Cost: O(sides of the outlines).
     bool contains(PlanePoint a, PlanePoint b) const;
     /// Returns the segments of the line y = `y` in the area, from left to right.
-    /// Cost: O(n log n + n k) for n sides of the outline and k segments.
+    /// Cost: O(n log n + n k) for n sides of the outlines and k segments.
     std::vector<Stroke> strokes_at(double y) const;
 
     // Bounds of the second coordinate of the area; the area is empty if `lowest` > `highest`.
@@ -40,7 +41,10 @@ public:
     double highest() const { return highest_; }
 
 private:
-    std::vector<PlanePoint> outline_;
+    struct Side {
+        PlanePoint a, b;
+    };
+    std::vector<Side> sides_;
     // `distance` minus a rounding tolerance, so points at exactly `distance` count as inside.
     // path_margin_ < of_strokes_, so a connection between ends of strokes along an edge of the area
     // is inside.

@@ -18,57 +18,12 @@ namespace {
 /// Limits above any real program; a larger value is a wrong word.
 constexpr double kMostStrokes = 100'000.0;  // Strokes at all levels.
 constexpr double kMostWork = 1e9;           // Strokes × sides of the outline.
-constexpr double kMostPieces = 2000.0;      // Segments of an arc.
 
 /// Chord tolerance of the outline's arcs, mm.
 constexpr double kChord = 0.001;
 
 /// Largest distance between the ends of a closed outline, mm.
 constexpr double kMaxClosingGap = 0.005;
-
-/// An arc whose ends subtend at most this angle at the centre is a full circle, degrees.
-constexpr double kNoTurn = 1e-9 * 180.0 / std::numbers::pi;
-
-/// Returns the angle that the arc `move` turns by, in degrees, positive counter-clockwise.
-double sweep_of(const OutlineMove& move) {
-    const double from = trig::angle_of(move.from.x - move.centre.x, move.from.y - move.centre.y);
-    const double to = trig::angle_of(move.to.x - move.centre.x, move.to.y - move.centre.y);
-    double sweep = move.turns > 0 ? to - from : from - to;
-    while (sweep <= kNoTurn)
-        sweep += 360.0;
-    return move.turns > 0 ? sweep : -sweep;
-}
-
-PlanePoint point_at(const OutlineMove& move, double share) {
-    if (move.turns == 0) {
-        return {move.from.x + share * (move.to.x - move.from.x),
-                move.from.y + share * (move.to.y - move.from.y)};
-    }
-    const trig::SinCos turn = trig::sin_cos(share * sweep_of(move));
-    const double x = move.from.x - move.centre.x;
-    const double y = move.from.y - move.centre.y;
-    return {move.centre.x + x * turn.cos - y * turn.sin,
-            move.centre.y + x * turn.sin + y * turn.cos};
-}
-
-/// Returns the outline as a polygon with the chord tolerance `chord`.
-std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double chord) {
-    std::vector<PlanePoint> points;
-    for (const OutlineMove& move : loop) {
-        int pieces = 1;
-        if (move.turns != 0) {
-            const double r =
-                trig::length_of(move.from.x - move.centre.x, move.from.y - move.centre.y);
-            const double rise = std::min(chord / r, 0.5);
-            const double step = 2.0 * trig::angle_of(1.0 - rise, std::sqrt(rise * (2.0 - rise)));
-            const double wanted = step > 0.0 ? std::abs(sweep_of(move)) / step : kMostPieces;
-            pieces = static_cast<int>(std::ceil(std::clamp(wanted, 4.0, kMostPieces)));
-        }
-        for (int i = 0; i < pieces; ++i)
-            points.push_back(point_at(move, static_cast<double>(i) / pieces));
-    }
-    return points;
-}
 
 }  // namespace
 
@@ -186,8 +141,8 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
         for (PlanePoint& p : polygon)
             std::swap(p.x, p.y);
     }
-    const Area area(polygon, cutter + allowance);
-    const Area on_size(polygon, cutter);
+    const Area area({polygon}, cutter + allowance);
+    const Area on_size({polygon}, cutter);
     const auto seen = [&](PlanePoint p) { return along_y ? PlanePoint{p.y, p.x} : p; };
     const PlanePoint hole{start[kX], start[kY]};
     if (area.lowest() > area.highest() || !area.contains(seen(hole)))
@@ -256,11 +211,7 @@ bool Machine::mill_outline(const std::vector<OutlineMove>& loop, CutterSide side
                            const Area& area, bool along_y, double level, double clear) {
     const OutlineMove& first = loop.front();
     const PlanePoint middle = point_at(first, 0.5);
-    PlanePoint ahead{first.to.x - first.from.x, first.to.y - first.from.y};
-    if (first.turns != 0) {
-        const double turn = first.turns > 0 ? 1.0 : -1.0;
-        ahead = {-turn * (middle.y - first.centre.y), turn * (middle.x - first.centre.x)};
-    }
+    const PlanePoint ahead = direction_in_middle(first);
     const double length = trig::length_of(ahead.x, ahead.y);
     const double in = side == CutterSide::Left ? radius / length : -radius / length;
     const PlanePoint offset_point{middle.x - in * ahead.y, middle.y + in * ahead.x};

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outlines of rectangles with round corners and of bands about arcs.
+#include "language/milled_area.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ncsim::gcode::language {
+namespace {
+
+/// A shorter side is a rounding error, relative to the size of the area.
+constexpr double kSideRounding = 1e-9;
+
+PlanePoint polar(PlanePoint centre, double radius, double degrees) {
+    const trig::SinCos direction = trig::sin_cos(degrees);
+    return {centre.x + radius * direction.cos, centre.y + radius * direction.sin};
+}
+
+OutlineMove arc(PlanePoint from, PlanePoint to, PlanePoint centre, int turns) {
+    return {from, to, centre, turns};
+}
+
+Pass outline_of_band(const MilledArea& area, double inset) {
+    const double half = area.width / 2.0 - inset;
+    const double outer = area.arc_radius + half;
+    const double inner = area.arc_radius - half;
+    const double end = area.angle + area.opening;
+    const auto at = [&](double radius, double degrees) {
+        return polar(area.centre, radius, degrees);
+    };
+    const PlanePoint start = at(outer, area.angle + area.opening / 2.0);
+    const PlanePoint outer_end = at(outer, end);
+    const PlanePoint inner_end = at(inner, end);
+    const PlanePoint inner_start = at(inner, area.angle);
+    const PlanePoint outer_start = at(outer, area.angle);
+    return {arc(start, outer_end, area.centre, 1),
+            arc(outer_end, inner_end, at(area.arc_radius, end), 1),
+            arc(inner_end, inner_start, area.centre, -1),
+            arc(inner_start, outer_start, at(area.arc_radius, area.angle), 1),
+            arc(outer_start, start, area.centre, 1)};
+}
+
+}  // namespace
+
+double MilledArea::half_width() const {
+    return (is_band() ? width : std::min(length, width)) / 2.0;
+}
+
+PlanePoint point_in(const MilledArea& area, double x, double y) {
+    const trig::SinCos direction = trig::sin_cos(area.angle);
+    return {area.centre.x + x * direction.cos - y * direction.sin,
+            area.centre.y + x * direction.sin + y * direction.cos};
+}
+
+Pass outline_of(const MilledArea& area, double inset) {
+    if (area.is_band()) return outline_of_band(area, inset);
+    const double a = area.length / 2.0 - inset;
+    const double b = area.width / 2.0 - inset;
+    const double most = std::min(a, b);
+    const double tiny = kSideRounding * std::max(area.length, area.width);
+    double r = std::clamp(area.corner - inset, 0.0, most);
+    if (r < tiny) r = 0.0;
+    if (r > most - tiny) r = most;
+    const auto at = [&](double x, double y) { return point_in(area, x, y); };
+    const PlanePoint start = at(a, 0.0);
+    if (r == most && a - b < tiny && b - a < tiny) return {arc(start, start, area.centre, 1)};
+    Pass pass;
+    PlanePoint here = start;
+    const auto line = [&](double length, double x, double y) {
+        if (length <= tiny) return;
+        const PlanePoint end = at(x, y);
+        pass.push_back({here, end, {}, 0});
+        here = end;
+    };
+    const auto turn = [&](double centre_x, double centre_y, double x, double y) {
+        if (r == 0.0) return;
+        const PlanePoint end = at(x, y);
+        pass.push_back(arc(here, end, at(centre_x, centre_y), 1));
+        here = end;
+    };
+    const double x = a - r;  // Ends of the straight sides.
+    const double y = b - r;
+    line(y, a, y);
+    turn(x, y, x, b);
+    line(2.0 * x, -x, b);
+    turn(-x, y, -a, y);
+    line(2.0 * y, -a, -y);
+    turn(-x, -y, -x, -b);
+    line(2.0 * x, x, -b);
+    turn(x, -y, a, -y);
+    line(y, a, 0.0);
+    return pass;
+}
+
+PlanePoint middle_of(const MilledArea& area) {
+    if (!area.is_band()) return area.centre;
+    return polar(area.centre, area.arc_radius, area.angle + area.opening / 2.0);
+}
+
+Pass centre_line_of(const MilledArea& area) {
+    const PlanePoint middle = middle_of(area);
+    if (area.is_band()) {
+        const PlanePoint start = polar(area.centre, area.arc_radius, area.angle);
+        const PlanePoint end = polar(area.centre, area.arc_radius, area.angle + area.opening);
+        return {arc(middle, start, area.centre, -1), arc(start, end, area.centre, 1),
+                arc(end, middle, area.centre, -1)};
+    }
+    const double half = (area.length - area.width) / 2.0;
+    const double tiny = kSideRounding * std::max(area.length, area.width);
+    if (std::abs(half) <= tiny) return {};
+    const PlanePoint start = half > 0.0 ? point_in(area, -half, 0.0) : point_in(area, 0.0, half);
+    const PlanePoint end = half > 0.0 ? point_in(area, half, 0.0) : point_in(area, 0.0, -half);
+    return {{middle, start, {}, 0}, {start, end, {}, 0}, {end, middle, {}, 0}};
+}
+
+void reverse(Pass& pass) {
+    std::ranges::reverse(pass);
+    for (OutlineMove& move : pass) {
+        std::swap(move.from, move.to);
+        move.turns = -move.turns;
+    }
+}
+
+}  // namespace ncsim::gcode::language
