@@ -45,6 +45,17 @@ TEST(Tools, AreListedWithTheirSourceAndUse) {
               "  source  line 2: (STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n");
 }
 
+TEST(Tools, NamesOfSinumerikContainTheSize) {
+    Folder folder;
+    folder.write("a.mpf",
+                 "G710 G90 G17\nT=\"CUTTER 16\"\nM6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\n"
+                 "G0 Z5\nT=\"FACEMILL_63\"\nM6\nG0 X9\nG1 Z0 F100\nG0 Z5\nM30\n");
+    const Ran ran = folder.run({"tools", "a.mpf"});
+    EXPECT_TRUE(contains(ran.out, "T9001     flat end mill D16 ")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "line 2: (T9001 CUTTER 16)")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "T9002     face mill D63 ")) << ran.out;
+}
+
 TEST(Tools, ThatAreNotDescribedOrNotUsedAreToldAndExitWithOne) {
     Folder folder;
     folder.write("two.nc", kTwoTools);

@@ -355,7 +355,7 @@ TEST(Klartext, NotesHaveCommentsToolsAndStock) {
                                             "BLK FORM 0.2 X+100 Y+50 Z-0.5",
                                             "MILL D10",
                                             "T3 D=8 - drill",
-                                            "FR D6",
+                                            "T9001 FR D6",
                                             "T4 D=6 CR=0 - flat end mill"};
     EXPECT_EQ(texts, expected);
     EXPECT_EQ(words, "GTGX");

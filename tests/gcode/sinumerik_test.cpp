@@ -435,7 +435,7 @@ TEST(Sinumerik, WorkpieceIsTheStock) {
             words += word.letter;
     }
     EXPECT_EQ(comments, (std::vector<std::string>{"BLK FORM 0.1 Z X-92 Y-59 Z-23",
-                                                  "BLK FORM 0.2 X+92 Y+59 Z+0", "SCHAFT D8",
+                                                  "BLK FORM 0.2 X+92 Y+59 Z+0", "T9001 SCHAFT D8",
                                                   " T2 D=8 - flat end mill"}));
     EXPECT_EQ(words, "GTGXYGGZ");
 }

@@ -42,10 +42,12 @@ void NoteWriter::add(Block& block, char letter, double number, SourceSpan span) 
 
 void NoteWriter::add_tool(Block& block, std::string_view name, SourceSpan span) {
     const auto known = std::ranges::find(names_, name);
-    std::string words(name);
+    const int number = kFirstNamedTool + static_cast<int>(known - names_.begin());
+    // The number makes the text a description of this tool: "T9001 CUTTER 16".
+    std::string words = "T" + std::to_string(number) + " " + std::string(name);
     std::ranges::replace(words, '_', ' ');
     add(block, std::move(words), span);
-    add(block, 'T', kFirstNamedTool + static_cast<double>(known - names_.begin()), span);
+    add(block, 'T', number, span);
 }
 
 void NoteWriter::add_corner(Block& block, std::string_view head,
