@@ -12,7 +12,7 @@ import sys
 import unittest
 
 NCSIM, SOURCE, WORK = (os.path.abspath(path) for path in sys.argv[1:4])
-UPDATE = "docs/site/reference.py build/ncsim . docs/reference"
+UPDATE = "python3 docs/site/reference.py build/ncsim . docs/reference"
 
 
 def pages(folder):

@@ -14,6 +14,7 @@
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/joint_path.h"
+#include "ncsim/toolpath/tool_spec.h"
 
 #include "run/machine_picture.h"
 #include "run/tool_body.h"
@@ -182,22 +183,33 @@ std::string line_text(const exporter::Provenance& provenance,
                        entry.earlier_line);
 }
 
+// Returns the number of a tool, with its description if the program or the job has one. Tools of
+// earlier set-ups are in the job.
+std::string tool_text(const Outcome& outcome, std::uint32_t number) {
+    const auto described = [&](const toolpath::Tool& tool) {
+        return fmt::format(
+            "T{} {}", number,
+            report::tool_in_unit(toolpath::describe(tool), outcome.options.report_unit));
+    };
+    const auto used = outcome.survey.tools.find(static_cast<int>(number));
+    if (used != outcome.survey.tools.end()) return described(used->second.tool);
+    const auto& tools = outcome.plan.job.tools;
+    const auto entry = std::ranges::find_if(tools, [&](const toolpath::ToolEntry& e) {
+        return e.spec.number == static_cast<int>(number) && toolpath::is_complete(e.spec) &&
+               (e.spec.length || !e.spec.pieces.empty());
+    });
+    if (entry == tools.end()) return fmt::format("T{}", number);
+    return described(toolpath::make_tool(entry->spec, 0.0));
+}
+
 // Returns the meaning of the colours: the tools that cut, or the ends of the scale.
 void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
                 exporter::Marks& marks) {
     const exporter::Provenance& provenance = outcome.simulation->provenance;
     switch (options.colouring) {
         case exporter::Colouring::Tool:
-            for (const auto& [number, colour] : exporter::tool_colours(provenance)) {
-                const auto used = outcome.survey.tools.find(static_cast<int>(number));
-                marks.legend.emplace_back(
-                    colour,
-                    used == outcome.survey.tools.end()
-                        ? fmt::format("T{}", number)
-                        : fmt::format("T{} {}", number,
-                                      report::tool_in_unit(toolpath::describe(used->second.tool),
-                                                           outcome.options.report_unit)));
-            }
+            for (const auto& [number, colour] : exporter::tool_colours(provenance))
+                marks.legend.emplace_back(colour, tool_text(outcome, number));
             break;
         case exporter::Colouring::Line:
             if (provenance.entries.size() < 2) break;

@@ -608,6 +608,8 @@ function showPicked(hit) {
   } else {
     highlight(hit.line);
     if (hit.line > 0 && hit.tool > 0) picked.append(`  — ${toolName(hit.tool)}`);
+    if (hit.line === 0 && hit.tool > 0)
+      picked.replaceChildren(`cut in an earlier set-up  — ${toolName(hit.tool)}`);
     if (hit.line > 0 && player) {
       picked.append(" ", element("button", { type: "button", textContent: "show this line",
         onclick: () => select(hit.line) }));

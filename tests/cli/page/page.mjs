@@ -221,6 +221,14 @@ await reader.run(async () => {
   await click(page, -38, -38, 0);
   expect(await selected(page) === 0, "the stock's corner is a face");
 
-  expect(reader.requests.filter((url) => url.startsWith("file:")).length === 4,
+  // Faces of an earlier set-up have tool and form, and no line of this program.
+  call("run", "part.nc", "--save-stock", "part.ncstock", "-q");
+  writeFileSync(join(folder, "next.nc"), program.split("\n").filter((line, i) => i < 4 || i > 11).join("\n"));
+  call("run", "next.nc", "--stock", "part.ncstock", "--html", "next.html", "-q");
+  page = await open("next.html");
+  const earlier = await click(page, -30, 3, -4);
+  expect(earlier.startsWith("cut in an earlier set-up") && earlier.includes("T1"), earlier);
+
+  expect(reader.requests.filter((url) => url.startsWith("file:")).length === 5,
     `loaded: ${reader.requests}`);
 }, (url) => url.startsWith("file:") || url.startsWith("data:"));
