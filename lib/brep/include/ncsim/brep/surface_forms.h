@@ -12,10 +12,12 @@
 
 namespace ncsim::brep {
 
+/// Unbounded plane.
 struct Plane {
     Vec3 origin, normal;  ///< A point on the plane; the unit normal.
     bool operator==(const Plane&) const = default;
 };
+/// Circular cylinder of unbounded length.
 struct Cylinder {
     Vec3 origin, axis;  ///< A point on the axis; the unit direction.
     double radius = 0.0;
@@ -27,6 +29,7 @@ struct Cone {
     double slope = 0.0;  ///< Radius divided by the height above the apex, > 0.
     bool operator==(const Cone&) const = default;
 };
+/// Sphere, mm.
 struct Sphere {
     Vec3 centre;
     double radius = 0.0;

@@ -26,6 +26,7 @@ struct FacetNormals {
 
 /// The steps of a body that moved along a straight line, where one cell represents all steps.
 struct StraightSteps {
+    /// Step of one origin.
     struct Step {
         Origin origin = kStockOrigin;
         double end = 1.0;  ///< End of the step as a share of the way, ascending to 1.

@@ -40,6 +40,7 @@ double offset_mm(const Plane& plane, const Lattice& lattice);
 /// Returns the signed distance of the plane from `centre` along the normal, both in lattice units.
 double distance_about(const Plane& plane, Vec3 centre);
 
+/// Hash of canonical planes, for unordered containers.
 struct PlaneHash {
     std::size_t operator()(const Plane& p) const noexcept;
 };

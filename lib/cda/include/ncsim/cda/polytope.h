@@ -17,6 +17,7 @@ namespace ncsim::cda {
 /// corner occurs twice.
 class ConvexPolytope {
 public:
+    /// Facet, with its corners and the facets across its edges.
     struct Facet {
         Plane plane;
         std::vector<std::uint32_t> vertices;  ///< Counter-clockwise seen from outside.

@@ -34,6 +34,7 @@ public:
     /// The same for a subset of the triangles, for instance those of one surface.
     TriangleTree(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles);
 
+    /// Result of a search: the triangle and its distance.
     struct Nearest {
         double distance_mm = Box::kInf;
         std::uint32_t triangle = 0;

@@ -75,6 +75,7 @@ struct TipControl {
 /// Parameters of the control for the position of parts on the table: the dynamic fixture offset of
 /// Fanuc (G54.2 Pn), or the setting error of a part (G54.4 Pn).
 struct TableOffsets {
+    /// Offset of one number P.
     struct One {
         /// Vector from the zero of the coordinate system (for G54.2 usually the centre of the
         /// table) to the zero of the part, in machine coordinates, mm. Valid with the rotary axes

@@ -61,6 +61,7 @@ Position to_parent(const FeatureFrame& frame, const Position& p);
 
 /// A non-uniform rational B-spline (G5, G5.1, G5.2) in X and Y of W, the other axes constant.
 struct Spline {
+    /// Control point with its weight, W.
     struct ControlPoint {
         Length x, y;
         double weight = 1.0;
