@@ -12,7 +12,6 @@ import shutil
 import subprocess
 import sys
 
-# Types without a comment. The list only becomes shorter: a type with a comment has to be removed from it.
 UNDOCUMENTED = re.compile(r"^(.*): warning: Compound ncsim::(\S+) is not documented\.$", re.M)
 
 
