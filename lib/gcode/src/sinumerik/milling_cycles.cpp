@@ -109,38 +109,56 @@ bool Control::rise(double retract) {
 bool Control::mill_area_cycle(const CycleCall& call, double radius) {
     const std::string& name = call.name;
     const MillingArguments a = milling_arguments(name);
-    const auto at = [&](int index) {
-        return index < 0 ? 0.0 : argument(call, static_cast<std::size_t>(index), 0.0);
-    };
-    const bool is_spigot = name.starts_with("CYCLE");
-    const bool is_rectangle = a.width >= 0;
-    const std::size_t last_plain =
-        static_cast<std::size_t>(is_spigot ? std::max(a.blank_length, a.blank_width)
+    language::Milling m;
+    m.is_stud = name.starts_with("CYCLE");
+    m.tool_radius = radius;
+    const auto last_plain =
+        static_cast<std::size_t>(m.is_stud ? std::max(a.blank_length, a.blank_width)
                                            : std::max(a.helix_pitch, a.finishing_speed));
     const bool has_modes = call.arguments.size() > last_plain + 1;
-    if (is_spigot && has_modes)
+    if (m.is_stud && has_modes)
         return fail(Message::NotRead, call.span, {name + " with _GMODE or _AMODE"});
-    language::Milling m;
-    m.is_stud = is_spigot;
-    m.tool_radius = radius;
     Hole hole;
-    if (!read_milling_depth(call, a, hole)) return false;
+    if (!read_milling_depth(call, a, hole) || !read_area(call, a, has_modes, m)) return false;
     m.surface = hole.surface;
     m.bottom = hole.bottom;
     m.clear = hole.clear;
-    m.area.length = std::abs(at(a.length));
+    if (m.is_stud && !read_spigot_blank(call, a, m)) return false;
+    read_passes(call, a, has_modes, m);
+    if (!read_variant(call, a, m)) return false;
+    return rise(hole.retract) && mill(m, name) && move_to(hole.retract, std::nullopt);
+}
+
+/// Returns the argument at `place`; 0 if the cycle or the call has no such argument.
+double Control::milling_argument(const CycleCall& call, int place) const {
+    return place < 0 ? 0.0 : argument(call, static_cast<std::size_t>(place), 0.0);
+}
+
+/// Reads size, place and angle of the area.
+bool Control::read_area(const CycleCall& call, const MillingArguments& a, bool has_modes,
+                        language::Milling& m) {
+    const auto at = [&](int place) { return milling_argument(call, place); };
+    const std::string& name = call.name;
+    const bool is_rectangle = a.width >= 0;
+    language::MilledArea& area = m.area;
+    area.length = std::abs(at(a.length));
     // A circle of POCKET2 and of the short POCKET4 is given by its radius.
     const bool is_radius = name == "POCKET2" || (name == "POCKET4" && !has_modes);
-    if (is_radius) m.area.length *= 2.0;
+    if (is_radius) area.length *= 2.0;
     if (name == "POCKET4" && has_modes) log_.add(Message::PocketDiameter, call.span, {name});
-    m.area.width = is_rectangle ? std::abs(at(a.width)) : m.area.length;
-    m.area.corner = is_rectangle ? std::abs(at(a.corner)) : m.area.length / 2.0;
-    m.area.corner = std::min(m.area.corner, m.area.half_width());
-    m.area.angle = at(a.angle);
-    m.area.centre = {at(a.first), at(a.second)};
-    if (!(m.area.length > 0.0 && m.area.width > 0.0))
-        return fail(Message::BlockNeeds, call.span, {name, "a length and a width above 0"});
-    if (is_spigot && !read_spigot_blank(call, a, m)) return false;
+    area.width = is_rectangle ? std::abs(at(a.width)) : area.length;
+    area.corner = is_rectangle ? std::abs(at(a.corner)) : area.length / 2.0;
+    area.corner = std::min(area.corner, area.half_width());
+    area.angle = at(a.angle);
+    area.centre = {at(a.first), at(a.second)};
+    if (area.length > 0.0 && area.width > 0.0) return true;
+    return fail(Message::BlockNeeds, call.span, {name, "a length and a width above 0"});
+}
+
+/// Reads infeeds, allowances, feeds and the distance of passes.
+void Control::read_passes(const CycleCall& call, const MillingArguments& a, bool has_modes,
+                          language::Milling& m) {
+    const auto at = [&](int place) { return milling_argument(call, place); };
     m.infeed = std::abs(at(a.infeed));
     m.has_equal_infeeds = true;
     m.side_allowance = std::abs(at(a.allowance));
@@ -151,12 +169,11 @@ bool Control::mill_area_cycle(const CycleCall& call, double radius) {
     m.finishing_feed = at(a.finishing_feed) > 0.0 ? feed_of(at(a.finishing_feed)) : m.feed;
     m.finishing_infeed = a.finishing_infeed >= 0 ? std::abs(at(a.finishing_infeed)) : m.infeed;
     if (at(a.finishing_speed) > 0.0) m.finishing_speed = at(a.finishing_speed);
+    const double diameter = 2.0 * m.tool_radius;
     const double step = std::abs(at(a.step));
     const bool is_percentage = has_modes && digit(at(a.mode), 1) == 1;
-    m.step = is_percentage ? step / 100.0 * 2.0 * radius : step;
-    if (m.step == 0.0) m.step = kUsualWidth * 2.0 * radius;
-    if (!read_variant(call, a, m)) return false;
-    return rise(hole.retract) && mill(m, name) && move_to(hole.retract, std::nullopt);
+    m.step = is_percentage ? step / 100.0 * diameter : step;
+    if (m.step == 0.0) m.step = kUsualWidth * diameter;
 }
 
 /// Reads RTP, RFP, SDIS and the depth of a pocket or spigot.
@@ -177,9 +194,7 @@ bool Control::read_milling_depth(const CycleCall& call, const MillingArguments& 
 
 /// Reads the direction, and what is milled: roughing, finishing, both.
 bool Control::read_variant(const CycleCall& call, const MillingArguments& a, language::Milling& m) {
-    const auto at = [&](int index) {
-        return index < 0 ? 0.0 : argument(call, static_cast<std::size_t>(index), 0.0);
-    };
+    const auto at = [&](int place) { return milling_argument(call, place); };
     const double direction = at(a.direction);
     const bool turns_left = machine_.state().spindle == SpindleTurning::Counterclockwise;
     if (direction == 2.0 || direction == 3.0) {
@@ -223,9 +238,7 @@ bool Control::read_variant(const CycleCall& call, const MillingArguments& a, lan
 
 bool Control::read_spigot_blank(const CycleCall& call, const MillingArguments& a,
                                 language::Milling& m) {
-    const auto at = [&](int index) {
-        return std::abs(argument(call, static_cast<std::size_t>(index), 0.0));
-    };
+    const auto at = [&](int place) { return std::abs(milling_argument(call, place)); };
     const bool is_rectangle = a.blank_width >= 0;
     const double length = at(a.blank_length);
     const double width = is_rectangle ? at(a.blank_width) : length;

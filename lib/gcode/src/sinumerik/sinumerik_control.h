@@ -134,6 +134,11 @@ private:
     static MillingArguments milling_arguments(std::string_view name);
     bool rise(double retract);
     bool mill_area_cycle(const CycleCall& call, double radius);
+    double milling_argument(const CycleCall& call, int place) const;
+    bool read_area(const CycleCall& call, const MillingArguments& a, bool has_modes,
+                   language::Milling& m);
+    void read_passes(const CycleCall& call, const MillingArguments& a, bool has_modes,
+                     language::Milling& m);
     bool read_milling_depth(const CycleCall& call, const MillingArguments& a, Hole& hole);
     bool read_variant(const CycleCall& call, const MillingArguments& a, language::Milling& m);
     bool read_spigot_blank(const CycleCall& call, const MillingArguments& a, language::Milling& m);
