@@ -179,7 +179,7 @@ TEST_P(Samples, AreTheSameHoweverTheyAreMade) {
     const cda::Boundary expected = once.boundary();
     EXPECT_NEAR(cda::volume(expected), cda::volume(s.boundary), 1e-9);
     test::Random random(11);
-    for (const cda::TreeParameters parameters :
+    for (const cda::TreeParameters& parameters :
          {cda::TreeParameters{20, 1}, {80, 2}, {300, 8}, {33, 3}}) {
         std::vector<cda::Cell> cells = s.tree.carved;
         for (std::size_t i = cells.size(); i > 1; --i)
