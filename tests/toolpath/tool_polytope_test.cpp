@@ -198,6 +198,40 @@ TEST(ToolPolytope, FacetsOfConesMeetInTheirCorners) {
     }
 }
 
+// Returns the number of planes of the hull of a move that touch fewer than three corners of the
+// tool at both ends of the move.
+std::ptrdiff_t loose_planes(const std::vector<cda::LatticePoint>& points, cda::LatticePoint move) {
+    const auto sweep = cda::TranslationSweep::of(points, kLattice);
+    const auto planes = (*sweep)({}, move, cda::kStockOrigin).planes;
+    return std::ranges::count_if(planes, [&](const cda::Plane& plane) {
+        std::ptrdiff_t corners = 0;
+        for (const cda::LatticePoint& p : points) {
+            for (const cda::LatticePoint& q : {p, p + move})
+                corners += plane.nx * q.x + plane.ny * q.y + plane.nz * q.z == plane.d ? 1 : 0;
+        }
+        return corners < 3;
+    });
+}
+
+// Walls with rounded normals touch the tool in a single corner. The walls of the next move then do
+// not meet them in an edge, and slivers of nanometres remain.
+TEST(ToolPolytope, WallsOfMovesWithThreeDecimalsTouchWholeEdges) {
+    const std::vector<cda::LatticePoint> moves{
+        {322600, 0, 198700}, {-322600, 0, 57300}, {0, 101000, -33300}, {157900, 88700, 61300}};
+    for (const double diameter : {1.0, 2.0, 6.0, 8.0, 12.0}) {
+        SCOPED_TRACE(diameter);
+        const ToolPiece ball = ball_end_mill(diameter, diameter / 2 + 20).pieces[0];
+        std::ptrdiff_t loose = 0, loose_of_turning = 0;
+        for (const cda::LatticePoint& move : moves) {
+            loose += loose_planes(approximate(ball, kLattice, {0.05, Side::Fair}).points_T, move);
+            loose_of_turning +=
+                loose_planes(approximate(ball, kLattice, {0.05, Side::Fair, true}).points_T, move);
+        }
+        EXPECT_EQ(loose, 0);
+        EXPECT_GT(loose_of_turning, 0);
+    }
+}
+
 // The last corner above the equator is at the top and not below the top.
 TEST(ToolPolytope, CircumscribedContainsAWholeBall) {
     for (const double diameter : {20.0, 3.0218, 146.663238843, 0.713}) {

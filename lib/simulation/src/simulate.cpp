@@ -91,6 +91,7 @@ toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Latt
     // Saved cells may be verified later, which needs a known side of the error.
     accuracy.side = !plan.keep_removed_cells ? verification.side : toolpath::Side::Circumscribed;
     accuracy.tolerance_mm = plan.tool_tolerance;
+    accuracy.turns = survey.turns_tools();
     toolpath::SamplingOptions sampling;
     sampling.chord_tolerance_mm = plan.tolerance;
     sampling.rotation_miss_mm = plan.tolerance;

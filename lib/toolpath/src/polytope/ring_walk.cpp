@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Search for the stack of rings with the fewest facets that approximates a profile.
+// Search for the cheapest stack of rings that approximates a profile.
 #include "polytope/ring_walk.h"
 
 #include "ncsim/cda/lattice.h"
@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace ncsim::toolpath {
@@ -81,17 +83,44 @@ double turning_angle(const Fillet& f, Vec d) {
 // A walk up to a ring.
 struct Step {
     Ring ring;
-    int before = -1;  // index of the step below
-    int facets = 0, corners = 0;
+    int before = -1;    // index of the step below
+    double cost = 0.0;  // as in RingStack
+    int corners = 0;
+    std::size_t rings = 0;
     double error = 0.0;
     // Circumscribed: current point, and tangent to continue on. Inscribed: `turned` is the angle
     // reached on the arc.
     Vec at, d;
     double turned_degrees = 0.0;
     bool has_ring = false;
+    bool is_divisible = false;  // the scale is a multiple of kDivisors
 };
 
-// Search for the stack of rings with the fewest facets along a profile.
+// What edges cost, in facets.
+struct EdgeCosts {
+    double long_direction = 0.0;  // an edge with a long direction
+    // A radian between the normals of two facets at the tip. At other slopes the fourth power of
+    // the cosine between normal and axis is a factor (mean_excess).
+    double visible_turn = 0.0;
+};
+
+// Fair tools cut parts that are written. Circumscribed tools mostly decide contacts; for these, the
+// number of facets counts, and edges decide between equal numbers.
+EdgeCosts edge_costs(Side side) {
+    switch (side) {
+        case Side::Fair: return {1.0, 6.0};
+        case Side::Circumscribed: return {1.0 / 16, 0.5};
+        case Side::Inscribed: break;
+    }
+    return {};
+}
+
+// Scales of coarser rings are also tried at multiples of this number, with many divisors that the
+// scale of the next ring may share.
+constexpr std::int64_t kDivisors = 12;
+constexpr std::int64_t kLeastShared = 16;  // least common factor worth trying
+
+// Search for the cheapest stack of rings along a profile.
 //
 // Circumscribed: the polygon of a ring holds the round section if the polygon's inner circle does,
 // so the radii of the inner circles, over the heights, have to lie on or outside the profile.
@@ -102,19 +131,28 @@ struct Step {
 // arc.
 //
 // The polygon of the next ring is a choice: fine polygons reach farther, coarse polygons have fewer
-// facets. A walk is kept for the next ring unless a second walk is at least equal in both the
-// number of facets and the angle reached.
+// facets. A walk is kept for the next ring unless a second walk is at least equal in both the cost
+// and the angle reached.
+//
+// Edges between two rings have short directions if heights and scales have a large common factor:
+// (X, Y, h/k) between equal polygons with the corner (X, Y) whose scales differ by k, if the height
+// h is a multiple of k. So heights are moved outwards to such multiples, by less than k units, and
+// the tangent from the moved corner continues the walk. Between different polygons both scales and
+// the height need a common factor; such scales are tried, too.
 class Walks {
 public:
     Walks(const std::vector<RingPolygon>& family, Side side, const ToleranceBand& band,
-          int most_corners)
+          const StackLimits& limits)
         : family_(family),
           side_(side),
-          most_corners_(most_corners),
+          seeks_short_directions_(side != Side::Inscribed && !limits.turns),
+          edge_costs_(seeks_short_directions_ ? edge_costs(side) : EdgeCosts{}),
+          limits_(limits),
           tolerance_(std::max(band.inside, band.outside)),
           inset_(band.inside > 0 ? band.inside - 1 - kAlmost : 0.0),
           excess_(band.outside > 0 ? band.outside - 1 - kAlmost : 0.0),
-          most_common_(std::max<std::int64_t>(1, round_down(tolerance_ / 4))) {
+          most_common_(std::max<std::int64_t>(1, round_down(tolerance_ / 4))),
+          most_moved_(std::max<std::int64_t>(1, round_down(tolerance_ / 8))) {
         const auto& corners = family[0].corners;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const auto& [x, y] = corners[i];
@@ -128,6 +166,10 @@ public:
 
     std::optional<RingStack> operator()(const std::vector<ProfilePoint>& profile, double unit_mm) {
         const std::vector<Vec> points = corners_of(profile, unit_mm);
+        // Parts show the floors of flat ends, not their rims. Balls that are round above, too, cut
+        // few surfaces.
+        if (profile.front().fillet < profile.front().radius) edge_costs_.visible_turn = 0.0;
+        if (profile.back().fillet > 0) edge_costs_ = {};
         for (std::size_t i = 0; i < profile.size(); ++i) {
             const Vec from = previous_point(points, i);
             const Vec to = next_point(points, i);
@@ -144,10 +186,10 @@ public:
             if (current_walks_.empty()) return std::nullopt;
         }
         const int best = *std::ranges::min_element(current_walks_, [this](int a, int b) {
-            return std::pair(at(a).facets, at(a).error) < std::pair(at(b).facets, at(b).error);
+            return std::pair(at(a).cost, at(a).error) < std::pair(at(b).cost, at(b).error);
         });
         RingStack stack;
-        stack.facets = at(best).facets;
+        stack.cost = at(best).cost;
         stack.corners = at(best).corners;
         stack.error = at(best).error;
         for (int i = best; at(i).has_ring; i = at(i).before)
@@ -193,6 +235,69 @@ private:
         return {height, 1};
     }
 
+    int facets_of_strip(const Ring& below, const Ring& above) const {
+        const int sides = family_[below.polygon].sides, other_sides = family_[above.polygon].sides;
+        if (below.scale == 0) return above.scale == 0 ? 0 : other_sides;
+        return above.scale == 0 ? sides : facets_between(sides, other_sides);
+    }
+
+    // Returns the cost of the strip between two rings. It has as many edges as facets. Around the
+    // axis the normals of the strip turn by 2π sin φ, where φ is the angle of its slope.
+    double strip_cost(const Ring& below, const Ring& above) const {
+        const int facets = facets_of_strip(below, above);
+        if (!seeks_short_directions_) return facets;
+        const double long_edges = has_short_directions(below, above) ? 0.0 : facets;
+        const Vec along = unit({static_cast<double>(above.scale) * family_[above.polygon].inner -
+                                    static_cast<double>(below.scale) * family_[below.polygon].inner,
+                                static_cast<double>(above.height - below.height)});
+        const double turn = 2 * std::numbers::pi * std::abs(along.h);
+        return facets + edge_costs_.long_direction * long_edges + visible_cost(along, turn);
+    }
+
+    // Returns the cost of an angle (radians) between normals at the slope `along`.
+    double visible_cost(Vec along, double turn) const {
+        if (along.r <= 0) return 0.0;  // no finished part shows the upper side
+        return edge_costs_.visible_turn * along.r * along.r * along.r * along.r * turn;
+    }
+
+    // True if the edges between two rings have short directions. Decided by one edge, because the
+    // lengths differ little.
+    bool has_short_directions(const Ring& below, const Ring& above) const {
+        const auto& [x, y] = family_[below.polygon].corners[0];
+        const auto& [u, v] = family_[above.polygon].corners[0];
+        const std::int64_t dx = above.scale * u - below.scale * x;
+        const std::int64_t dy = above.scale * v - below.scale * y;
+        const std::int64_t dz = above.height - below.height;
+        const auto common = static_cast<double>(std::gcd(scale_step(below, above), dz));
+        if (dx == 0 && dy == 0) return true;
+        const double x2 = static_cast<double>(dx) * static_cast<double>(dx);
+        const double y2 = static_cast<double>(dy) * static_cast<double>(dy);
+        const double z2 = static_cast<double>(dz) * static_cast<double>(dz);
+        return std::sqrt(x2 + y2 + z2) <= kShortDirection * common;
+    }
+
+    // Returns the common factor of the horizontal components of all edges between two rings.
+    static std::int64_t scale_step(const Ring& below, const Ring& above) {
+        const bool is_cone = below.polygon == above.polygon || below.scale == 0 || above.scale == 0;
+        return is_cone ? std::abs(above.scale - below.scale) : std::gcd(above.scale, below.scale);
+    }
+
+    // Returns `height` for a ring on the line along d, moved outwards to a multiple of the step of
+    // the scales, or of a divisor of this step, above the ring below.
+    double snap_height(const Step& under, std::size_t polygon, std::int64_t scale, double height,
+                       Vec d) const {
+        if (!seeks_short_directions_ || !under.has_ring || std::abs(d.r) <= kUpright) return height;
+        const std::int64_t step = scale_step(under.ring, {polygon, scale, 0});
+        if (step <= 1) return height;
+        std::int64_t factor = std::min(step, most_moved_);
+        while (step % factor != 0)
+            --factor;
+        const double times =
+            (height - static_cast<double>(under.ring.height)) / static_cast<double>(factor);
+        return static_cast<double>(under.ring.height +
+                                   factor * (d.r > 0 ? round_down(times) : round_up(times)));
+    }
+
     // Adds a ring. Its height is rounded outwards: down on the lower side of the tool, up at the
     // upper end.
     int add(int before, std::size_t polygon, std::int64_t scale, double height, bool upper_end,
@@ -206,13 +311,9 @@ private:
         step.error = std::max(under.error, error);
         const int sides = family_[polygon].sides;
         step.corners = under.corners + (scale == 0 ? 1 : sides);
-        step.facets = under.facets;
-        if (under.has_ring) {
-            const int below = family_[under.ring.polygon].sides;
-            step.facets += scale == 0              ? (under.ring.scale == 0 ? 0 : below)
-                           : under.ring.scale == 0 ? sides
-                                                   : facets_between(below, sides);
-        }
+        step.rings = under.rings + 1;
+        step.is_divisible = seeks_short_directions_ && polygon != 0 && scale % kDivisors == 0;
+        step.cost = under.cost + (under.has_ring ? strip_cost(under.ring, step.ring) : 0.0);
         steps_.push_back(step);
         return static_cast<int>(steps_.size()) - 1;
     }
@@ -224,13 +325,24 @@ private:
                under.ring.polygon == polygon;
     }
 
+    // True if the ring after `step` may have the polygon.
+    bool is_in_pattern(int step, std::size_t polygon) const {
+        if (!limits_.pattern) return true;
+        const std::size_t ring = at(step).rings;
+        return ring < limits_.pattern->size() && (*limits_.pattern)[ring].polygon == polygon;
+    }
+
+    bool is_within_limits(const Step& step) const {
+        return step.corners <= limits_.corners && step.cost <= limits_.cost;
+    }
+
     // Keeps the cheapest walk of all walks that end here with the same polygon.
     void keep_cheapest(std::vector<int>& there, int step) const {
-        if (at(step).corners > most_corners_) return;
+        if (!is_within_limits(at(step))) return;
         for (int& other : there) {
             if (at(other).ring.polygon != at(step).ring.polygon) continue;
-            if (std::pair(at(step).facets, at(step).error) <
-                std::pair(at(other).facets, at(other).error)) {
+            if (std::pair(at(step).cost, at(step).error) <
+                std::pair(at(other).cost, at(other).error)) {
                 other = step;
             }
             return;
@@ -272,21 +384,18 @@ private:
     // Walks that continue around the same arc and that no second walk beats.
     struct Front {
         std::vector<int> steps;
+        static bool beats(const Step& a, const Step& b) {
+            return a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
+                   a.cost <= b.cost && a.is_divisible >= b.is_divisible &&
+                   a.turned_degrees >= b.turned_degrees;
+        }
         bool admit(const Walks& walks, int step) {
             const Step& a = walks.at(step);
-            if (a.corners > walks.most_corners_) return false;
-            for (const int other : steps) {
-                const Step& b = walks.at(other);
-                if (a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
-                    b.facets <= a.facets && b.turned_degrees >= a.turned_degrees) {
-                    return false;
-                }
+            if (!walks.is_within_limits(a)) return false;
+            if (std::ranges::any_of(steps, [&](int other) { return beats(walks.at(other), a); })) {
+                return false;
             }
-            std::erase_if(steps, [&](int other) {
-                const Step& b = walks.at(other);
-                return a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
-                       a.facets <= b.facets && a.turned_degrees >= b.turned_degrees;
-            });
+            std::erase_if(steps, [&](int other) { return beats(a, walks.at(other)); });
             steps.push_back(step);
             return true;
         }
@@ -310,8 +419,9 @@ private:
         for (int ring = 0; ring < kMaxRings && !now.empty(); ++ring) {
             Front coming;
             for (const int step : now) {
-                for (std::size_t polygon = 0; polygon < family_.size(); ++polygon)
-                    next(step, polygon, coming, there);
+                for (std::size_t polygon = 0; polygon < family_.size(); ++polygon) {
+                    if (is_in_pattern(step, polygon)) next(step, polygon, coming, there);
+                }
             }
             now.clear();
             for (const int step : coming.steps) {
@@ -327,58 +437,129 @@ private:
         return norm(Vec{stretched, p.h} - f.centre) - f.rho;
     }
 
-    // Adds a ring on the tangent, as far along as the ring's corners may lie outside, but not
-    // beyond the end.
+    // Adds rings on the tangent, as far along as their corners may lie outside, but not beyond the
+    // end.
     void follow_tangent(const Fillet& f, int step, std::size_t polygon, Front& coming) {
         const Vec from = at(step).at;
         const Vec d = at(step).d;
         const bool upright = std::abs(d.r) <= kUpright;
-        if (!may_follow(step, polygon, upright)) return;
+        if (!may_follow(step, polygon, upright) || !is_worth_following(step, polygon, d)) return;
         const double b = family_[polygon].inner;
         const double stretch = family_[polygon].outer / b;
         const double reach = f.rho + excess_;
-        std::int64_t scale = 0;
-        Vec p;
         if (upright) {
             // There is a single radius only, so the height is free.
-            scale = scale_of(from.r, polygon);
+            const std::int64_t scale = scale_of(from.r, polygon);
+            Vec p;
             p.r = static_cast<double>(scale) * b;
             const double x = p.r * stretch - f.centre.r;
             if (x >= reach) return;
             p.h = f.centre.h + std::sqrt(reach * reach - x * x);
             // The end line, which is not upright, also limits the height.
             p.h = std::min(p.h, f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h);
-        } else {
-            // The point from + t d, stretched, is at the distance `reach` from the centre.
-            const Vec u{from.r * stretch - f.centre.r, from.h - f.centre.h};
-            const Vec v{d.r * stretch, d.h};
-            const double half = dot(u, v) / dot(v, v);
-            const double under = half * half - (dot(u, u) - reach * reach) / dot(v, v);
-            if (under <= 0) return;
-            const double t = -half + std::sqrt(under);
-            const double end = intersect_profile(f, from, d).r;
-            const double radius =
-                d.r > 0 ? std::min(from.r + t * d.r, end) : std::max(from.r + t * d.r, end);
-            if (radius <= 0) return;
-            scale = d.r > 0 ? round_down(radius / b) : round_up(radius / b);
-            if (scale <= 0) return;
-            p.r = static_cast<double>(scale) * b;
-            p.h = from.h + (p.r - from.r) / d.r * d.h;
+            add_on_tangent(f, step, polygon, scale, p, coming);
+            return;
         }
+        // The point from + t d, stretched, is at the distance `reach` from the centre.
+        const Vec u{from.r * stretch - f.centre.r, from.h - f.centre.h};
+        const Vec v{d.r * stretch, d.h};
+        const double half = dot(u, v) / dot(v, v);
+        const double under = half * half - (dot(u, u) - reach * reach) / dot(v, v);
+        if (under <= 0) return;
+        const double t = -half + std::sqrt(under);
+        const double end = intersect_profile(f, from, d).r;
+        const double radius =
+            d.r > 0 ? std::min(from.r + t * d.r, end) : std::max(from.r + t * d.r, end);
+        if (radius <= 0) return;
+        const std::int64_t scale = d.r > 0 ? round_down(radius / b) : round_up(radius / b);
+        if (!seeks_short_directions_) {
+            add_on_tangent(f, step, polygon, scale, coming);
+            return;
+        }
+        // Moving the height may move the corners too far out, so that the ring must be nearer.
+        constexpr int kTries = 3;
+        const auto add_nearer = [&](std::int64_t first, std::int64_t nearer) {
+            for (int i = 0; i < kTries; ++i) {
+                const std::int64_t s = d.r > 0 ? first - i * nearer : first + i * nearer;
+                if (add_on_tangent(f, step, polygon, s, coming)) return;
+            }
+        };
+        add_nearer(scale, 1);
+        const std::int64_t divisible = nearer_multiple(scale, kDivisors, d);
+        if (polygon != 0 && scale >= 10 * kDivisors && divisible != scale)
+            add_nearer(divisible, kDivisors);
+        const std::int64_t shared = shared_scale(step, polygon, scale);
+        if (shared > 0 && shared != scale) add_on_tangent(f, step, polygon, shared, coming);
+    }
+
+    // True unless the polygon gets coarser where the tool gets wider or vice versa, or the limit of
+    // cost is exceeded. Applies to walks with short directions.
+    bool is_worth_following(int step, std::size_t polygon, Vec d) const {
+        const Ring& under = at(step).ring;
+        if (!seeks_short_directions_ || !at(step).has_ring || under.scale == 0) return true;
+        const int below = family_[under.polygon].sides, above = family_[polygon].sides;
+        const bool is_gradual = d.r > 0 ? above % below == 0 : below % above == 0;
+        return is_gradual && at(step).cost + std::max(below, above) <= limits_.cost;
+    }
+
+    // Returns the multiple of `factor` next to `scale` that is nearer along d.
+    static std::int64_t nearer_multiple(std::int64_t scale, std::int64_t factor, Vec d) {
+        return (d.r > 0 ? scale : scale + factor - 1) / factor * factor;
+    }
+
+    // Returns the farthest scale, at most `scale`, with which the edges from a ring of a different
+    // polygon have short directions, or 0.
+    std::int64_t shared_scale(int step, std::size_t polygon, std::int64_t scale) const {
+        const Ring& under = at(step).ring;
+        if (!at(step).has_ring || under.scale == 0 || under.polygon == polygon) return 0;
+        const Vec d = at(step).d;
+        std::int64_t best = 0;
+        for (std::int64_t parts = 1; parts * kLeastShared <= under.scale; ++parts) {
+            if (under.scale % parts != 0) continue;
+            const std::int64_t s = nearer_multiple(scale, under.scale / parts, d);
+            if (s <= 0 || (best > 0 && (d.r > 0 ? s <= best : s >= best))) continue;
+            const auto height = static_cast<std::int64_t>(point_on_tangent(step, polygon, s).h);
+            if (has_short_directions(under, {polygon, s, height})) best = s;
+        }
+        return best;
+    }
+
+    // Returns the point with a scale on the tangent, with the height of a ring.
+    Vec point_on_tangent(int step, std::size_t polygon, std::int64_t scale) const {
+        const Vec from = at(step).at;
+        const Vec d = at(step).d;
+        Vec p;
+        p.r = static_cast<double>(scale) * family_[polygon].inner;
+        p.h = from.h + (p.r - from.r) / d.r * d.h;
+        if (outside()) p.h = snap_height(at(step), polygon, scale, round_outward(p.h, d), d);
+        return p;
+    }
+
+    bool add_on_tangent(const Fillet& f, int step, std::size_t polygon, std::int64_t scale,
+                        Front& coming) {
+        return scale > 0 && add_on_tangent(f, step, polygon, scale,
+                                           point_on_tangent(step, polygon, scale), coming);
+    }
+
+    // Adds a ring at the point `p` of the tangent unless it makes no progress or is too far out.
+    bool add_on_tangent(const Fillet& f, int step, std::size_t polygon, std::int64_t scale, Vec p,
+                        Front& coming) {
+        const Vec d = at(step).d;
         p.h = outside() ? round_outward(p.h, d) : round_inward(p.h, f);
         // A ring that is not beyond the tangent's contact with the arc makes no progress.
-        if (dot(p - f.centre, d) <= 0) return;
+        if (dot(p - f.centre, d) <= 0) return false;
         Vec next = tangent_from(f, p);
         // The end is nearer.
         if (inset_ > 0 && turning_angle(f, next) >= f.turn_degrees) next = unit(f.end - p);
         const double degrees = turning_angle(f, next);
-        if (degrees <= at(step).turned_degrees || degrees >= f.turn_degrees) return;
+        if (degrees <= at(step).turned_degrees || degrees >= f.turn_degrees) return false;
         const double error = std::max(f.rho - contact_radius(f), excess_of(f, p, polygon)) + 1;
-        if (error > tolerance_) return;
+        if (error > tolerance_) return false;
         const bool is_upper = outside() ? d.r <= kUpright : p.h > f.centre.h;
         const int ring = add(step, polygon, scale, p.h, is_upper, error);
         walk_line(ring, p, next, degrees);
         coming.admit(*this, ring);
+        return true;
     }
 
     void walk_line(int ring, Vec p, Vec d, double degrees) {
@@ -386,6 +567,9 @@ private:
         made.at = p;
         made.d = d;
         made.turned_degrees = degrees;
+        if (!seeks_short_directions_) return;
+        const double turn = (degrees - at(made.before).turned_degrees) * (std::numbers::pi / 180);
+        made.cost += visible_cost(d, family_[made.ring.polygon].sides * turn);
     }
 
     static double round_inward(double height, const Fillet& f) {
@@ -455,6 +639,7 @@ private:
             do {
                 p.r = static_cast<double>(++scale) * b;
                 p.h = round_outward(from.h + (p.r - from.r) / d.r * d.h, d);
+                p.h = snap_height(at(step), polygon, scale, p.h, d);
             } while (f.d2.r < -kUpright && cross(f.d2, p - f.end) > 0);
             // A ring as wide as an upright part that follows may end at the start of that part,
             // because the upper end of that part may be the upper end of the tool.
@@ -524,11 +709,14 @@ private:
 
     const std::vector<RingPolygon>& family_;
     Side side_;
-    int most_corners_;
+    bool seeks_short_directions_;
+    EdgeCosts edge_costs_;
+    StackLimits limits_;
     double tolerance_;
     double inset_;              // largest depth of facets within the arc
     double excess_;             // largest distance of corners outside the arc
     std::int64_t most_common_;  // heights are moved by less to get normals that fit
+    std::int64_t most_moved_;   // heights are moved by less to get short directions
     // For the finest polygon: largest component of a side; largest doubled area of a side's
     // triangle about the centre.
     std::int64_t longest_ = 1, widest_ = 1;
@@ -540,8 +728,8 @@ private:
 
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
                                     Side side, double unit_mm, const ToleranceBand& band,
-                                    int most_corners) {
-    return Walks(family, side, band, most_corners)(piece.profile, unit_mm);
+                                    const StackLimits& limits) {
+    return Walks(family, side, band, limits)(piece.profile, unit_mm);
 }
 
 double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,

@@ -4,7 +4,7 @@
 // with integer corners around (or in) the circle of integer radius b, at an integer height; so the
 // strips between two rings are exactly planar trapezoids with parallel sides, and triangles.
 // Polygons: ring_polygon.h; sequence of rings: ring_walk.h. This file chooses the number of sides
-// and b for the fewest facets within the tolerance.
+// and b for the least cost within the tolerance.
 #include "ncsim/toolpath/tool_polytope.h"
 
 #include "polytope/half_plane.h"
@@ -16,6 +16,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace ncsim::toolpath {
@@ -147,12 +148,14 @@ struct Choice {
 // Search over the numbers of sides and over some radii of the base polygon.
 class Search {
 public:
-    Search(const ToolPiece& piece, std::int64_t radius, double unit_mm, Side side)
+    Search(const ToolPiece& piece, std::int64_t radius, double unit_mm, Side side, bool turns)
         : piece_(piece),
           radius_(static_cast<double>(radius)),
           unit_mm_(unit_mm),
           side_(side),
           is_rounded_(has_fillet(piece)),
+          is_fair_(is_rounded_ && side == Side::Fair),
+          turns_(turns),
           candidates_(base_candidates(piece, radius, unit_mm, side)) {
         if (!is_rounded_) return;
         constexpr std::size_t kEnough = 12;
@@ -174,12 +177,13 @@ public:
             try_all(candidates_.first);
             // All divisors of the largest radius may be too coarse for the remaining radii.
             if (!is_met()) try_all(candidates_.more);
-            if (best_.is_there() && (is_met() || !is_rounded_)) break;
+            if (best_.choice.is_there() && (is_met() || !is_rounded_)) break;
             if (tolerance_ > radius_) break;
         }
-        if (is_rounded_ && best_.is_there()) equalise_strips();
-        if (is_rounded_ && best_.is_there() && side_ == Side::Fair) balance();
-        return std::move(best_);
+        if (!is_rounded_ || !best_.choice.is_there()) return std::move(best_.choice);
+        if (!is_fair_ || turns_) equalise_strips();
+        if (is_fair_) turns_ ? balance_by_depth() : balance();
+        return std::move(best_.choice);
     }
 
 private:
@@ -193,9 +197,20 @@ private:
         }
     }
 
-    bool is_met() const { return best_.is_there() && best_.stack.error <= tolerance_; }
+    // A choice with the share of its depth by which corners lie outside, and its bias.
+    struct Candidate {
+        Choice choice;
+        double share = 0.0;
+        double bias = 0.0;
+    };
 
-    int cost(const RingStack& stack) const { return is_rounded_ ? stack.facets : stack.corners; }
+    bool is_met() const {
+        return best_.choice.is_there() && best_.choice.stack.error <= tolerance_;
+    }
+    // True if only cheaper choices are better.
+    bool is_met_without_bias() const { return is_met() && is_nearly_balanced(best_.bias); }
+
+    double cost(const RingStack& stack) const { return is_rounded_ ? stack.cost : stack.corners; }
 
     void try_all(const std::vector<std::int64_t>& radii) {
         // With many more sides than necessary, strips become too narrow.
@@ -204,7 +219,8 @@ private:
         for (int sides = kMinSides; sides <= most; sides += step_after(sides)) {
             // With so many sides, even a single ring besides the tips costs more than the best
             // stack.
-            if (is_met() && (is_rounded_ ? 1 : 2) * sides > cost(best_.stack)) break;
+            if (is_met_without_bias() && (is_rounded_ ? 1 : 2) * sides > cost(best_.choice.stack))
+                break;
             const std::vector<double> cosines = corner_cosines(sides);
             for (const std::int64_t b : radii) {
                 const RingPolygon finest = ring_polygon(b, cosines, side_);
@@ -215,9 +231,13 @@ private:
                 if (azimuth * radius_ > tolerance_ && !is_last) continue;
                 std::vector<RingPolygon> family{finest};
                 if (is_rounded_) family = add_coarser(finest);
-                auto stack =
-                    ring_stack(piece_, family, side_, unit_mm_, band(tolerance_), kMaxCorners);
-                if (stack) consider(std::move(family), std::move(*stack));
+                for (const double share : shares()) {
+                    StackLimits limits = widest_limits();
+                    if (is_rounded_ && is_met_without_bias()) limits.cost = best_.choice.stack.cost;
+                    auto stack = ring_stack(piece_, family, side_, unit_mm_,
+                                            band(tolerance_, share), limits);
+                    if (stack) consider(family, std::move(*stack), share);
+                }
             }
         }
     }
@@ -246,101 +266,169 @@ private:
         return static_cast<int>(std::min<double>(kMaxSides, std::ceil(sides)));
     }
 
-    void consider(std::vector<RingPolygon> family, RingStack stack) {
+    void consider(const std::vector<RingPolygon>& family, RingStack stack, double share) {
+        const bool meets = stack.error <= tolerance_;
+        const double bias =
+            meets && !turns_ ? std::abs(bias_of(family, stack, depth_of(tolerance_, share))) : 0.0;
+        const RingStack& best = best_.choice.stack;
         const bool is_better =
-            stack.error <= tolerance_
-                ? !is_met() || std::pair(cost(stack), stack.error) <
-                                   std::pair(cost(best_.stack), best_.stack.error)
-                : !best_.is_there() || stack.error < best_.stack.error;
-        if (is_better) best_ = {std::move(family), std::move(stack)};
+            meets ? !is_met() ||
+                        std::tuple(!is_nearly_balanced(bias), cost(stack), stack.error) <
+                            std::tuple(!is_nearly_balanced(best_.bias), cost(best), best.error)
+                  : !best_.choice.is_there() || stack.error < best.error;
+        if (is_better) best_ = {{family, std::move(stack)}, share, bias};
     }
 
     // Makes the strips equally wide: searches the smallest error at the same cost.
     void equalise_strips() {
         constexpr int kHalvings = 8;
+        RingStack& best = best_.choice.stack;
         double low = 0.0;
         for (int i = 0; i < kHalvings; ++i) {
-            const double middle = (low + best_.stack.error) / 2;
-            auto stack =
-                ring_stack(piece_, best_.family, side_, unit_mm_, band(middle), kMaxCorners);
-            if (stack && stack->error < best_.stack.error && stack->facets <= best_.stack.facets) {
-                best_.stack = std::move(*stack);
+            const double middle = (low + best.error) / 2;
+            const std::vector<Ring> pattern = best.rings;
+            StackLimits limits = widest_limits();
+            limits.cost = best.cost;
+            if (side_ == Side::Circumscribed && !turns_) limits.pattern = &pattern;
+            auto stack = ring_stack(piece_, best_.choice.family, side_, unit_mm_,
+                                    band(middle, best_.share), limits);
+            if (stack && stack->error < best.error) {
+                best = std::move(*stack);
             } else {
                 low = middle;
             }
         }
     }
 
-    // Returns the play for `tolerance`. Fair: if the corners of square facets on a sphere lie
-    // outside by a third of the facets' depth from corner to middle, the polytope reaches as far as
-    // the ball on average.
-    ToleranceBand band(double tolerance) const {
+    // Shares of the facets' depth by which the corners of fair tools lie outside. With about a
+    // half, finished parts have the volume that the round tool leaves. Radii and heights come in
+    // steps, so that several shares are tried.
+    std::vector<double> shares() const {
+        if (!is_fair_) return {1.0};
+        if (turns_) return {1.0 / 3};  // balance_by_depth() changes the share
+        return {0.50, 0.53, 0.56};
+    }
+
+    // Returns the depth of the facets from corner to middle. With all the depth that the tolerance
+    // allows, the recognition of surfaces has no play left. Facets that are deep compared with the
+    // tool are balanced at the tip, but cut too little at steep slopes.
+    double depth_of(double tolerance, double share) const {
+        constexpr double kDeepest = 1.7, kOfRadius = 0.115;
+        if (turns_) return 1.5 * tolerance;
+        const double most = std::min(kDeepest * tolerance, kOfRadius * radius_);
+        return std::min(most, tolerance / std::max(share, 1 - share));
+    }
+
+    // Returns the play for `tolerance`.
+    ToleranceBand band(double tolerance, double share) const {
         switch (side_) {
             case Side::Circumscribed: return {0.0, tolerance};
             case Side::Inscribed: return {tolerance, 0.0};
             case Side::Fair: break;
         }
-        return {tolerance, 0.5 * tolerance};
+        const double depth = depth_of(tolerance, share);
+        return {(1 - share) * depth, share * depth};
     }
 
-    // Balances a fair tool: searches the share of the facets' depth by which the corners lie
-    // outside; the bias grows with this share. Radii and heights come in steps, so further depths
-    // are tried, which may need more facets.
+    // Balances a fair tool: searches the share without bias near the best share. The bias grows
+    // with the share.
     void balance() {
+        constexpr int kHalvings = 10;
+        constexpr double kAround = 0.05;
+        constexpr double kDearer = 1.03;
+        const std::vector<Ring> pattern = best_.choice.stack.rings;
+        const StackLimits limits{kMaxCorners, kDearer * best_.choice.stack.cost, &pattern};
+        const double first = best_.share;
+        double low = first - kAround, high = first + kAround;
+        for (int i = 0; i < kHalvings && !is_balanced(best_.bias); ++i) {
+            const double share = (low + high) / 2;
+            auto stack = ring_stack(piece_, best_.choice.family, side_, unit_mm_,
+                                    band(tolerance_, share), limits);
+            if (!stack) {
+                (share > first ? high : low) = share;
+                continue;
+            }
+            const double bias = bias_of(best_.choice.family, *stack, depth_of(tolerance_, share));
+            (bias > 0 ? high : low) = share;
+            if (stack->error > tolerance_ || std::abs(bias) >= best_.bias) continue;
+            best_.bias = std::abs(bias);
+            best_.share = share;
+            best_.choice.stack = std::move(*stack);
+        }
+    }
+
+    StackLimits widest_limits() const {
+        StackLimits limits{kMaxCorners};
+        limits.turns = turns_;
+        return limits;
+    }
+
+    // Balances a fair tool that turns, with all stacks of the best family. Radii and heights come
+    // in steps, so further depths are tried, which may need more facets.
+    void balance_by_depth() {
         constexpr double kShallower = 0.97;
         constexpr int kDepths = 8;
-        const int few = best_.stack.facets;
-        double depth = 1.5 * best_.stack.error;
-        double bias = std::abs(bias_of(best_.stack, depth));
+        const RingStack& best = best_.choice.stack;
+        const double few = best.cost;
+        double depth = 1.5 * best.error;
+        best_.bias = std::abs(bias_of(best_.choice.family, best, depth));
         for (int i = 0; i < kDepths; ++i, depth *= kShallower) {
             // A thirtieth more facets counts as equal.
-            if (is_balanced(bias) && best_.stack.facets <= few + few / 32) break;
-            balance(depth, few + few / 4, bias);
+            if (is_balanced(best_.bias) && best.cost <= std::floor(few + few / 32)) break;
+            balance_at_depth(depth, std::floor(few + few / 4));
+        }
+    }
+
+    bool is_balanced(double bias) const { return bias <= 0.01 * tolerance_; }
+
+    void balance_at_depth(double depth, double most) {
+        constexpr int kHalvings = 10;
+        double low = 0.1, high = 0.9;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double share = (low + high) / 2;
+            auto stack = ring_stack(piece_, best_.choice.family, side_, unit_mm_,
+                                    {(1 - share) * depth, share * depth}, widest_limits());
+            if (!stack) {
+                low = share;
+                continue;
+            }
+            const double bias = bias_of(best_.choice.family, *stack, depth);
+            (bias > 0 ? high : low) = share;
+            if (stack->error > tolerance_ || stack->cost > most) continue;
+            const bool is_better =
+                is_balanced(best_.bias)
+                    ? is_balanced(std::abs(bias)) && stack->cost < best_.choice.stack.cost
+                    : std::abs(bias) < best_.bias;
+            if (!is_better) continue;
+            best_.bias = std::abs(bias);
+            best_.choice.stack = std::move(*stack);
         }
     }
 
     // Returns the bias of a stack. Passes without a distance between them would cut the part where
     // the corners reach. Real passes leave ridges between them, because facets meet in edges. For
     // passes at a distance of 0.1 to 2 tool radii, the measured effect is about a fifth of the
-    // depth.
-    double bias_of(const RingStack& stack, double depth) const {
+    // depth. Zero if the tool has no rounded corner on the lower side.
+    double bias_of(const std::vector<RingPolygon>& family, const RingStack& stack,
+                   double depth) const {
+        if (!is_fair_) return 0.0;
         constexpr double kRidges = 0.2;
-        return mean_excess(piece_, best_.family, stack.rings, unit_mm_) - kRidges * depth;
+        const double excess = mean_excess(piece_, family, stack.rings, unit_mm_);
+        return excess == 0.0 ? 0.0 : excess - kRidges * depth;
     }
 
-    bool is_balanced(double bias) const { return bias <= 0.01 * tolerance_; }
-
-    void balance(double depth, int most, double& bias) {
-        constexpr int kHalvings = 10;
-        double low = 0.1, high = 0.9;
-        for (int i = 0; i < kHalvings; ++i) {
-            const double share = (low + high) / 2;
-            const ToleranceBand band{(1 - share) * depth, share * depth};
-            auto stack = ring_stack(piece_, best_.family, side_, unit_mm_, band, kMaxCorners);
-            if (!stack) {
-                low = share;
-                continue;
-            }
-            const double mean = bias_of(*stack, depth);
-            (mean > 0 ? high : low) = share;
-            if (stack->error > tolerance_ || stack->facets > most) continue;
-            const bool is_better = is_balanced(bias) ? is_balanced(std::abs(mean)) &&
-                                                           stack->facets < best_.stack.facets
-                                                     : std::abs(mean) < bias;
-            if (!is_better) continue;
-            bias = std::abs(mean);
-            best_.stack = std::move(*stack);
-        }
-    }
+    bool is_nearly_balanced(double bias) const { return bias <= 0.05 * tolerance_; }
 
     const ToolPiece& piece_;
     double radius_;
     double unit_mm_;
     Side side_;
     bool is_rounded_;
+    bool is_fair_;
+    bool turns_;
     BaseCandidates candidates_;
     double tolerance_ = 0.0;
-    Choice best_;
+    Candidate best_;
 };
 
 }  // namespace
@@ -354,7 +442,8 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
     const std::int64_t radius =
         accuracy.side != Side::Inscribed ? round_up(exact_radius) : round_down(exact_radius);
     if (piece.profile.empty() || radius < 1) return polytope;
-    const Choice best = Search(piece, radius, u, accuracy.side)(accuracy.tolerance_mm / u);
+    const Choice best =
+        Search(piece, radius, u, accuracy.side, accuracy.turns)(accuracy.tolerance_mm / u);
     if (!best.is_there()) return polytope;
     polytope.sides = best.sides();
     polytope.error_mm = best.stack.error * u;

@@ -17,6 +17,9 @@ struct ToolAccuracy {
     /// side. A tolerance of 0.05 gives a 10 mm end mill 24 sides.
     double tolerance_mm = 0.05;
     Side side = Side::Circumscribed;
+    /// True if the tool turns during cuts. Otherwise the directions of most edges are short, so
+    /// that the walls of successive moves meet in the edges.
+    bool turns = false;
 };
 
 /// Corners of a polytope in lattice units, in frame T. Facets with four or more corners are exactly
@@ -33,14 +36,16 @@ struct PiecePolytope {
     bool cutting = true;
 };
 
-/// Returns the polytope with the fewest facets found that meets the tolerance, with at least 16
-/// sides. Four sides have the normals ±x and ±y. Circumscribed, the lower end lies exactly at its
-/// height, and these four sides of a cylinder lie exactly at its radius: axis-parallel slots get
-/// their nominal width and depth. Pieces with several radii, such as ball noses, have rings whose
-/// radii are multiples of a number b between √r/2 and 2√r units (or r/200 if larger), where r is
-/// the largest radius. If no such b divides r, or none is fine enough for the remaining radii, the
-/// four sides lie a few units farther out, always less than √r/2. Profiles with three or more
-/// radii, and whole balls (lollipops) of a few units, may need twice the least tolerance.
+/// Returns the cheapest polytope found that meets the tolerance, with at least 16 sides. The cost
+/// is the number of facets, plus a share for edges without short directions (ToolAccuracy::turns)
+/// and for edges that finished parts show. Four sides have the normals ±x and ±y. Circumscribed,
+/// the lower end lies exactly at its height, and these four sides of a cylinder lie exactly at its
+/// radius: axis-parallel slots get their nominal width and depth. Pieces with several radii, such
+/// as ball noses, have rings whose radii are multiples of a number b between √r/2 and 2√r units (or
+/// r/200 if larger), where r is the largest radius. If no such b divides r, or none is fine enough
+/// for the remaining radii, the four sides lie a few units farther out, always less than √r/2.
+/// Profiles with three or more radii, and whole balls (lollipops) of a few units, may need twice
+/// the least tolerance.
 ///
 /// Facets of cones under a wider ring, as at the tips of drills and V-bits, meet exactly in the
 /// corners of that ring; otherwise their normals would be rounded. Therefore the ring is lower by
