@@ -40,7 +40,7 @@ f 1 2 4
 f 1 4 3
 f 2 3 4
 OBJ
-corners=(10,10 10,20 0,20 0,0 20,0 20,10)
+corners=("10,10" "10,20" "0,20" "0,0" "20,0" "20,10")
 for first in 0 4; do
   for i in 0 1 2 3 4 5; do
     corner=${corners[(first + i) % 6]}
