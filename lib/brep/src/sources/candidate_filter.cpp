@@ -18,9 +18,10 @@ FacesByOrigin::FacesByOrigin(const cda::Boundary& boundary)
 }
 
 std::span<const std::uint32_t> FacesByOrigin::of(cda::Origin origin) const {
-    const auto range = std::ranges::equal_range(
-        faces_, origin, {}, [&](std::uint32_t f) { return boundary_.faces[f].origin; });
-    return {range.begin(), range.end()};
+    const auto origin_of = [&](std::uint32_t f) { return boundary_.faces[f].origin; };
+    const auto first = std::ranges::lower_bound(faces_, origin, {}, origin_of);
+    const auto last = std::ranges::upper_bound(faces_, origin, {}, origin_of);
+    return {first, last};
 }
 
 CandidateFilter::CandidateFilter(const cda::Boundary& boundary)
