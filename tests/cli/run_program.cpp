@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -43,6 +44,17 @@ void Folder::write(const std::string& name, const std::string& text) const {
 
 std::string Folder::read(const std::string& name) const {
     return contents(path_ / name);
+}
+
+std::string Folder::read_cells(const std::string& name) const {
+    std::istringstream lines(read(name));
+    std::string cells;
+    for (std::string line; std::getline(lines, line);) {
+        const std::string word = line.substr(0, line.find(' '));
+        if (word != "assumed" && word != "source" && word != "surface" && word != "origin")
+            cells += line + '\n';
+    }
+    return cells;
 }
 
 bool Folder::has(const std::string& name) const {

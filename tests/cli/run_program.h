@@ -25,6 +25,8 @@ public:
     const std::filesystem::path& path() const { return path_; }
     void write(const std::string& name, const std::string& text) const;
     std::string read(const std::string& name) const;
+    /// Returns lattice and cells of a .ncstock file, without assumptions, programs and lines.
+    std::string read_cells(const std::string& name) const;
     bool has(const std::string& name) const;
     /// Returns the sorted names of all files.
     std::vector<std::string> files() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fourteen small parts, each written for Fanuc (.nc), in Klartext (.h) and for SINUMERIK 840D (.mpf):
-// the three programs leave the same part, to the byte.
+// Fourteen small parts, each written for Fanuc (.nc), in Klartext (.h) and for SINUMERIK 840D
+// (.mpf): the three programs leave the same part, to the byte.
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST_P(Triples, LeaveTheSamePart) {
         arguments.insert(arguments.end(), kSetUp.begin(), kSetUp.end());
         const Ran ran = folder.run(arguments);
         EXPECT_EQ(ran.exit_code, 0) << name << '\n' << ran.err;
-        stocks.push_back(folder.read(stock));
+        stocks.push_back(folder.read_cells(stock));
         EXPECT_GT(stocks.back().size(), 100U) << name;
     }
     EXPECT_TRUE(stocks[0] == stocks[1]) << "Klartext";
