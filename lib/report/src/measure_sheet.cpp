@@ -55,7 +55,7 @@ std::string cut_by_text(const CutBy& by) {
 template <class T>
 void sort_once(std::vector<T>& values) {
     std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 bool is_upright(cda::Vec3 axis) {
