@@ -517,7 +517,7 @@ TEST(SinumerikAreas, InfeedsAreEqual) {
     for (const Motion& motion : r.moves) {
         if (std::holds_alternative<Arc>(motion.action)) levels.push_back(end_of(motion)->z.mm());
     }
-    levels.erase(std::ranges::unique(levels).begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     ASSERT_EQ(levels.size(), 3U);
     EXPECT_NEAR(levels[0], -10.0 / 3.0, 1e-9);
     EXPECT_NEAR(levels[1], -20.0 / 3.0, 1e-9);

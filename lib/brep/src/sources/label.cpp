@@ -147,7 +147,7 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
         for (const std::uint32_t v : loop) {
             const Vec3 p = face.points[v];
             const bool is_at_tip =
-                blunt > 0.0 && norm(radial_vector(cone->apex, cone->axis, p)) < blunt;
+                cone && blunt > 0.0 && norm(radial_vector(cone->apex, cone->axis, p)) < blunt;
             const double here = is_at_tip ? std::max(most, blunt) : most;
             const double off_here = std::abs(distance(surface.form, p));
             farthest = std::max(farthest, std::min(off_here, most));

@@ -196,7 +196,7 @@ public:
             if (!half) continue;
             std::vector<Piece>& its_pieces = is_above ? above : below;
             if (!its_pieces.empty()) {
-                carve(*half, std::move(its_pieces));
+                carve(*half, std::exchange(its_pieces, {}));
             } else if (median ? is_outside(*half, pieces) : is_above) {
                 add(*half);
             } else if (kept_) {

@@ -196,13 +196,14 @@ bool Control::mill_levels(SourceSpan span, const ContourMilling& m) {
         return fail(Message::BlockNeeds, span,
                     {"cycle " + std::to_string(cycle_.number), "a contour with room for the tool"});
     const double work = (strokes + static_cast<double>(m.contours.size())) * std::max(levels, 1.0);
-    if (work > kMostStrokes || work * sides > kMostWork) return fail(Message::CycleRepeats, span);
-    for (double i = 1.0; i <= std::max(levels, 1.0); ++i) {
+    if (!(work <= kMostStrokes && work * sides <= kMostWork))
+        return fail(Message::CycleRepeats, span);
+    for (int i = 1; i <= static_cast<int>(std::max(levels, 1.0)); ++i) {
         const double level = i < levels ? m.surface - i * m.infeed : m.bottom;
-        for (double s = 0.0; m.has_strokes && s <= strokes; ++s) {
+        for (int s = 0; m.has_strokes && s <= static_cast<int>(strokes); ++s) {
             const double at = s < strokes ? room.lowest() + s * m.step : room.highest();
             std::vector<Stroke> pieces = room.strokes_at(at);
-            const bool is_back = std::fmod(s, 2.0) == 1.0;
+            const bool is_back = s % 2 == 1;
             if (is_back) std::ranges::reverse(pieces);
             for (const Stroke& piece : pieces) {
                 const PlanePoint from{is_back ? piece.to : piece.from, at};

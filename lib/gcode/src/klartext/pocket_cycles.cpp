@@ -170,7 +170,7 @@ bool Control::mill_circular_slots(SourceSpan span, language::Milling& m) {
     if (!(repeats >= 1.0 && repeats <= kMostRepeats))
         return fail(Message::BlockNeeds, span, {name, "a number of slots (Q377) from 1 to 10000"});
     const double first = area.angle;
-    for (double i = 0.0; i < repeats; ++i) {
+    for (int i = 0; i < static_cast<int>(repeats); ++i) {
         area.angle = first + i * value(378, 0.0);
         if (!mill(m, name)) return false;
     }

@@ -134,9 +134,9 @@ bool BlockControl::wind(PlanePoint centre, double end, double pitch, bool is_clo
     const double start = at_[axis];
     const double way = std::abs(end - start);
     const double turns = pitch > 0.0 ? std::max(1.0, std::ceil(way / pitch - kRounding)) : 1.0;
-    if (turns > kMostPasses) return fail(Message::CycleRepeats, cycle_span_);
+    if (!(turns <= kMostPasses)) return fail(Message::CycleRepeats, cycle_span_);
     const double step = end < start ? -pitch : pitch;
-    for (double i = 1.0; i <= turns; ++i) {
+    for (int i = 1; i <= static_cast<int>(turns); ++i) {
         const double height = i < turns ? start + i * step : end;
         if (!cut({here, here, centre, is_clockwise ? -1 : 1}, height, feed)) return false;
     }
@@ -167,10 +167,10 @@ bool BlockControl::plunge(const Milling& m, double from, double level) {
             length += length_of(move);
         const double drop = std::max(length * kSlope, kLeastDrop * m.tool_radius);
         const double rounds = std::ceil((from - level) / drop - kRounding);
-        if (rounds > kMostPasses) return fail(Message::CycleRepeats, cycle_span_);
+        if (!(rounds <= kMostPasses)) return fail(Message::CycleRepeats, cycle_span_);
         if (!move_to(from, m.plunge_feed)) return false;
         double way = 0.0;
-        for (double i = 0.0; i < rounds; ++i) {
+        for (int i = 0; i < static_cast<int>(rounds); ++i) {
             for (const OutlineMove& move : line) {
                 way += length_of(move);
                 const double share = way / (length * rounds);
@@ -280,12 +280,12 @@ bool BlockControl::mill_face(const FaceMilling& m) {
                                  : PlanePoint{m.corner.x + to, m.corner.y + row};
     };
     for (const double level : levels_of(m.surface, m.bottom, m.infeed, true)) {
-        for (double i = 0.0; i < count; ++i) {
-            const double row = std::min((i + 1.0) * step, across) - m.tool_radius;
-            const bool is_back = m.is_alternating && std::fmod(i, 2.0) == 1.0;
+        for (int i = 0; i < static_cast<int>(count); ++i) {
+            const double row = std::min((i + 1) * step, across) - m.tool_radius;
+            const bool is_back = m.is_alternating && i % 2 == 1;
             const PlanePoint begin = place(is_back ? along + reach : -reach, row);
             const PlanePoint end = place(is_back ? -reach : along + reach, row);
-            const bool stays_low = i > 0.0 && m.is_alternating;
+            const bool stays_low = i > 0 && m.is_alternating;
             if (stays_low) {
                 if (!move_in_plane(begin, m.feed)) return false;
             } else if (!move_to(m.clear, std::nullopt) || !move_in_plane(begin, std::nullopt) ||
@@ -314,7 +314,7 @@ bool BlockControl::mill_thread(const ThreadMilling& m) {
     const double height = m.turns_per_step == 1.0 ? whole : m.pitch;
     const double steps = is_one ? 1.0 : std::max(1.0, std::ceil(depth / offset - kRounding));
     if (!move_in_plane(out, std::nullopt) || !move_to(m.clear, std::nullopt)) return false;
-    for (double i = 0.0; i < steps; ++i) {
+    for (int i = 0; i < static_cast<int>(steps); ++i) {
         const double low = m.bottom + (m.goes_up ? i : steps - 1.0 - i) * offset;
         const double begin = m.goes_up ? low : low + height;
         const double end = m.goes_up ? low + height : low;
