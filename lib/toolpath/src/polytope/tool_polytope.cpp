@@ -145,6 +145,10 @@ struct Choice {
     int sides() const { return family.front().sides; }
 };
 
+// Smallest radius of tools with short directions, lattice units (0.05 mm). On smaller tools,
+// heights of rings move by more than the error that is reported.
+constexpr std::int64_t kLeastShortRadius = 5000;
+
 // Search over the numbers of sides and over some radii of the base polygon.
 class Search {
 public:
@@ -155,7 +159,7 @@ public:
           side_(side),
           is_rounded_(has_fillet(piece)),
           is_fair_(is_rounded_ && side == Side::Fair),
-          turns_(turns),
+          turns_(turns || radius < kLeastShortRadius),
           candidates_(base_candidates(piece, radius, unit_mm, side)) {
         if (!is_rounded_) return;
         constexpr std::size_t kEnough = 12;
