@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -527,6 +528,36 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
             }
             if (outside) {
                 EXPECT_NEAR(reach_of(p, {0, 0, -1}), -piece.profile.front().height, 1e-12);
+            }
+        }
+    }
+}
+
+// An empty polytope would cut nothing without a message.
+TEST(ToolPolytope, NoToolIsTooSmallToCut) {
+    RandomTools tools;
+    for (int i = 0; i < 300; ++i) {
+        const double d = 0.0004 * std::pow(100.0, tools.between(0, 1));
+        const double fillet = tools.between(0.05, 0.5) * d;
+        const std::array pieces{
+            ball_end_mill(d, 2 * d).pieces[0], bull_nose_end_mill(d, fillet, 3 * d).pieces[0],
+            lollipop_mill(d).pieces[0],
+            tapered_end_mill(d, fillet, tools.between(0.5, 40), 2 * d).pieces[0]};
+        const double finest = std::max(d / 2000, 2 * std::sqrt(d / 2 * 1e-5));
+        const double tolerance =
+            finest * std::pow(std::max(1.0, d / 4 / finest), tools.between(0, 1));
+        for (const ToolPiece& piece : pieces) {
+            for (const Side side : {Side::Circumscribed, Side::Fair}) {
+                SCOPED_TRACE(testing::Message() << "diameter " << d << ", fillet " << fillet
+                                                << ", tolerance " << tolerance);
+                const PiecePolytope p = approximate(piece, kLattice, {tolerance, side});
+                ASSERT_FALSE(p.points_T.empty());
+                const double missed = side == Side::Fair ? p.error_mm : 1e-9;
+                for (int k = 0; k < 20; ++k) {
+                    const cda::Vec3 n = cda::normalized(
+                        {tools.between(-1, 1), tools.between(-1, 1), tools.between(-1, 1)});
+                    ASSERT_LE(reach_of(piece, n), reach_of(p, n) + missed);
+                }
             }
         }
     }

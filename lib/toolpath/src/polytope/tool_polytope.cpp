@@ -145,10 +145,6 @@ struct Choice {
     int sides() const { return family.front().sides; }
 };
 
-// Smallest radius of tools with short directions, lattice units (0.05 mm). On smaller tools,
-// heights of rings move by more than the error that is reported.
-constexpr std::int64_t kLeastShortRadius = 5000;
-
 // Search over the numbers of sides and over some radii of the base polygon.
 class Search {
 public:
@@ -159,7 +155,7 @@ public:
           side_(side),
           is_rounded_(has_fillet(piece)),
           is_fair_(is_rounded_ && side == Side::Fair),
-          turns_(turns || radius < kLeastShortRadius),
+          turns_(turns),
           candidates_(base_candidates(piece, radius, unit_mm, side)) {
         if (!is_rounded_) return;
         constexpr std::size_t kEnough = 12;
@@ -446,8 +442,16 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
     const std::int64_t radius =
         accuracy.side != Side::Inscribed ? round_up(exact_radius) : round_down(exact_radius);
     if (piece.profile.empty() || radius < 1) return polytope;
-    const Choice best =
-        Search(piece, radius, u, accuracy.side, accuracy.turns)(accuracy.tolerance_mm / u);
+    const double tolerance = accuracy.tolerance_mm / u;
+    Choice best = Search(piece, radius, u, accuracy.side, accuracy.turns)(tolerance);
+    // On tools of a few units, no stack has short directions within the depth that fair tools may
+    // have. Then edges with any directions are better than a coarse stack or none.
+    if (!accuracy.turns && (!best.is_there() || best.stack.error > tolerance)) {
+        Choice other = Search(piece, radius, u, accuracy.side, true)(tolerance);
+        const bool is_better =
+            other.is_there() && (!best.is_there() || other.stack.error < best.stack.error);
+        if (is_better) best = std::move(other);
+    }
     if (!best.is_there()) return polytope;
     polytope.sides = best.sides();
     polytope.error_mm = best.stack.error * u;
