@@ -44,7 +44,7 @@ public:
     std::unique_ptr<cda::WorkpieceModel> clone() const override {
         return std::make_unique<HeightMap>(*this);
     }
-    // What this model does not know.
+    // Queries that this model does not answer.
     bool contains(cda::Vec3) const override { throw cda::CannotAnswer(name(), "points"); }
     cda::RemovalByMotion account() const override { throw cda::CannotAnswer(name(), "accounts"); }
     void render(cda::FacetCanvas&) const override { throw cda::CannotAnswer(name(), "facets"); }

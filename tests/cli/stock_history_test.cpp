@@ -179,7 +179,7 @@ TEST(StockHistory, AFileThatLiesIsRefused) {
     with(source, "source 10 1 -1 closed first.nc");
     with(source, "source 10 one 0.05 closed first.nc");
     with(source, "source 10 1 0.05 first.nc");
-    // What nobody reads is not examined; files without sources are read as before.
+    // Files of version 2 have no sources; their faces count as facets of a mesh.
     std::istringstream lines(good);
     std::string old;
     for (std::string line; std::getline(lines, line);) {

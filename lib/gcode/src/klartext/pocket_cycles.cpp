@@ -133,7 +133,7 @@ bool Control::read_blank(SourceSpan span, language::Milling& m) {
         m.blank = (length - m.area.length) / 2.0;
         return true;
     }
-    // From the corner of the blank to the round corner of the stud.
+    // Distance from the corner of the blank to the round corner of the stud.
     const double x = (length - m.area.length) / 2.0 + m.area.corner;
     const double y = (width - m.area.width) / 2.0 + m.area.corner;
     m.blank = trig::length_of(x, y) - m.area.corner;

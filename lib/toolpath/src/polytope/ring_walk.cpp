@@ -96,7 +96,7 @@ struct Step {
     bool is_divisible = false;  // the scale is a multiple of kDivisors
 };
 
-// What edges cost, in facets.
+// Costs of edges, in facets.
 struct EdgeCosts {
     double long_direction = 0.0;  // an edge with a long direction
     // A radian between the normals of two facets at the tip. At other slopes the fourth power of
