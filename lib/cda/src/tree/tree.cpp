@@ -67,12 +67,12 @@ std::vector<std::uint32_t> tile_order(const std::vector<std::size_t>& axes, std:
 }  // namespace
 
 TreeCda::TreeCda(TreeParameters parameters)
-    : parameters_(parameters),
+    : parameters_(std::move(parameters)),
       cells_(std::make_unique<CellTable>()),
       normals_(std::make_unique<NormalsPool>()) {}
 
 TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters)
-    : parameters_(parameters),
+    : parameters_(std::move(parameters)),
       lattice_(lattice),
       stock_(stock),
       cells_(std::make_unique<CellTable>()),
