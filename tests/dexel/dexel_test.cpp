@@ -126,6 +126,40 @@ TEST(Dexel, IsClosedWhereCellsMeetInEdgesAndCorners) {
     }
 }
 
+// Walls of columns that touch in edges: vertices are kept on one side of an edge of a wall alone.
+TEST(Dexel, IsClosedWhereColumnsMeet) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(1100 + seed);
+        const auto part = block(0.5);
+        for (std::int64_t x = 0; x < 10; ++x) {
+            for (std::int64_t y = 0; y < 10; ++y) {
+                const auto depth = static_cast<std::int64_t>(random.next() % 6);
+                if (random.one_in(2) && depth > 0)
+                    part->subtract_unmeasured(
+                        mm_box(x, y, 6 - depth, x + 1, y + 1, 7, cda::Origin{7}));
+            }
+        }
+        const Boundary boundary = part->boundary();
+        expect_closed(boundary);
+        EXPECT_NEAR(cda::volume(boundary), part->volume(), 0.02 * part->volume());
+    }
+}
+
+// Walls parallel to Z have vertices where they begin and end alone.
+TEST(Dexel, DeepWallsHaveNoMoreTrianglesThanShallowOnes) {
+    const auto triangles_of = [](std::int64_t depth) {
+        const auto part = block(0.25);
+        part->subtract_unmeasured(mm_box(3, 3, 6 - depth, 7, 7, 7, cda::Origin{7}));
+        const Boundary boundary = part->boundary();
+        expect_closed(boundary);
+        EXPECT_EQ(boundary.shells, 1U);
+        EXPECT_NEAR(cda::volume(boundary), 600.0 - 16.0 * static_cast<double>(depth), 0.05);
+        return boundary.faces.size();
+    };
+    EXPECT_EQ(triangles_of(2), triangles_of(5));
+}
+
 // Compares with the exact model: the volume, and points farther than a pitch from places where both
 // models may differ.
 TEST(Dexel, HasWhatTheExactPartHas) {
@@ -185,14 +219,16 @@ TEST(Dexel, MarchingCubesHaveTheEndsOfRaysAndNoEdges) {
     }
 }
 
-std::vector<Cell> some_cuts(std::uint64_t seed) {
+// Origins count from 1; all have origin 1 if `have_one_origin`.
+std::vector<Cell> some_cuts(std::uint64_t seed, bool have_one_origin = false) {
     test::Random random(seed);
     std::vector<Cell> cuts;
     for (int i = 0; i < 60; ++i) {
         const auto x = static_cast<std::int64_t>(random.next() % 9);
         const auto y = static_cast<std::int64_t>(random.next() % 9);
+        const auto origin = static_cast<std::uint32_t>(have_one_origin ? 1 : i + 1);
         cuts.push_back(mm_box(x, y, 1 + static_cast<std::int64_t>(random.next() % 5), x + 2, y + 1,
-                              7, cda::Origin{static_cast<std::uint32_t>(i + 1)}));
+                              7, cda::Origin{origin}));
     }
     return cuts;
 }
@@ -216,8 +252,9 @@ TEST(Dexel, DoesNotDependOnThreads) {
     }
 }
 
+// Walls have vertices where their origin changes, too, and of two cuts the first leaves the wall.
 TEST(Dexel, DoesNotDependOnTheOrderOfCuts) {
-    auto cuts = some_cuts(6);
+    auto cuts = some_cuts(6, true);
     const auto there = block(0.3);
     there->subtract_unmeasured(cuts);
     std::reverse(cuts.begin(), cuts.end());

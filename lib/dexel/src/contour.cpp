@@ -4,7 +4,8 @@
 //
 //  1. mark     corners of the grid in the material, a bit each, and cells with both kinds
 //  2. place    the vertices of the surface, cell by cell
-//  3. facets   around each crossed edge of the grid, from the cell that begins there
+//  3. facets   around each crossed edge of the grid, from the cell that begins there; along walls
+//              parallel to z, one facet for all edges between vertices that are kept
 #include "contour.h"
 
 #include "ncsim/cda/disjoint_sets.h"
@@ -75,6 +76,7 @@ struct Crossing {
     double at = 0.0;  // along the edge, units
     Vec3 normal;
     cda::Origin origin = cda::kStockOrigin;
+    bool operator==(const Crossing&) const = default;
 };
 
 // Least-squares solver: the point nearest to the planes, and to the mean of the points in
@@ -185,6 +187,8 @@ private:
         std::uint32_t z;
         std::uint32_t first_point;
         std::uint8_t inside;
+        bool has_equal_ends;      // The edges above are crossed as those below, and no others.
+        bool is_dropped = false;  // The vertex is on the line between those above and below.
     };
 
     std::size_t column(std::size_t x, std::size_t y) const { return x * grid_.axes[1].cells() + y; }
@@ -262,8 +266,53 @@ private:
                 all_below = all >> 63;
             }
             slab.counts.push_back(slab.cells.size() - before);
+            drop_vertices_of_walls(slab, before);
         }
         return slab;
+    }
+
+    // Drops the vertices in the middle of walls parallel to z, in the last column of the slab,
+    // whose cells begin at `first`.
+    static void drop_vertices_of_walls(Slab& slab, std::size_t first) {
+        const auto is_above = [&](const MixedCell& cell, const MixedCell& below) {
+            const Vec3 &p = slab.points[cell.first_point], &q = slab.points[below.first_point];
+            return cell.z == below.z + 1 && cell.inside == below.inside && p.x == q.x && p.y == q.y;
+        };
+        for (std::size_t i = first + 1; i + 1 < slab.cells.size(); ++i) {
+            MixedCell& cell = slab.cells[i];
+            cell.is_dropped = cell.has_equal_ends && is_above(cell, slab.cells[i - 1]) &&
+                              is_above(slab.cells[i + 1], cell);
+        }
+        if (first == slab.cells.size()) return;
+        std::uint32_t kept = slab.cells[first].first_point;
+        for (std::size_t i = first; i < slab.cells.size(); ++i) {
+            MixedCell& cell = slab.cells[i];
+            const std::uint32_t from = std::exchange(cell.first_point, kept);
+            if (cell.is_dropped) continue;
+            for (std::uint32_t k = 0; k < components_of(cell.inside).count; ++k)
+                slab.points[kept++] = slab.points[from + k];
+        }
+        slab.points.resize(kept);
+    }
+
+    // True if the crossed edges of a cell are in pairs of the same crossing, one above the other.
+    bool has_equal_ends(KnownCrossings& known, const Place& at, std::uint8_t inside) const {
+        constexpr int kLower = 15;
+        if ((inside & kLower) != inside >> 4 || components_of(inside).count != 1) return false;
+        constexpr std::array<std::pair<int, int>, 4> kPairs{std::pair{0, 2}, std::pair{1, 3},
+                                                            std::pair{4, 5}, std::pair{6, 7}};
+        return std::ranges::all_of(kPairs, [&](const auto& pair) {
+            const auto is_crossed = [&](int e) {
+                return components_of(inside).of_edge[static_cast<std::size_t>(e)] !=
+                       CellComponents::kNone;
+            };
+            const auto crossing = [&](int e) -> const Crossing& {
+                const Place from = corner_at(at, first_corner(e));
+                const auto axis = static_cast<std::size_t>(e / 4);
+                return known.get(from, axis, [&] { return crossing_at(from, axis); });
+            };
+            return !is_crossed(pair.first) || crossing(pair.first) == crossing(pair.second);
+        });
     }
 
     void add_cell(Slab& slab, KnownCrossings& known, const Place& at) const {
@@ -274,7 +323,8 @@ private:
         }
         const CellComponents& components = components_of(inside);
         slab.cells.push_back({static_cast<std::uint32_t>(at[2]),
-                              static_cast<std::uint32_t>(slab.points.size()), inside});
+                              static_cast<std::uint32_t>(slab.points.size()), inside,
+                              has_equal_ends(known, at, inside)});
         for (std::uint8_t piece = 0; piece < components.count; ++piece) {
             Nearest nearest;
             for (int e = 0; e < 12; ++e) {
@@ -460,6 +510,7 @@ private:
                                                               std::pair{1, 1}, std::pair{0, 1}};
         std::array<Place, 4> cells;
         std::array<std::uint32_t, 4> vertices{};
+        std::array<bool, 4> is_dropped{};
         for (std::size_t i = 0; i < 4; ++i) {
             cells[i] = corner;
             cells[i][u] -= static_cast<std::size_t>(kOffsets[i].first);
@@ -468,27 +519,47 @@ private:
             const int begins = kOffsets[i].first << u | kOffsets[i].second << v;
             const auto edge = static_cast<std::size_t>(edge_from(begins, static_cast<int>(axis)));
             vertices[i] = cell.first_point + components_of(cell.inside).of_edge[edge];
+            is_dropped[i] = cell.is_dropped;
         }
+        const cda::Origin origin = origin_at(corner, axis);
+        std::array<std::optional<std::uint32_t>, 4> middles;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t next = (i + 1) % 4;
+            middles[i] =
+                middle_of(corner, axis, cells[i], cells[next], vertices[i], vertices[next]);
+        }
+        const bool any_dropped = std::ranges::find(is_dropped, true) != is_dropped.end();
+        if (axis != 2 && (any_dropped || !strips_[axis].is_empty())) {
+            add_to_strip(strips_[axis], vertices, is_dropped, middles, u == 2, faces_along, origin);
+            return;
+        }
+        add_polygon(vertices, middles, faces_along, origin);
+    }
+
+    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, cda::Origin origin) {
+        triangles.push_back({a, b, c});
+        origins.push_back(origin);
+    }
+
+    // Adds the facet with four vertices and the middle vertices after them.
+    void add_polygon(const std::array<std::uint32_t, 4>& vertices,
+                     const std::array<std::optional<std::uint32_t>, 4>& middles, bool faces_along,
+                     cda::Origin origin) {
         std::array<std::uint32_t, 8> loop{};
         std::size_t count = 0, first_middle = 0;
         for (std::size_t i = 0; i < 4; ++i) {
-            const std::size_t next = (i + 1) % 4;
             loop[count++] = vertices[i];
-            const auto middle =
-                middle_of(corner, axis, cells[i], cells[next], vertices[i], vertices[next]);
-            if (!middle) continue;
+            if (!middles[i]) continue;
             if (first_middle == 0) first_middle = count;
-            loop[count++] = *middle;
+            loop[count++] = *middles[i];
         }
         // The fan starts at a middle vertex, so that no triangle has an edge between the vertices
         // on both sides of the middle vertex.
         const auto begin = loop.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
         std::rotate(begin, begin + static_cast<std::ptrdiff_t>(first_middle), end);
         if (!faces_along) std::reverse(begin + 1, end);
-        const cda::Origin origin = origin_at(corner, axis);
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-            triangles.push_back({loop[a], loop[b], loop[c]});
-            origins.push_back(origin);
+            add_triangle(loop[a], loop[b], loop[c], origin);
         };
         if (count > 4) {
             for (std::size_t i = 1; i + 1 < count; ++i)
@@ -504,6 +575,50 @@ private:
             add(1, 2, 3);
             add(1, 3, 0);
         }
+    }
+
+    // Part of a wall between two columns of cells: the vertices of each column, upwards.
+    struct Strip {
+        std::array<std::vector<std::uint32_t>, 2> sides;
+        bool is_empty() const { return sides[0].empty(); }
+        void clear() { sides[0].clear(), sides[1].clear(); }
+    };
+
+    // Adds the facet of a crossed edge to the strip, and writes the strip if its upper vertices are
+    // kept.
+    void add_to_strip(Strip& strip, const std::array<std::uint32_t, 4>& vertices,
+                      const std::array<bool, 4>& is_dropped,
+                      const std::array<std::optional<std::uint32_t>, 4>& middles, bool z_is_u,
+                      bool faces_along, cda::Origin origin) {
+        // Vertices counter-clockwise about the edge; those of the cells below are 1 and 2 if z is
+        // u, otherwise 2 and 3. On the first side they are before those above.
+        struct Side {
+            std::size_t below, above, between;
+        };
+        const std::array<Side, 2> sides = z_is_u ? std::array{Side{2, 3, 2}, Side{1, 0, 0}}
+                                                 : std::array{Side{3, 0, 3}, Side{2, 1, 1}};
+        const bool is_first = strip.is_empty();
+        for (std::size_t s = 0; s < 2; ++s) {
+            auto& side = strip.sides[s];
+            if (is_first) side.push_back(vertices[sides[s].below]);
+            if (const auto& middle = middles[sides[s].between]) side.push_back(*middle);
+            if (!is_dropped[sides[s].above]) side.push_back(vertices[sides[s].above]);
+        }
+        if (is_dropped[sides[0].above] || is_dropped[sides[1].above]) return;
+        const auto& [a, b] = strip.sides;
+        std::size_t i = 0, j = 0;
+        while (i + 1 < a.size() || j + 1 < b.size()) {
+            const bool on_a =
+                j + 1 == b.size() || (i + 1 < a.size() && points[a[i + 1]].z <= points[b[j + 1]].z);
+            const std::uint32_t next = on_a ? a[i + 1] : b[j + 1];
+            if (faces_along) {
+                add_triangle(a[i], next, b[j], origin);
+            } else {
+                add_triangle(a[i], b[j], next, origin);
+            }
+            ++(on_a ? i : j);
+        }
+        strip.clear();
     }
 
     // Returns the separate vertex between two vertices, if all four edges of the face between two
@@ -561,6 +676,7 @@ private:
     Signs signs_;
     std::vector<std::size_t> column_;  // index in cells_ of each column's first cell
     std::vector<MixedCell> cells_;
+    std::array<Strip, 2> strips_;  // The wall across edges along x and along y, unfinished.
     std::map<std::tuple<std::uint32_t, std::uint32_t, Place>, std::uint32_t> middles_;
 };
 

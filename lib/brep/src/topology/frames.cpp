@@ -6,6 +6,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "topology/angular_extent.h"
+#include "topology/whole_circle.h"
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,28 @@ Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis)
     }
     const auto angle = trig::sin_cos(round.gap_begin + 0.5 * round.gap);
     return normalized(angle.cos * x + angle.sin * cross(axis, x));
+}
+
+// Returns the frame of a wall or cone between whole circles about its axis, as frame_for would.
+std::optional<Frame> frame_of_turned(const Part& part, const Face& face) {
+    const auto* cylinder = std::get_if<Cylinder>(&face.surface.form);
+    const auto* cone = std::get_if<Cone>(&face.surface.form);
+    if (!cylinder && !cone) return std::nullopt;
+    const Vec3 origin = cylinder ? cylinder->origin : cone->apex;
+    const Vec3 axis = cylinder ? cylinder->axis : cone->axis;
+    std::optional<Vec3> first;
+    double height = 0.0;
+    for (const Loop& loop : face.loops) {
+        const auto circle = whole_circle(part, loop);
+        constexpr double kLeastRadius = 1e-3;
+        if (!circle || !circle->is_about(origin, axis) || circle->radius < kLeastRadius)
+            return std::nullopt;
+        if (!first) first = circle->start;
+        height = std::max(height, dot(circle->start - origin, axis));
+    }
+    const Vec3 v = *first - origin;
+    return Frame{cylinder ? origin : origin + height * axis, axis,
+                 normalized(v - dot(v, axis) * axis)};
 }
 
 // Returns the common axis of a cap or zone, whose edges are circles about the same axis.
@@ -172,6 +195,7 @@ Frame frame_for(const Part& part, const Face& face) {
         const ToolFrame start = f->sweep->at(0.0);
         return {start.tip, start.axis, any_perpendicular(start.axis)};
     }
+    if (const auto frame = frame_of_turned(part, face)) return *frame;
     const auto loops = points_along(part, face);
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form))
         return {f->origin, f->axis, x_axis(loops, f->origin, f->axis)};

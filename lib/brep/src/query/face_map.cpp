@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "query/face_map.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "geometry/tolerances.h"
+#include "topology/angular_extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+using trig::kRadiansPerDegree;
+
+namespace {
+
+MapPoint point_of(const Sweep& sweep, const ClosestPoint& place) {
+    const double across = place_across(sweep, place.tool, place.foot);
+    const Fillet* fillet = sweep.fillet();
+    const double scale =
+        fillet ? (fillet->centre_radius + fillet->radius) * kRadiansPerDegree : 1.0;
+    return {scale * across, sweep.length_mm() * place.t};
+}
+
+MapPoint out(const Local& p, double radius) {
+    return {radius * p.x / p.radius, radius * p.y / p.radius};
+}
+
+}  // namespace
+
+FaceMap::FaceMap(const Part& part, const Face& face)
+    : form_(&face.surface.form), axes_(axes_of(face, face.frame.origin)) {
+    if (is_straight_up()) {
+        low_ = std::numeric_limits<double>::infinity();
+        for_edges(part, face, [&](const Track& track, double) {
+            for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                const Local p = local(track.at(t));
+                low_ = std::min(low_, p.z);
+                // The x axis points away from the face.
+                constexpr double kSteep = 0.2;
+                faces_one_way_ = faces_one_way_ && p.x < -kSteep * p.radius;
+            }
+        });
+        low_ -= 2.0 * radius_of(*form_);
+    } else if (const auto* c = std::get_if<Cone>(form_)) {
+        axes_.origin = c->apex;
+    } else if (const auto* s = std::get_if<Sphere>(form_)) {
+        Vec3 sum;
+        for_edges(part, face, [&](const Track& track, double) {
+            for (const double t : {0.0, 0.25, 0.5, 0.75})
+                sum = sum + (track.at(t) - s->centre);
+        });
+        // The loops lie about in one plane, so the face is on their left on two sides.
+        Vec3 middle = normalized(sum);
+        if (norm(sum) < 0.1 * s->radius) middle = face.frame.axis;
+        axes_ = Axes(s->centre, {s->centre, middle, any_perpendicular(middle)});
+    } else if (const auto* t = std::get_if<Torus>(form_)) {
+        cut_ = cut_of(part, face, axes_, *t);
+    } else if (const auto* coil = std::get_if<Coil>(form_)) {
+        double sum = 0.0;
+        for_edges(part, face, [&](const Track& track, double) {
+            for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                const CoilPlace place = project_onto(*coil, track.at(at));
+                sum += dot(place.out, place.motion);
+            }
+        });
+        ahead_ = sum < 0.0 ? -1.0 : 1.0;
+    }
+}
+
+FaceMap::Place FaceMap::place(Vec3 p, ProjectionSeed& seed) const {
+    const auto* envelope = std::get_if<Envelope>(form_);
+    if (!envelope) return {(*this)(p), distance(*form_, p)};
+    const ClosestPoint closest = project_onto(*envelope, p, seed);
+    return {point_of(*envelope->sweep, closest), closest.deviation};
+}
+
+MapPoint FaceMap::operator()(Vec3 at) const {
+    // Angles count from the middle of the half of the circle, which turns with the path.
+    if (const auto* c = std::get_if<Coil>(form_)) {
+        const CoilPlace place = project_onto(*c, at);
+        const double x = ahead_ * dot(place.out, place.motion);
+        const double y = ahead_ * dot(place.out, cross(c->axis, place.motion));
+        return {c->radius * trig::angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
+    }
+    if (const auto* s = std::get_if<Spiral>(form_)) {
+        const SpiralPlace place = project_onto(*s, at);
+        return {(s->reach + s->offset) * place.turn, place.height};
+    }
+    if (const auto* e = std::get_if<Envelope>(form_))
+        return point_of(*e->sweep, project_onto(*e, at));
+    const Local p = local(at);
+    if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
+        return {p.x, p.y};
+    if (is_straight_up()) return faces_one_way_ ? MapPoint{p.y, p.z} : out(p, p.z - low_);
+    if (const auto* s = std::get_if<Sphere>(form_)) {
+        const double scale = 2.0 * s->radius / std::max(1e-9 * s->radius, s->radius + p.z);
+        return {scale * p.x, scale * p.y};
+    }
+    const auto& t = std::get<Torus>(*form_);
+    const double angle = degrees_from(cut_, t, p) * kRadiansPerDegree;
+    if (!is_spindle(t)) return out(p, t.minor * (1.0 + angle));
+    return p.radius > 0.0 ? out(p, t.minor * angle) : MapPoint{0.0, 0.0};
+}
+
+std::optional<FaceMap::Round> FaceMap::round_of(const WholeCircle& circle) const {
+    const double deviation = std::abs(distance(*form_, circle.start));
+    if (std::holds_alternative<Plane>(*form_)) {
+        constexpr double kParallel = 1e-9;  // sine
+        const double slope = norm(cross(circle.axis, axes_.z));
+        if (slope > kParallel) return std::nullopt;
+        const Local centre = axes_(circle.centre);
+        return Round{{centre.x, centre.y}, circle.radius, deviation + 2.0 * circle.radius * slope};
+    }
+    const bool is_annulus = std::holds_alternative<Cylinder>(*form_) && !faces_one_way_;
+    if ((!is_annulus && !is_cone()) || !circle.is_about(axes_.origin, axes_.z)) return std::nullopt;
+    const double radius = is_annulus ? axes_(circle.centre).z - low_ : circle.radius;
+    return Round{{0.0, 0.0}, radius, deviation};
+}
+
+bool FaceMap::is_of_other_half(MapPoint at, double tolerance_mm) const {
+    constexpr double kQuarter = 90.0 * kRadiansPerDegree;
+    const auto* coil = std::get_if<Coil>(form_);
+    return coil && std::abs(at.x) > kQuarter * coil->radius + tolerance_mm;
+}
+
+bool FaceMap::keeps_lines() const {
+    return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
+           std::holds_alternative<Spiral>(*form_) ||
+           (is_straight_up() && faces_one_way_ && !std::holds_alternative<Dome>(*form_));
+}
+
+Local FaceMap::local(Vec3 p) const {
+    const auto* dome = std::get_if<Dome>(form_);
+    return dome ? local_on(*dome, axes_, p) : axes_(p);
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "topology/whole_circle.h"
+
+#include <variant>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+bool WholeCircle::is_about(Vec3 origin, Vec3 along) const {
+    constexpr double kSame = 1e-9;  // mm, and sine
+    const Vec3 v = centre - origin;
+    return norm(cross(axis, along)) < kSame && norm(v - dot(v, along) * along) < kSame;
+}
+
+std::optional<WholeCircle> whole_circle(const Part& part, const Loop& loop) {
+    if (loop.size() != 1) return std::nullopt;
+    const Edge& edge = part.edges[loop.front().edge];
+    const auto* circle = std::get_if<Circle>(&edge.curve);
+    if (!circle || edge.from != edge.to) return std::nullopt;
+    // The track of the edge has the height and the distance of its start.
+    const Vec3 start = part.vertices[edge.from];
+    const Vec3 centre = circle->centre + dot(start - circle->centre, circle->axis) * circle->axis;
+    return WholeCircle{centre, loop.front().is_forward ? circle->axis : -circle->axis, start,
+                       norm(start - centre)};
+}
+
+}  // namespace ncsim::brep
