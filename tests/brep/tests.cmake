@@ -11,6 +11,7 @@ ncsim_add_test(brep
     made_part.cpp
     mass_test.cpp
     order_test.cpp
+    parameter_curve_test.cpp
     part_check_test.cpp
     ramps_test.cpp
     random_parts.cpp
@@ -31,7 +32,7 @@ target_include_directories(ncsim_brep_solids PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
 target_link_libraries(ncsim_brep_solids PRIVATE ncsim::brep ncsim::export ncsim_build_flags)
 add_test(NAME brep.write_solids COMMAND ncsim_brep_solids ${solids})
 set_tests_properties(brep.write_solids PROPERTIES FIXTURES_SETUP brep_solids)
-add_test(NAME brep.solids_are_read_by_opencascade COMMAND ncsim_read_step ${solids})
+add_test(NAME brep.solids_are_read_by_opencascade COMMAND ncsim_read_step ${solids} --booleans)
 set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQUIRED brep_solids)
 
 # Parts of random programs likewise; more of them by hand: ncsim_brep_random <folder> 1000.
@@ -57,11 +58,13 @@ function(ncsim_judge_parts name)
   file(REMOVE_RECURSE ${folder})
   add_test(NAME brep.write_${name} COMMAND ncsim_brep_random ${folder} ${parts})
   set_tests_properties(brep.write_${name} PROPERTIES FIXTURES_SETUP brep_${name})
-  set(fine)
+  set(strictness)
   if(name MATCHES "^slots")
-    set(fine --fine)
+    set(strictness --fine)
+  elseif(name MATCHES "balls|rasters")
+    set(strictness --booleans)
   endif()
-  add_test(NAME brep.${name}_are_read_by_opencascade COMMAND ncsim_read_step ${folder} ${fine})
+  add_test(NAME brep.${name}_are_read_by_opencascade COMMAND ncsim_read_step ${folder} ${strictness})
   set_tests_properties(brep.${name}_are_read_by_opencascade PROPERTIES
     FIXTURES_REQUIRED brep_${name})
 endfunction()

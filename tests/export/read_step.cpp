@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_step <folder or file> [--fine]: reads the file, or every .step in the folder, with
-// OpenCASCADE. The result must be valid closed solids, in millimetres, with the number of faces and
-// the volume in the adjacent .expect file. The volume there is called "solid" if the volume in
-// different formats differs. Each face must become triangles, as programs draw faces, and the
-// triangles must have the volume, too. A face hardly wider than the distance of chords from arcs is
-// triangulated by finer chords. With --fine, each face must also have triangles at deflections of
-// 0.1, 0.02 and 0.003 mm.
+// read_step <folder or file> [--fine] [--booleans]: reads the file, or every .step in the folder,
+// with OpenCASCADE. The result must be valid closed solids, in millimetres, with the number of
+// faces and the volume in the adjacent .expect file. The volume there is called "solid" if the
+// volume in different formats differs. Each face must become triangles, as programs draw faces, and
+// the triangles must have the volume, too. A face hardly wider than the distance of chords from
+// arcs is triangulated by finer chords. With --fine, each face must also have triangles at
+// deflections of 0.1, 0.02 and 0.003 mm. With --booleans, the check before Boolean operations,
+// which FreeCAD asks, too, must have no complaint, and both halves of the part must have its volume
+// together.
+#include <BOPAlgo_ArgumentAnalyzer.hxx>
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
 #include <Poly_Triangulation.hxx>
@@ -140,7 +147,47 @@ int undrawn(const TopoDS_Shape& shape, double deflection_mm) {
     return faces;
 }
 
-bool check(const std::filesystem::path& path, bool is_fine) {
+double volume_of(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties, 1e-9);
+    return properties.Mass();
+}
+
+// Returns the number of complaints of the check before Boolean operations.
+int complaints_of(const TopoDS_Shape& shape) {
+    BOPAlgo_ArgumentAnalyzer analyzer;
+    analyzer.SetShape1(shape);
+    analyzer.ArgumentTypeMode() = true;
+    analyzer.SelfInterMode() = true;
+    analyzer.SmallEdgeMode() = true;
+    analyzer.RebuildFaceMode() = true;
+    analyzer.ContinuityMode() = true;
+    analyzer.TangentMode() = true;
+    analyzer.MergeVertexMode() = true;
+    analyzer.MergeEdgeMode() = true;
+    analyzer.CurveOnSurfaceMode() = true;
+    analyzer.Perform();
+    return analyzer.GetCheckResult().Extent();
+}
+
+// Returns the sum of the volumes of the part on both sides of a plane across X.
+double volume_of_halves(const TopoDS_Shape& shape) {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box);
+    const gp_Pnt low = box.CornerMin().Translated(gp_Vec(-1, -1, -1));
+    const gp_Pnt high = box.CornerMax().Translated(gp_Vec(1, 1, 1));
+    const double middle = low.X() + 0.4321 * (high.X() - low.X());
+    const auto part_in = [&](const gp_Pnt& from, const gp_Pnt& to) {
+        return volume_of(BRepAlgoAPI_Common(shape, BRepPrimAPI_MakeBox(from, to).Shape()).Shape());
+    };
+    return part_in(low, {middle, high.Y(), high.Z()}) + part_in({middle, low.Y(), low.Z()}, high);
+}
+
+struct Strictness {
+    bool is_fine = false, has_booleans = false;
+};
+
+bool check(const std::filesystem::path& path, const Strictness& strictness) {
     const Expectation expected =
         read_expectation(std::filesystem::path(path).replace_extension(".expect"));
     bool good = true;
@@ -182,9 +229,16 @@ bool check(const std::filesystem::path& path, bool is_fine) {
            "volume " + std::to_string(properties.Mass()));
     const Drawn drawn = draw(shape);
     for (const double deflection : {0.1, 0.02, 0.003}) {
-        const int faces_undrawn = is_fine ? undrawn(shape, deflection) : 0;
+        const int faces_undrawn = strictness.is_fine ? undrawn(shape, deflection) : 0;
         expect(faces_undrawn == 0, std::to_string(faces_undrawn) + " faces without triangles at " +
                                        std::to_string(deflection) + " mm");
+    }
+    if (strictness.has_booleans) {
+        const int complaints = complaints_of(shape);
+        expect(complaints == 0, std::to_string(complaints) + " complaints before Booleans");
+        const double halves = volume_of_halves(shape);
+        expect(std::abs(halves - properties.Mass()) < 1e-6 * properties.Mass(),
+               "two halves of " + std::to_string(halves) + " mm³ together");
     }
     expect(drawn.without == 0,
            std::to_string(drawn.without) + " faces without triangles, at " + drawn.where);
@@ -200,17 +254,22 @@ bool check(const std::filesystem::path& path, bool is_fine) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const bool is_fine = argc == 3 && std::string(argv[2]) == "--fine";
-    if (argc != 2 && !is_fine) return EXIT_FAILURE;
+    Strictness strictness;
+    for (int i = 2; i < argc; ++i) {
+        const std::string option = argv[i];
+        if (option != "--fine" && option != "--booleans") return EXIT_FAILURE;
+        (option == "--fine" ? strictness.is_fine : strictness.has_booleans) = true;
+    }
+    if (argc < 2) return EXIT_FAILURE;
     const std::filesystem::path path = argv[1];
     if (!std::filesystem::is_directory(path))
-        return check(path, is_fine) ? EXIT_SUCCESS : EXIT_FAILURE;
+        return check(path, strictness) ? EXIT_SUCCESS : EXIT_FAILURE;
     int files = 0;
     bool good = true;
     for (const auto& entry : std::filesystem::directory_iterator(path)) {
         if (entry.path().extension() != ".step") continue;
         ++files;
-        good = check(entry.path(), is_fine) && good;
+        good = check(entry.path(), strictness) && good;
     }
     return good && files > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -99,7 +99,8 @@ find_package(OpenCASCADE CONFIG REQUIRED)
 add_executable(ncsim_read_step export/read_step.cpp)
 target_compile_features(ncsim_read_step PRIVATE cxx_std_20)
 target_include_directories(ncsim_read_step SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
-target_link_libraries(ncsim_read_step PRIVATE TKernel TKMath TKBRep TKTopAlgo TKMesh TKXSBase TKSTEP)
+target_link_libraries(ncsim_read_step PRIVATE TKernel TKMath TKBRep TKTopAlgo TKPrim TKBO TKMesh
+  TKXSBase TKSTEP)
 add_test(NAME export.step_is_read_by_opencascade COMMAND ncsim_read_step ${samples})
 set_tests_properties(export.step_is_read_by_opencascade PROPERTIES FIXTURES_REQUIRED export_samples)
 

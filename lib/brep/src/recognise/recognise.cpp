@@ -15,6 +15,7 @@
 #include "ncsim/brep/measure.h"
 
 #include "geometry/tolerances.h"
+#include "heal/fine_splines.h"
 #include "heal/non_simple_faces.h"
 #include "heal/nonplanar_faces.h"
 #include "heal/reader_compatibility.h"
@@ -512,6 +513,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
     split_arcs_near_corners(result.part);
     split_arcs_at_cusps(result.part);
     shrink_touching_ellipses(result.part);
+    refine_splines(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;

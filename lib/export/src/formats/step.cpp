@@ -6,6 +6,7 @@
 #include "ncsim/export/step.h"
 
 #include "ncsim/brep/frames.h"
+#include "ncsim/brep/parameter_curve.h"
 #include "ncsim/brep/patch.h"
 #include "ncsim/cda/shape.h"
 #include "ncsim/export/simplify.h"
@@ -17,6 +18,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -117,7 +120,16 @@ public:
           vertices_(part.vertices.size()),
           edges_(part.edges.size(), 0),
           styles_(palette_.face_sources().size(), 0),
-          faces_(part.faces.size(), 0) {}
+          faces_(part.faces.size(), 0),
+          surfaces_(part.faces.size()),
+          faces_of_edge_(part.edges.size(), {kNoFace, kNoFace}) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const brep::Loop& loop : part.faces[f].loops) {
+                for (const brep::EdgeUse& use : loop)
+                    faces_of_edge_[use.edge][use.is_forward ? 0 : 1] = f;
+            }
+        }
+    }
 
     void write() {
         header();
@@ -247,11 +259,51 @@ private:
         const brep::Edge& e = part_.edges[number];
         const Vertex from = vertex(e.from);
         const Vertex to = vertex(e.to);
-        const Entity curve =
-            std::visit([&](const auto& c) { return curve_of(c, e, from); }, e.curve);
+        const Entity curve = with_parameters(
+            std::visit([&](const auto& c) { return curve_of(c, e, from); }, e.curve), number);
         made = add("EDGE_CURVE(''," + ref(from.vertex) + "," + ref(to.vertex) + "," + ref(curve) +
                    ",.T.)");
         return made;
+    }
+
+    // Adds to a curve what it is in the parameters of its surfaces. Without these, readers project
+    // the curve, and their Booleans find what they miss by.
+    Entity with_parameters(Entity curve, std::uint32_t number) {
+        const auto& faces = faces_of_edge_[number];
+        if (faces[0] == faces[1]) return curve;
+        std::vector<Entity> in_parameters;
+        for (const std::uint32_t f : faces) {
+            if (f == kNoFace) continue;
+            const Surface& on = surface(f);
+            if (!on.parameters) continue;
+            const auto found = on.parameters->curve_of(part_, part_.edges[number]);
+            if (found) in_parameters.push_back(parameter_curve(on.entity, *found));
+        }
+        if (in_parameters.empty()) return curve;
+        return add("SURFACE_CURVE(''," + ref(curve) + "," + list(in_parameters) + ",.CURVE_3D.)");
+    }
+
+    Entity parameter_curve(Entity surface, const brep::ParameterCurve& curve) {
+        if (flat_context_ == 0)
+            flat_context_ =
+                add("(GEOMETRIC_REPRESENTATION_CONTEXT(2) PARAMETRIC_REPRESENTATION_CONTEXT() "
+                    "REPRESENTATION_CONTEXT('',''))");
+        std::vector<Entity> points;
+        points.reserve(curve.points.size());
+        // More digits are below what the curve is off.
+        const auto rounded = [](double x) { return real(std::round(1e11 * x) / 1e11); };
+        for (const auto& [u, v] : curve.points)
+            points.push_back(add("CARTESIAN_POINT('',(" + rounded(u) + "," + rounded(v) + "))"));
+        const Entity spline = b_spline(points, curve.knots);
+        const Entity definition =
+            add("DEFINITIONAL_REPRESENTATION('',(" + ref(spline) + ")," + ref(flat_context_) + ")");
+        return add("PCURVE(''," + ref(surface) + "," + ref(definition) + ")");
+    }
+
+    Entity b_spline(const std::vector<Entity>& points, const std::vector<double>& at) {
+        const Knots knots(at, 3);
+        return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.," +
+                   knots.multiplicities + "," + knots.places + ",.UNSPECIFIED.)");
     }
 
     Entity curve_of(const brep::Line&, const brep::Edge& e, const Vertex& from) {
@@ -276,9 +328,7 @@ private:
         std::vector<Entity> points;
         for (const Vec3& p : c.points)
             points.push_back(point(p));
-        const Knots knots(c.knots, 3);
-        return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.," +
-                   knots.multiplicities + "," + knots.places + ",.UNSPECIFIED.)");
+        return b_spline(points, c.knots);
     }
 
     struct Knots {
@@ -459,13 +509,33 @@ private:
             const Entity loop = add("VERTEX_LOOP(''," + ref(corner) + ")");
             bounds.push_back(add("FACE_BOUND(''," + ref(loop) + ",.T.)"));
         }
-        const Entity surface =
-            std::visit([&](const auto& form) { return surface_of(form, from); }, from.surface.form);
-        const Entity made = add("ADVANCED_FACE(" + quoted(name_of(from)) + "," + list(bounds) +
-                                "," + ref(surface) + (from.surface.is_hollow ? ",.F.)" : ",.T.)"));
+        const Entity made =
+            add("ADVANCED_FACE(" + quoted(name_of(from)) + "," + list(bounds) + "," +
+                ref(surface(number).entity) + (from.surface.is_hollow ? ",.F.)" : ",.T.)"));
         const Entity look = style(provenance_.of(from.origin));
         faces_[number] = made;
         styled_.push_back(add("STYLED_ITEM('',(" + ref(look) + ")," + ref(made) + ")"));
+        return made;
+    }
+
+    struct Surface {
+        Entity entity = 0;
+        std::optional<brep::ParameterSurface> parameters;
+    };
+    // Returns the surface of a face.
+    const Surface& surface(std::uint32_t number) {
+        Surface& made = surfaces_[number];
+        if (made.entity != 0) return made;
+        const brep::Face& face = part_.faces[number];
+        std::shared_ptr<const brep::Patch> patch;
+        if (brep::is_spline_in_files(face.surface.form)) {
+            patch = std::make_shared<brep::Patch>(brep::patch_of(part_, face));
+            made.entity = patch_surface(*patch);
+        } else {
+            made.entity = std::visit([&](const auto& form) { return surface_of(form, face); },
+                                     face.surface.form);
+        }
+        made.parameters = brep::ParameterSurface::of(part_, face, std::move(patch));
         return made;
     }
 
@@ -515,17 +585,11 @@ private:
                    "CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.," +
                    third + "," + third + ",1.))REPRESENTATION_ITEM(''))");
     }
-    // Domes, coils, spirals and envelopes are written as B-spline surfaces.
-    Entity surface_of(const brep::Dome&, const brep::Face& face) { return patch(face); }
-    Entity surface_of(const brep::Coil&, const brep::Face& face) { return patch(face); }
-    Entity surface_of(const brep::Spiral&, const brep::Face& face) { return patch(face); }
-    Entity surface_of(const brep::Envelope&, const brep::Face& face) { return patch(face); }
     template <typename Other>
     Entity surface_of(const Other&, const brep::Face&) {
-        throw std::logic_error("faces do not lie on what crosses surfaces");
+        throw std::logic_error("the form is a patch, or no face lies on it");
     }
-    Entity patch(const brep::Face& face) {
-        const brep::Patch patch = brep::patch_of(part_, face);
+    Entity patch_surface(const brep::Patch& patch) {
         std::string rows;
         for (const auto& points : patch.net) {
             std::vector<Entity> row;
@@ -622,7 +686,11 @@ private:
     std::unordered_map<std::string, Entity> directions_;  // by their text
     std::vector<Entity> styles_;                          // by rank of the tool; 0: not written
     std::vector<Entity> styled_;
-    std::vector<Entity> faces_;  // by face; 0: not written
+    std::vector<Entity> faces_;      // by face; 0: not written
+    std::vector<Surface> surfaces_;  // by face; entity 0: not written
+    static constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
+    std::vector<std::array<std::uint32_t, 2>> faces_of_edge_;  // that uses it forward, backward
+    Entity flat_context_ = 0;                                  // of curves in parameters
 };
 
 }  // namespace

@@ -62,6 +62,9 @@ public:
     const Circle* circle() const { return std::get_if<Circle>(curve_); }
     /// Angle from start to end of a circle or an ellipse, degrees in (0, 360].
     double sweep_degrees() const { return sweep_; }
+    /// Angle at the start, degrees in (-180, 180]: from the major axis of an ellipse; circles start
+    /// at 0.
+    double start_degrees() const { return start_; }
     /// Returns the number of pieces that are short enough for a polynomial: 15 degrees of a circle
     /// or an ellipse, one piece per knot interval of a spline.
     std::size_t pieces() const;

@@ -8,8 +8,14 @@
 
 namespace ncsim::brep {
 
+/// True if files store the form as a spline: domes, coils, spirals and envelopes.
+inline bool is_spline_in_files(const Form& form) {
+    return std::holds_alternative<Dome>(form) || std::holds_alternative<Coil>(form) ||
+           std::holds_alternative<Spiral>(form) || std::holds_alternative<Envelope>(form);
+}
+
 /// Returns the part of a spline surface on which a face lies.
-/// Requires: the face lies on a dome, a coil, a spiral or an envelope.
+/// Requires: is_spline_in_files(face.surface.form).
 /// Returns:
 /// - For domes and coils, a patch of degree 5 within 6e-10 of the radii. The parameters are the
 ///   angles around the circle and along the path. On a coil the patch has only the half of the

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A curve in the parameters of a surface interpolates the places of points of the edge and their
+// derivatives; pieces are halved until the curve is near enough.
+#include "ncsim/brep/parameter_curve.h"
+
+#include "ncsim/brep/frames.h"
+#include "ncsim/trig/angles.h"
+
+#include "geometry/spline_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <variant>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using trig::kRadiansPerDegree;
+
+namespace {
+
+constexpr double kOnSurface = 7e-8;    // mm
+constexpr double kLeastRadius = 1e-3;  // mm: nearer to an axis, angles are undetermined
+constexpr double kParallel = 1e-9;     // sine
+constexpr double kTurn = 360.0 * kRadiansPerDegree;
+
+double angle_rad(double x, double y) {
+    return trig::angle_of(x, y) * kRadiansPerDegree;
+}
+
+// Returns the factors of `u` and `v` in the part of `w` in their plane. Where they are parallel,
+// the factors are the smallest ones if `any` is set, otherwise there is no result.
+std::optional<std::array<double, 2>> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
+    constexpr double kLeastSine = 1e-5, kWeight = 1e-9;
+    double uu = dot(u, u), vv = dot(v, v);
+    const double uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
+    if (!(uu * vv - uv * uv > kLeastSine * kLeastSine * uu * vv)) {
+        if (!any) return std::nullopt;
+        uu += kWeight * (uu + vv);
+        vv += kWeight * (uu + vv);
+    }
+    const double det = uu * vv - uv * uv;
+    if (!(det > 0.0)) return std::nullopt;
+    return std::array{(vv * uw - uv * vw) / det, (uu * vw - uv * uw) / det};
+}
+
+}  // namespace
+
+// An edge with the parameter of its curve in a file.
+class ParameterSurface::FileCurve {
+public:
+    FileCurve(const Part& part, const Edge& edge)
+        : track_(edge.curve, part.vertices[edge.from], part.vertices[edge.to]) {
+        if (const auto* spline = std::get_if<Spline>(&edge.curve)) {
+            begin_ = spline->knots.front();
+            length_ = spline->knots.back() - begin_;
+        } else if (track_.is_straight()) {
+            length_ = norm(part.vertices[edge.to] - part.vertices[edge.from]);
+        } else {
+            begin_ = track_.start_degrees() * kRadiansPerDegree;
+            if (begin_ < 0.0) begin_ += kTurn;
+            length_ = track_.sweep_degrees() * kRadiansPerDegree;
+        }
+    }
+
+    std::vector<double> breaks() const {
+        std::vector<double> result;
+        for (std::size_t i = 0; i <= track_.pieces(); ++i)
+            result.push_back(begin_ + length_ * track_.start_of(i));
+        return result;
+    }
+    // Point and derivative by the parameter.
+    Track::Step at(double t) const {
+        Track::Step step = track_.step(std::clamp((t - begin_) / length_, 0.0, 1.0));
+        step.derivative = (1.0 / length_) * step.derivative;
+        return step;
+    }
+
+private:
+    Track track_;
+    double begin_ = 0.0, length_ = 0.0;
+};
+
+std::optional<ParameterSurface> ParameterSurface::of(const Part& part, const Face& face,
+                                                     std::shared_ptr<const Patch> patch) {
+    const Form& form = face.surface.form;
+    const auto* torus = std::get_if<Torus>(&form);
+    if (std::holds_alternative<Plane>(form) || (torus && is_spindle(*torus)) ||
+        half_of_ramp(part, face))
+        return std::nullopt;
+    return ParameterSurface(form, frame_in_file(part, face), std::move(patch));
+}
+
+ParameterSurface::Point ParameterSurface::point(Place place) const {
+    if (patch_) {
+        const PatchPoint p = point_of(*patch_, place[0], place[1]);
+        return {p.at, p.by_around, p.by_along};
+    }
+    const Vec3 x = frame_.x, z = frame_.axis, y = cross(z, x);
+    const auto u = trig::sin_cos(place[0] / kRadiansPerDegree);
+    const Vec3 out = u.cos * x + u.sin * y, on = u.cos * y - u.sin * x;
+    const auto turned = [&](double radius, double height, double radius_by_v, double height_by_v) {
+        return Point{frame_.origin + radius * out + height * z, radius * on,
+                     radius_by_v * out + height_by_v * z};
+    };
+    if (const auto* form = std::get_if<Cylinder>(&form_))
+        return turned(form->radius, place[1], 0.0, 1.0);
+    if (const auto* form = std::get_if<Cone>(&form_)) {
+        const double height = dot(frame_.origin - form->apex, form->axis);
+        return turned(form->slope * (height + place[1]), place[1], form->slope, 1.0);
+    }
+    if (const auto* form = std::get_if<Extrusion>(&form_))
+        return {frame_.origin + form->radius * out + place[1] * form->along, form->radius * on,
+                form->along};
+    const auto v = trig::sin_cos(place[1] / kRadiansPerDegree);
+    if (const auto* form = std::get_if<Sphere>(&form_)) {
+        const double r = form->radius;
+        return turned(r * v.cos, r * v.sin, -r * v.sin, r * v.cos);
+    }
+    const auto& form = std::get<Torus>(form_);
+    return turned(form.major + form.minor * v.cos, form.minor * v.sin, -form.minor * v.sin,
+                  form.minor * v.cos);
+}
+
+std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) const {
+    if (patch_) {
+        Place best{};
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const double u : patch_->around) {
+            for (const double v : patch_->along) {
+                const double away = norm(point({u, v}).at - p);
+                if (away >= nearest) continue;
+                nearest = away;
+                best = {u, v};
+            }
+        }
+        return place(p, best);
+    }
+    Vec3 at = p - frame_.origin;
+    double along = dot(at, frame_.axis);
+    if (const auto* form = std::get_if<Extrusion>(&form_)) {
+        along /= dot(form->along, form->axis);
+        at = at - along * form->along;
+    }
+    const double x = dot(at, frame_.x), y = dot(at, cross(frame_.axis, frame_.x));
+    const double radius = std::sqrt(x * x + y * y);
+    if (radius < kLeastRadius) return std::nullopt;
+    double u = angle_rad(x, y);
+    if (u < 0.0) u += kTurn;
+    if (std::holds_alternative<Sphere>(form_)) return Place{u, angle_rad(radius, along)};
+    if (const auto* torus = std::get_if<Torus>(&form_)) {
+        const double v = angle_rad(radius - torus->major, along);
+        return Place{u, v < 0.0 ? v + kTurn : v};
+    }
+    return Place{u, along};
+}
+
+std::optional<ParameterSurface::Place> ParameterSurface::place(Vec3 p, Place nearby) const {
+    if (!patch_) {
+        auto found = first_place(p);
+        if (!found) return std::nullopt;
+        const std::size_t angles =
+            std::holds_alternative<Sphere>(form_) || std::holds_alternative<Torus>(form_) ? 2 : 1;
+        for (std::size_t k = 0; k < angles; ++k)
+            (*found)[k] -= kTurn * std::round(((*found)[k] - nearby[k]) / kTurn);
+        return found;
+    }
+    constexpr int kSteps = 30;
+    constexpr double kSmall = 1e-13;
+    Place at = nearby;
+    for (int i = 0; i < kSteps; ++i) {
+        const Point s = point(at);
+        const auto step = components(s.by_u, s.by_v, p - s.at, true);
+        if (!step) return std::nullopt;
+        const Place before = at;
+        at[0] = std::clamp(at[0] + (*step)[0], patch_->around.front(), patch_->around.back());
+        at[1] = std::clamp(at[1] + (*step)[1], patch_->along.front(), patch_->along.back());
+        if (std::abs(at[0] - before[0]) + std::abs(at[1] - before[1]) <
+            kSmall * (1.0 + std::abs(at[0]) + std::abs(at[1])))
+            break;
+    }
+    return at;
+}
+
+// Interpolates one edge.
+class ParameterSurface::Fitter {
+public:
+    Fitter(const ParameterSurface& surface, const FileCurve& curve)
+        : surface_(surface), curve_(curve) {}
+
+    std::optional<ParameterCurve> fit() {
+        const std::vector<double> breaks = curve_.breaks();
+        const auto first = surface_.first_place(curve_.at(breaks.front()).at);
+        if (!first) return std::nullopt;
+        const auto last = node_at(breaks.front(), breaks[1], *first);
+        if (!last) return std::nullopt;
+        nodes_.push_back(*last);
+        for (std::size_t i = 1; i < breaks.size(); ++i) {
+            if (!add_piece(breaks[i], kMostHalvings)) return std::nullopt;
+        }
+        ParameterCurve result;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            const Node& node = nodes_[i];
+            const auto handle = [&](double width) {
+                return Place{node.at[0] + width / 3.0 * node.slope[0],
+                             node.at[1] + width / 3.0 * node.slope[1]};
+            };
+            result.points.push_back(i == 0 ? node.at : handle(nodes_[i - 1].t - node.t));
+            result.points.push_back(i + 1 == nodes_.size() ? node.at
+                                                           : handle(nodes_[i + 1].t - node.t));
+            result.knots.push_back(node.t);
+        }
+        return result;
+    }
+
+private:
+    static constexpr int kMostHalvings = 7;
+
+    struct Node {
+        double t = 0.0;
+        Place at{}, slope{};
+    };
+
+    // Returns the node at `t`. In a corner where the parameter lines touch, the slope is that of
+    // points towards `inside`.
+    std::optional<Node> node_at(double t, double inside, Place nearby) const {
+        const auto at = surface_.place(curve_.at(t).at, nearby);
+        if (!at) return std::nullopt;
+        if (const auto slope = slope_at(t, *at)) return Node{t, *at, *slope};
+        constexpr double kNear = 1e-3;
+        std::array<Place, 2> slopes{};
+        for (std::size_t i = 0; i < slopes.size(); ++i) {
+            const double beside = t + kNear * static_cast<double>(i + 1) * (inside - t);
+            const auto place = surface_.place(curve_.at(beside).at, *at);
+            const auto slope = place ? slope_at(beside, *place) : std::nullopt;
+            if (!slope) return std::nullopt;
+            slopes[i] = *slope;
+        }
+        const auto& [near, far] = slopes;
+        return Node{t, *at, {2.0 * near[0] - far[0], 2.0 * near[1] - far[1]}};
+    }
+
+    std::optional<Place> slope_at(double t, Place at) const {
+        const Point point = surface_.point(at);
+        return components(point.by_u, point.by_v, curve_.at(t).derivative, false);
+    }
+
+    // Adds nodes after the last one up to `t`.
+    bool add_piece(double t, int halvings) {
+        const Node from = nodes_.back();
+        const double width = t - from.t;
+        const auto to = node_at(
+            t, from.t, {from.at[0] + width * from.slope[0], from.at[1] + width * from.slope[1]});
+        if (!to) return false;
+        if (is_near(from, *to)) {
+            nodes_.push_back(*to);
+            return true;
+        }
+        return halvings > 0 && add_piece(from.t + 0.5 * width, halvings - 1) &&
+               add_piece(t, halvings - 1);
+    }
+
+    bool is_near(const Node& from, const Node& to) const {
+        const double width = to.t - from.t;
+        return std::ranges::all_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double s) {
+            const double r = 1.0 - s;
+            Place at{};
+            for (std::size_t k = 0; k < 2; ++k)
+                at[k] = r * r * (1.0 + 2.0 * s) * from.at[k] + s * r * r * width * from.slope[k] +
+                        s * s * (3.0 - 2.0 * s) * to.at[k] - s * s * r * width * to.slope[k];
+            const Vec3 p = curve_.at(from.t + s * width).at;
+            const double away = norm(surface_.point(at).at - p);
+            if (away <= kOnSurface) return true;
+            constexpr double kOfMiss = 1.5;
+            const auto nearest = surface_.place(p, at);
+            return nearest && away <= kOfMiss * norm(surface_.point(*nearest).at - p);
+        });
+    }
+
+    const ParameterSurface& surface_;
+    const FileCurve& curve_;
+    std::vector<Node> nodes_;
+};
+
+std::optional<ParameterCurve> ParameterSurface::curve_of(const Part& part, const Edge& edge) const {
+    const auto is_along = [](Vec3 a, Vec3 b) { return norm(cross(a, b)) < kParallel; };
+    if (const auto* circle = std::get_if<Circle>(&edge.curve); circle && !patch_) {
+        const bool is_parallel = is_along(circle->axis, frame_.axis);
+        const Vec3 v = circle->centre - frame_.origin;
+        const bool is_about = norm(v - dot(v, frame_.axis) * frame_.axis) < kParallel;
+        if (is_parallel && (is_about || std::holds_alternative<Extrusion>(form_)))
+            return std::nullopt;
+    }
+    if (std::holds_alternative<Line>(edge.curve) && !patch_) return std::nullopt;
+    const FileCurve curve(part, edge);
+    return Fitter(*this, curve).fit();
+}
+
+}  // namespace ncsim::brep

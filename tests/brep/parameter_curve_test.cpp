@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What Boolean operations of readers need: edges near enough to their surfaces, and what they are
+// in the parameters of the surfaces.
+#include "ncsim/brep/parameter_curve.h"
+
+#include "brep/made_part.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+namespace ncsim::brep {
+namespace {
+
+using cda::cross;
+using cda::norm;
+
+// Calls `visit` for each edge of each face.
+template <class Visit>
+void for_edges_of_faces(const Part& part, const Visit& visit) {
+    for (const Face& face : part.faces) {
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop)
+                visit(face, part.edges[use.edge]);
+        }
+    }
+}
+
+// Returns the value of the curve at a share of piece `i`, by de Casteljau.
+std::array<double, 2> at(const ParameterCurve& curve, std::size_t i, double s) {
+    const auto& k = curve.knots;
+    const auto place = [&](std::size_t knot) {
+        if (knot == 0) return curve.points.front();
+        if (knot + 1 == k.size()) return curve.points.back();
+        const double before = k[knot] - k[knot - 1], after = k[knot + 1] - k[knot];
+        std::array<double, 2> p{};
+        for (std::size_t c = 0; c < 2; ++c)
+            p[c] = (after * curve.points[2 * knot][c] + before * curve.points[2 * knot + 1][c]) /
+                   (before + after);
+        return p;
+    };
+    std::vector<std::array<double, 2>> row{place(i), curve.points[2 * i + 1],
+                                           curve.points[2 * i + 2], place(i + 1)};
+    for (std::size_t n = row.size(); n > 1; --n) {
+        for (std::size_t j = 0; j + 1 < n; ++j) {
+            for (std::size_t c = 0; c < 2; ++c)
+                row[j][c] = (1.0 - s) * row[j][c] + s * row[j + 1][c];
+        }
+    }
+    return row[0];
+}
+
+// A groove of a ball with drilled holes at its side, and a second groove of another depth.
+const test::Made& crossing_part() {
+    static const test::Made made = test::make_part(
+        "crossing",
+        "T3 M6\nG0 X-5 Y30 Z5\nG1 Z-5\nG1 X85\nG0 Z5\nG0 X40 Y-5\nG1 Z-6\nG1 Y65\nG0 Z5\n"
+        "T2 M6\nG0 X20 Y32 Z5\nG1 Z-15\nG0 Z5\nG0 X60 Y27\nG1 Z-15\nG0 Z5\n");
+    return made;
+}
+
+TEST(FineSplines, AreAsNearToBothSurfacesAsReadersNeed) {
+    const Part& part = crossing_part().solid.part;
+    std::size_t splines = 0;
+    for_edges_of_faces(part, [&](const Face& face, const Edge& edge) {
+        if (!std::holds_alternative<Spline>(edge.curve)) return;
+        ++splines;
+        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        for (int i = 0; i <= 500; ++i)
+            EXPECT_LT(std::abs(distance(face.surface.form, track.at(i / 500.0))), 1e-7);
+    });
+    EXPECT_GE(splines, 8U);
+}
+
+TEST(ParameterCurves, AreTheEdgesOnWallsOfBores) {
+    const Part& part = crossing_part().solid.part;
+    std::size_t curves = 0;
+    for_edges_of_faces(part, [&](const Face& face, const Edge& edge) {
+        const auto* wall = std::get_if<Cylinder>(&face.surface.form);
+        const auto* spline = std::get_if<Spline>(&edge.curve);
+        if (!wall || !spline) return;
+        const auto surface = ParameterSurface::of(part, face, nullptr);
+        ASSERT_TRUE(surface);
+        const auto curve = surface->curve_of(part, edge);
+        ASSERT_TRUE(curve);
+        ++curves;
+        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        const double begin = spline->knots.front(), length = spline->knots.back() - begin;
+        EXPECT_EQ(curve->knots.front(), begin);
+        EXPECT_NEAR(curve->knots.back(), begin + length, 1e-12 * length);
+        const Frame& frame = face.frame;
+        for (std::size_t i = 0; i + 1 < curve->knots.size(); ++i) {
+            for (const double s : {0.0, 0.13, 0.5, 0.77, 1.0}) {
+                const auto [u, v] = at(*curve, i, s);
+                const Vec3 on = frame.origin + v * frame.axis +
+                                (wall->radius * std::cos(u)) * frame.x +
+                                (wall->radius * std::sin(u)) * cross(frame.axis, frame.x);
+                const double t = curve->knots[i] + s * (curve->knots[i + 1] - curve->knots[i]);
+                EXPECT_LT(norm(on - track.at((t - begin) / length)), 1.5e-7);
+            }
+        }
+    });
+    EXPECT_GE(curves, 8U);
+}
+
+TEST(ParameterCurves, AreInTheFileForBothSurfacesOfASpline) {
+    const auto count = [&](const char* word) {
+        const std::string& text = crossing_part().step;
+        std::size_t n = 0;
+        for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+            ++n;
+        return n;
+    };
+    EXPECT_GE(count("=SURFACE_CURVE("), 4U);
+    EXPECT_EQ(count("=PCURVE("), 2 * count("=SURFACE_CURVE("));
+}
+
+// Circles about the axis and lines are no work for readers.
+TEST(ParameterCurves, AreNotWrittenForBores) {
+    const auto made = test::make_part("bore", "T2 M6\nG0 X20 Y30 Z5\nG1 Z-15\nG0 Z5\n");
+    EXPECT_EQ(made.step.find("PCURVE("), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ncsim::brep
