@@ -346,8 +346,9 @@ const std::vector<Case>& cases() {
          "6:1: error: there is no LBL 0 behind LBL 7; the program is stopped here "
          "[label-missing]"},
         {By::Klartext, kKlartext + "CALL PGM A",
-         "3:1: error: the program A is not in the folder (--subprograms DIR names a folder with "
-         "it); the program is stopped here [program-not-found]"},
+         "3:1: warning: the program A is not in the folder; the call is left out (--subprograms "
+         "DIR "
+         "names a folder with it; --allow A, if it is harmless) [program-not-found]"},
         {By::Klartext, kKlartext + "CYCL CALL",
          "3:1: error: no machining cycle is defined before this call [cycle-undefined]"},
         {By::Klartext, kKlartext + "CYCL DEF 200 A Q200=1~CYCL CALL",

@@ -136,8 +136,9 @@ TEST(Sinumerik, UnreadableText) {
     expect_refused("G1 X1 F1\n?&",
                    "6:1: '?&' is no block of SINUMERIK; the program is stopped here [not-read]");
     expect_refused("X (5)",
-                   "5:1: the program X is not in the folder (--subprograms DIR names a folder "
-                   "with it); the program is stopped here [program-not-found]");
+                   "5:1: 'X (5)' is no block of SINUMERIK; the program is stopped here [not-read]");
+    expect_refused(
+        "G81(5)", "5:1: 'G81(5)' is no block of SINUMERIK; the program is stopped here [not-read]");
     expect_refused(
         "(TEXT)", "5:1: '(TEXT)' is no block of SINUMERIK; the program is stopped here [not-read]");
 }

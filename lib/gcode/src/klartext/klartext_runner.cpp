@@ -675,7 +675,10 @@ bool Runner::call_program() {
     const SourceSpan span = block_.whole();
     if (!control_.end_compensation(span)) return false;
     const std::optional<std::size_t> opened = open_file(name);
-    if (!opened) return fail(Message::ProgramMissing, span, {name});
+    if (!opened) {
+        report_missing_program(name, span);
+        return true;
+    }
     Frame frame;
     frame.is_program = true;
     frame.label = name;
