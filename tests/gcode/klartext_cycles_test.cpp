@@ -426,8 +426,10 @@ TEST(Klartext, FeedAfterACycleIsTheFeedBefore) {
 }
 
 TEST(Klartext, ConstructsAreRefusedByName) {
-    expect_refused("CYCL DEF 258 POLYGON STUD ~\n Q215=0",
-                   "4:1: CYCL DEF 258 is not read; the program is stopped here [klartext-verb]");
+    for (const std::string number : {"21", "27", "28", "266", "270", "271"})
+        expect_refused("CYCL DEF " + number + " NAME ~\n Q215=0",
+                       "4:1: CYCL DEF " + number +
+                           " is not read; the program is stopped here [klartext-verb]");
     expect_refused("CYCL DEF 21 PILOT DRILLING",
                    "4:1: CYCL DEF 21 is not read; the program is stopped here [klartext-verb]");
     expect_refused("TCH PROBE 400 BASIC ROTATION",

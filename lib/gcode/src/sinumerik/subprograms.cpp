@@ -26,19 +26,6 @@ constexpr auto kRefusedCycles = std::to_array<std::string_view>(
      "SPLINEPATH", "CONTPRON", "SETINT",   "GROUP_BEGIN", "GROUP_END", "F_",
      "E_",         "ORIRESET", "MEAFRAME", "POLFA",       "PRESETON"});
 
-/// Returns the name of a program in `path`: "/_N_CUS_DIR/_N_L320_SPF" is "L320".
-std::string program_name(std::string_view path) {
-    if (const std::size_t folder = path.find_last_of("\\/:"); folder != std::string_view::npos)
-        path.remove_prefix(folder + 1);
-    while (!path.empty() && is_blank(path.back()))
-        path.remove_suffix(1);
-    std::string name(path);
-    const std::string upper_name = upper_of(name);
-    if (upper_name.starts_with("_N_")) name.erase(0, 3);
-    if (upper_name.ends_with("_SPF") || upper_name.ends_with("_MPF")) name.resize(name.size() - 4);
-    return name;
-}
-
 /// True for the name of a subprogram, or of a macro in the place of an M code ("DEFINE M6 AS L6"):
 /// two letters, or L or M and a number.
 bool may_name_program(std::string_view upper_name) {
@@ -50,6 +37,18 @@ bool may_name_program(std::string_view upper_name) {
 }
 
 }  // namespace
+
+std::string program_name(std::string_view path) {
+    if (const std::size_t folder = path.find_last_of("\\/:"); folder != std::string_view::npos)
+        path.remove_prefix(folder + 1);
+    while (!path.empty() && is_blank(path.back()))
+        path.remove_suffix(1);
+    std::string name(path);
+    const std::string upper_name = upper_of(name);
+    if (upper_name.starts_with("_N_")) name.erase(0, 3);
+    if (upper_name.ends_with("_SPF") || upper_name.ends_with("_MPF")) name.resize(name.size() - 4);
+    return name;
+}
 
 /// Reads "P3", "P=R1", the number of runs of a call; 1 without a word.
 std::optional<double> Runner::take_runs(CodeScanner& scan) {
