@@ -69,8 +69,12 @@ TEST(Klartext, DataOfTheToolInQ108AndQ109) {
 }
 
 TEST(Klartext, OversizeOfTheLengthIsRefused) {
-    EXPECT_TRUE(
-        run("BEGIN PGM T MM\nTOOL CALL 1 Z S1 DL+0.1\nEND PGM T MM\n").says("klartext-verb"));
+    for (const std::string length : {"DL+0.1", "DL-0.1", "DL+Q1"}) {
+        const Made r =
+            run("BEGIN PGM T MM\nQ1 = 2\nTOOL CALL 1 Z S1 " + length + "\nEND PGM T MM\n");
+        EXPECT_TRUE(r.says("klartext-verb")) << length;
+        EXPECT_TRUE(r.result.refused) << length;
+    }
     EXPECT_EQ(run("BEGIN PGM T MM\nTOOL CALL 1 Z S1 DL+0 DR+0 DR2+0\nEND PGM T MM\n").errors(), "");
 }
 
