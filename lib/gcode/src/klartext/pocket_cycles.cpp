@@ -143,11 +143,11 @@ bool Control::read_blank(SourceSpan span, language::Milling& m) {
 
 /// 258: mills around a regular polygon.
 bool Control::mill_polygon(SourceSpan span, language::Milling& m) {
-    constexpr double kMostSides = 1000.0;
+    constexpr double kMostCorners = 1000.0;
     if (!needs({571, 222, 572}, span)) return false;
     const std::string name = "cycle 258";
     const double sides = value(572, 0.0);
-    if (!(sides >= 3.0 && sides <= kMostSides && sides == std::round(sides)))
+    if (!(sides >= 3.0 && sides <= kMostCorners && sides == std::round(sides)))
         return fail(Message::BlockNeeds, span, {name, "a number of corners (Q572) from 3 to 1000"});
     if (value(220, 0.0) < 0.0)
         return fail(Message::KlartextVerb, span, {name + " with a chamfer (Q220)"});

@@ -168,6 +168,8 @@ private:
     bool mill_face_cycle(const CycleCall& call, double radius);
     bool mill_old_face_cycle(const CycleCall& call, double radius);
     bool read_lead(const CycleCall& call, std::size_t form, double radius, language::Lead& lead);
+    bool read_path_heights(const CycleCall& call, Hole& hole);
+    bool read_path_ways(const CycleCall& call, double radius, language::ContourPath& m);
     bool mill_path_cycle(const CycleCall& call, double radius);
     bool mill_thread_cycle(const CycleCall& call, double radius);
 
