@@ -241,6 +241,15 @@ TEST(Klartext, MissingProgramIsLeftOutWithADoubt) {
     EXPECT_TRUE(r.result.ended);
 }
 
+TEST(Klartext, FoldersOfACalledProgramAreNotLookedAt) {
+    const Files files{{"../NO.H", "L X+9 F100\n"}, {"/etc/NO.H", "L X+9 F100\n"}};
+    for (const char* call : {"CALL PGM ../NO.H", "CALL PGM \"/etc/NO.H\"", "CALL PGM ..\\NO"}) {
+        const Made r = run(klartext("L X+1 F100\n" + std::string(call)), files);
+        expect_end(r, 1, 0, 50);
+        EXPECT_TRUE(r.says("program-not-found")) << call;
+    }
+}
+
 TEST(Klartext, MissingProgramEndsCompensation) {
     const Made r = run(klartext("L X+20 RL F100\nL Y+20\nCALL PGM NO\nL X+0"));
     EXPECT_EQ(r.errors(), "");

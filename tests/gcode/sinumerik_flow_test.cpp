@@ -258,6 +258,16 @@ TEST(SinumerikFlow, MissingProgramIsLeftOutWithADoubt) {
     }
 }
 
+TEST(SinumerikFlow, FoldersOfACalledProgramAreNotLookedAt) {
+    const Files files{{"../L9.SPF", "G1 X9 F100\n"}, {"/etc/L9.SPF", "G1 X9 F100\n"}};
+    for (const char* call : {"EXTCALL(\"../L9\")", "CALL \"/etc/L9\"", "PCALL ../L9",
+                             "CYCLE72(\"../L9\",20,0,2,-4,0,0,0,300,100,2,41,1,8)"}) {
+        const Made r = run(sinumerik("G1 X1 F100\n" + std::string(call)), files);
+        expect_end(r, 1, 0, 50);
+        EXPECT_TRUE(r.says("program-not-found")) << call;
+    }
+}
+
 TEST(SinumerikFlow, MissingModalProgramEndsTheLastModalCall) {
     const Made r = run(sinumerik("F100\nMCALL CYCLE81(50,0,2,-5)\nX1\nMCALL L77\nX2\nMCALL"));
     expect_end(r, 2, 0, 50);
