@@ -112,6 +112,9 @@ TEST(SinumerikSlots, Faults) {
     EXPECT_EQ(errors("SLOT1(20,0,2,-10,,1,30,14,2,1,12,20,120,150,500,4,5,0,10)"),
               "5:1: SLOT1 needs a direction (CDIR) from 0 to 3; the program is stopped here "
               "[word-missing]\n");
+    EXPECT_EQ(errors("SLOT1(20,0,2,-10,,9000,30,14,2,1,12,20,1,150,500,0.01,0,0,10)"),
+              "5:1: the number of repeats must be 1 or more, and not without end "
+              "[cycle-repeats]\n");
     EXPECT_EQ(errors("LONGHOLE(20,0,2,-10,,1,9,2,1,12,20,0,150,500,4)"),
               "5:1: LONGHOLE needs a length (LENG) of at least the width of the slot; the program "
               "is stopped here [word-missing]\n");

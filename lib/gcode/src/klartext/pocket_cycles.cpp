@@ -199,6 +199,7 @@ bool Control::mill_circular_slots(SourceSpan span, language::Milling& m) {
     const double repeats = std::round(value(377, 1.0));
     if (!(repeats >= 1.0 && repeats <= kMostRepeats))
         return fail(Message::BlockNeeds, span, {name, "a number of slots (Q377) from 1 to 10000"});
+    m.repeats = repeats;
     const double first = area.angle;
     for (int i = 0; i < static_cast<int>(repeats); ++i) {
         area.angle = first + i * value(378, 0.0);

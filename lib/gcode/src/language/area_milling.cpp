@@ -239,7 +239,8 @@ bool BlockControl::mill(const Milling& m, std::string_view name) {
     const double levels = m.infeed > 0.0 ? depth / m.infeed + 1.0 : 1.0;
     const double finishes = m.finishing_infeed > 0.0 ? depth / m.finishing_infeed + 1.0 : 1.0;
     const double passes = count_of_passes(m, m.is_stud ? -m.tool_radius : m.tool_radius) + 1.0;
-    if (!(passes * levels < kMostPasses && finishes < kMostPasses))
+    const double most = kMostPasses / m.repeats;
+    if (!(passes * levels < most && finishes < most))
         return fail(Message::CycleRepeats, cycle_span_);
     PlanePoint entry = middle_of(m.area);
     if (m.is_stud) {

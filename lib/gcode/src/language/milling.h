@@ -41,6 +41,7 @@ struct Milling {
     Plunge plunge = Plunge::Vertical;
     double helix_radius = 0.0;  ///< 0: the radius of the tool.
     double helix_pitch = 0.0;   ///< 0: a slope of 1 to 20.
+    double repeats = 1.0;       ///< Number of equal areas of the cycle.
 };
 
 /// A face that is milled in parallel strokes.

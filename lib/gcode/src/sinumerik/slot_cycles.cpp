@@ -98,6 +98,7 @@ bool Control::mill_slots_cycle(const CycleCall& call, double radius) {
     if (is_new && (*count > 1 || ring != 0.0))
         return fail(Message::NotRead, call.span, {"SLOT1 with _GMODE and several slots"});
     log_.add(Message::SlotPosition, call.span, {call.name});
+    m.repeats = *count;
     const double step = at(place + 4) != 0.0 ? at(place + 4) : 360.0 / *count;
     // Newer versions give the middle of a single slot.
     const double middle = is_new ? 0.0 : ring + area.length / 2.0;
@@ -134,6 +135,7 @@ bool Control::mill_circular_slots_cycle(const CycleCall& call, double radius) {
     if (way > 1 || at(18) >= 100.0)
         return fail(Message::NotRead, call.span, {"SLOT2 with this VARI"});
     if (!read_slot_variant(call, 16, m)) return false;
+    m.repeats = *count;
     const double step = at(12) != 0.0 ? at(12) : 360.0 / *count;
     if (!rise(hole.retract)) return false;
     for (int i = 0; i < *count; ++i) {
