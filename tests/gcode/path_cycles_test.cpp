@@ -57,18 +57,18 @@ Distance star(double length, double width, double inner, double first, int count
 }
 
 TEST(SinumerikSlots, Slot1) {
-    const Distance slots = star(30.0, 14.0, 12.0, 20.0, 3);
+    const Distance slots = star(20.0, 14.0, 8.0, 20.0, 3);
     // VARI: complete with infeeds at feed, along ramps; roughing, then finishing.
-    const std::string slot = "SLOT1(20,0,2,-10,,3,30,14,2,1,12,20,120,150,500,4,0,0.3,";
-    expect_swept(cut(slot + "10,10,400,1200)"), slots, -10.0, 50.0);
-    expect_swept(cut(slot + "30,10,400,1200,0.2)"), slots, -10.0, 50.0);
-    expect_swept(cut(slot + "11)\n" + slot + "12)"), slots, -10.0, 50.0);
-    expect_swept(cut(slot + "11)"), star(29.4, 13.4, 12.3, 20.0, 3), -10.0, 50.0);
+    const std::string slot = "SLOT1(20,0,2,-10,,3,20,14,2,1,8,20,120,150,500,4,0,0.3,";
+    expect_swept(cut(slot + "10,10,400,1200)"), slots, -10.0, 32.0);
+    expect_swept(cut(slot + "30,10,400,1200,0.2)"), slots, -10.0, 32.0);
+    expect_swept(cut(slot + "11)\n" + slot + "12)"), slots, -10.0, 32.0);
+    expect_swept(cut(slot + "11)"), star(19.4, 13.4, 8.3, 20.0, 3), -10.0, 32.0);
     const Made r = cut(slot + "10)");
     EXPECT_TRUE(r.says("slot-position"));
     EXPECT_NEAR(r.end().z.mm(), 20.0, 1e-9);
     // Without INDA the slots share the circle.
-    EXPECT_EQ(r.texts, cut("SLOT1(20,0,2,,10,3,30,14,2,1,12,20,,150,500,4,0,0.3,10)").texts);
+    EXPECT_EQ(r.texts, cut("SLOT1(20,0,2,,10,3,20,14,2,1,8,20,,150,500,4,0,0.3,10)").texts);
 }
 
 TEST(SinumerikSlots, Slot1OfNewerVersionsHasItsMiddle) {
@@ -81,8 +81,8 @@ TEST(SinumerikSlots, Slot1OfNewerVersionsHasItsMiddle) {
 }
 
 TEST(SinumerikSlots, LongholeIsASlotAsWideAsTheTool) {
-    expect_swept(cut("LONGHOLE(20,0,2,-10,,4,30,2,1,12,20,0,150,500,4)"),
-                 star(30.0, 10.0, 12.0, 20.0, 4), -10.0, 50.0);
+    expect_swept(cut("LONGHOLE(20,0,2,-10,,4,20,2,1,8,20,0,150,500,4)"),
+                 star(20.0, 10.0, 8.0, 20.0, 4), -10.0, 32.0);
     expect_by_hand("LONGHOLE(20,0,2,-5,,1,30,0,0,10,0,0,100,500,0)",
                    "G0 X25\nZ2\nG1 Z-5 F100\nX15 F500\nX35\nX25\nG0 Z-3\nZ2\nZ20");
 }
