@@ -28,6 +28,7 @@ if(TARGET ncsim)
       hostile_text_test.cpp
       in_order_test.cpp
       init_test.cpp
+      language_bytes_test.cpp
       isolate_test.cpp
       job_test.cpp
       large_pages_test.cpp

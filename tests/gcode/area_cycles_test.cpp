@@ -6,6 +6,7 @@
 
 #include "gcode/klartext_made.h"
 #include "gcode/sinumerik_made.h"
+#include "gcode/swept_area.h"
 
 #include <gtest/gtest.h>
 
@@ -21,128 +22,7 @@ namespace {
 using klartext_test::klartext;
 using language_test::Made;
 using sinumerik_test::sinumerik;
-
-constexpr double kRadius = 5.0;  // Of the tool.
-
-/// Distance of a point from the wall: negative inside the area.
-using Distance = std::function<double(double x, double y)>;
-
-/// A rectangle with round corners about the zero, turned by `degrees`.
-Distance rectangle(double length, double width, double corner, double degrees = 0.0,
-                   double centre_x = 0.0, double centre_y = 0.0) {
-    return [=](double x, double y) {
-        const trig::SinCos turn = trig::sin_cos(degrees);
-        x -= centre_x;
-        y -= centre_y;
-        const double u = std::abs(x * turn.cos + y * turn.sin) - (length / 2.0 - corner);
-        const double v = std::abs(y * turn.cos - x * turn.sin) - (width / 2.0 - corner);
-        const double outside = trig::length_of(std::max(u, 0.0), std::max(v, 0.0));
-        return outside + std::min(std::max(u, v), 0.0) - corner;
-    };
-}
-
-/// A band about an arc about the zero.
-Distance band(double radius, double width, double start, double opening) {
-    return [=](double x, double y) {
-        double angle = trig::angle_of(x, y) - start;
-        while (angle < 0.0)
-            angle += 360.0;
-        if (angle <= opening) return std::abs(trig::length_of(x, y) - radius) - width / 2.0;
-        const auto from_end = [&](double degrees) {
-            const trig::SinCos at = trig::sin_cos(degrees);
-            return trig::length_of(x - radius * at.cos, y - radius * at.sin);
-        };
-        return std::min(from_end(start), from_end(start + opening)) - width / 2.0;
-    };
-}
-
-struct Point {
-    double x = 0.0, y = 0.0;
-};
-
-/// Points of the path of `motion`, at most 0.02 mm apart, if both ends are at most at `height`.
-void add_path(std::vector<Point>& points, const Motion& motion, double height) {
-    const Position* const from = start_of(motion);
-    const Position* const to = end_of(motion);
-    if (!from || from->z.mm() > height + 1e-9 || to->z.mm() > height + 1e-9) return;
-    constexpr double kStep = 0.02;
-    const double dx = to->x.mm() - from->x.mm();
-    const double dy = to->y.mm() - from->y.mm();
-    const auto* const arc = std::get_if<Arc>(&motion.action);
-    double radius = 0.0;
-    double begin = 0.0;
-    double sweep = 0.0;
-    if (arc) {
-        const double x = from->x.mm() - arc->centre_1.mm();
-        const double y = from->y.mm() - arc->centre_2.mm();
-        radius = trig::length_of(x, y);
-        begin = trig::angle_of(x, y);
-        const double end =
-            trig::angle_of(to->x.mm() - arc->centre_1.mm(), to->y.mm() - arc->centre_2.mm());
-        sweep = arc->turns > 0 ? end - begin : begin - end;
-        while (sweep < 1e-7)
-            sweep += 360.0;
-        if (arc->turns < 0) sweep = -sweep;
-    }
-    const double length = arc ? radius * std::abs(sweep) / 57.0 : trig::length_of(dx, dy);
-    const int count = static_cast<int>(length / kStep) + 1;
-    for (int i = 0; i <= count; ++i) {
-        const double share = static_cast<double>(i) / count;
-        if (!arc) {
-            points.push_back({from->x.mm() + share * dx, from->y.mm() + share * dy});
-            continue;
-        }
-        const trig::SinCos at = trig::sin_cos(begin + share * sweep);
-        points.push_back(
-            {arc->centre_1.mm() + radius * at.cos, arc->centre_2.mm() + radius * at.sin});
-    }
-}
-
-/// Expects that the tool sweeps the points of the area at `bottom`, no point outside, and is never
-/// lower. `reach`: half of the side of the square whose points are looked at.
-void expect_swept(const Made& made, const Distance& area, double bottom, double reach) {
-    EXPECT_EQ(made.errors(), "");
-    std::vector<Point> path;
-    for (const Motion& motion : made.moves) {
-        add_path(path, motion, bottom);
-        EXPECT_GE(end_of(motion)->z.mm(), bottom - 1e-9);
-    }
-    ASSERT_FALSE(path.empty());
-    constexpr double kMargin = 0.02;
-    constexpr double kGrid = 0.73;
-    int wrong = 0;
-    for (double x = -reach; x <= reach && wrong < 3; x += kGrid) {
-        for (double y = -reach; y <= reach && wrong < 3; y += kGrid) {
-            const double distance = area(x, y);
-            if (std::abs(distance) < kMargin) continue;
-            const bool is_swept = std::ranges::any_of(path, [&](const Point& p) {
-                return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) <= kRadius * kRadius;
-            });
-            if (is_swept == (distance < 0.0)) continue;
-            ADD_FAILURE() << "at " << x << ' ' << y << ": swept " << is_swept;
-            ++wrong;
-        }
-    }
-}
-
-/// Expects that rapid moves below `surface` are where feed moves were before, within the radius.
-void expect_rapids_in_cut(const Made& made, double surface) {
-    std::vector<Point> path;
-    for (const Motion& motion : made.moves) {
-        if (motion.kind == MoveKind::Feed) {
-            add_path(path, motion, surface - 1e-6);
-            continue;
-        }
-        std::vector<Point> rapid;
-        add_path(rapid, motion, surface - 1e-6);
-        for (const Point& p : rapid) {
-            EXPECT_TRUE(std::ranges::any_of(
-                path,
-                [&](const Point& q) { return trig::length_of(p.x - q.x, p.y - q.y) < kRadius; }))
-                << p.x << ' ' << p.y;
-        }
-    }
-}
+using namespace swept_area;
 
 const std::string kDepths =
     " Q207=500 Q351=+1 Q201=-10 Q202=4 Q206=150 Q200=2 Q203=+0 Q204=20 Q338=0 Q385=400";

@@ -69,8 +69,12 @@ TEST(Klartext, DataOfTheToolInQ108AndQ109) {
 }
 
 TEST(Klartext, OversizeOfTheLengthIsRefused) {
-    EXPECT_TRUE(
-        run("BEGIN PGM T MM\nTOOL CALL 1 Z S1 DL+0.1\nEND PGM T MM\n").says("klartext-verb"));
+    for (const std::string length : {"DL+0.1", "DL-0.1", "DL+Q1"}) {
+        const Made r =
+            run("BEGIN PGM T MM\nQ1 = 2\nTOOL CALL 1 Z S1 " + length + "\nEND PGM T MM\n");
+        EXPECT_TRUE(r.says("klartext-verb")) << length;
+        EXPECT_TRUE(r.result.refused) << length;
+    }
     EXPECT_EQ(run("BEGIN PGM T MM\nTOOL CALL 1 Z S1 DL+0 DR+0 DR2+0\nEND PGM T MM\n").errors(), "");
 }
 
@@ -426,8 +430,10 @@ TEST(Klartext, FeedAfterACycleIsTheFeedBefore) {
 }
 
 TEST(Klartext, ConstructsAreRefusedByName) {
-    expect_refused("CYCL DEF 258 POLYGON STUD ~\n Q215=0",
-                   "4:1: CYCL DEF 258 is not read; the program is stopped here [klartext-verb]");
+    for (const std::string number : {"21", "27", "28", "266", "270", "271"})
+        expect_refused("CYCL DEF " + number + " NAME ~\n Q215=0",
+                       "4:1: CYCL DEF " + number +
+                           " is not read; the program is stopped here [klartext-verb]");
     expect_refused("CYCL DEF 21 PILOT DRILLING",
                    "4:1: CYCL DEF 21 is not read; the program is stopped here [klartext-verb]");
     expect_refused("TCH PROBE 400 BASIC ROTATION",

@@ -232,10 +232,28 @@ TEST(Klartext, CallPgmWithoutFolderAndEnding) {
         expect_end(r, 1, 1, 50);
         EXPECT_EQ(r.result.files.size(), 2U);
     }
-    expect_refused(
-        "CALL PGM NO",
-        "4:1: the program NO is not in the folder (--subprograms DIR names a folder with "
-        "it); the program is stopped here [program-not-found]");
+}
+
+TEST(Klartext, MissingProgramIsLeftOutWithADoubt) {
+    const Made r = run(klartext("L X+1 F100\nCALL PGM TNC:\\PART\\NO.H\nL IX+1"));
+    expect_end(r, 2, 0, 50);
+    EXPECT_TRUE(r.says("program-not-found"));
+    EXPECT_TRUE(r.result.ended);
+}
+
+TEST(Klartext, FoldersOfACalledProgramAreNotLookedAt) {
+    const Files files{{"../NO.H", "L X+9 F100\n"}, {"/etc/NO.H", "L X+9 F100\n"}};
+    for (const char* call : {"CALL PGM ../NO.H", "CALL PGM \"/etc/NO.H\"", "CALL PGM ..\\NO"}) {
+        const Made r = run(klartext("L X+1 F100\n" + std::string(call)), files);
+        expect_end(r, 1, 0, 50);
+        EXPECT_TRUE(r.says("program-not-found")) << call;
+    }
+}
+
+TEST(Klartext, MissingProgramEndsCompensation) {
+    const Made r = run(klartext("L X+20 RL F100\nL Y+20\nCALL PGM NO\nL X+0"));
+    EXPECT_EQ(r.errors(), "");
+    EXPECT_FALSE(r.says("left-on"));
 }
 
 TEST(Klartext, CallPgmWithTheEndingOfTheMainProgram) {

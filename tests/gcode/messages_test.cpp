@@ -346,8 +346,9 @@ const std::vector<Case>& cases() {
          "6:1: error: there is no LBL 0 behind LBL 7; the program is stopped here "
          "[label-missing]"},
         {By::Klartext, kKlartext + "CALL PGM A",
-         "3:1: error: the program A is not in the folder (--subprograms DIR names a folder with "
-         "it); the program is stopped here [program-not-found]"},
+         "3:1: warning: the program A is not in the folder; the call is left out (--subprograms "
+         "DIR "
+         "names a folder with it; --allow A, if it is harmless) [program-not-found]"},
         {By::Klartext, kKlartext + "CYCL CALL",
          "3:1: error: no machining cycle is defined before this call [cycle-undefined]"},
         {By::Klartext, kKlartext + "CYCL DEF 200 A Q200=1~CYCL CALL",
@@ -393,6 +394,17 @@ const std::vector<Case>& cases() {
          "3:1: error: the preset 999 of cycle 247 is no number from 0 to 290; the program is "
          "stopped here [preset-unknown]"},
         {By::KlartextTool,
+         kKlartext +
+             "CYCL DEF 258 A Q200=1 Q201=-1 Q203=0 Q202=1 Q206=9 Q207=9 Q571=9 Q222=20 Q572=6"
+             "~CYCL CALL",
+         "4:1: warning: where the corners of cycle 258 are is up to the control; one is taken in "
+         "the "
+         "direction of its angle [corner-direction]"},
+        {By::KlartextTool,
+         kKlartext + "CYCL DEF 263 A Q200=1 Q201=-1 Q203=0 Q356=-2 Q335=20 Q239=1 Q207=9~CYCL CALL",
+         "4:1: warning: how far cycle 263 moves the tool outwards to countersink is up to the "
+         "control; here the tool goes straight down [countersink]"},
+        {By::KlartextTool,
          kKlartext + "CYCL DEF 14.1 LABEL1~CYCL DEF 20 A Q1=-1 Q8=1~CYCL DEF 22 A Q10=1 Q11=9 "
                      "Q12=9~CYCL CALL",
          "6:1: warning: Q8 of cycle 20 rounds the path at inner corners, which is not simulated; "
@@ -408,8 +420,8 @@ const std::vector<Case>& cases() {
          "3:1: warning: CYCL END is no block of the control; it is taken to end M89 "
          "[klartext-verb]"},
         // SINUMERIK
-        {By::Sinumerik, kSinumerik + "SLOT1(1)",
-         "3:1: error: SLOT1 is not read; the program is stopped here [not-read]"},
+        {By::Sinumerik, kSinumerik + "CYCLE79(1)",
+         "3:1: error: CYCLE79 is not read; the program is stopped here [not-read]"},
         {By::Sinumerik, kSinumerik + "?",
          "3:1: error: '?' is no block of SINUMERIK; the program is stopped here [not-read]"},
         {By::Sinumerik, kSinumerik + "G0 G1",
@@ -454,6 +466,14 @@ const std::vector<Case>& cases() {
          "3:1: warning: the size of POCKET4 with _GMODE is taken as a diameter; older controls "
          "have "
          "the radius here [pocket-size]"},
+        {By::SinumerikTurning, kSinumerik + "LONGHOLE(9,0,1,-1,,1,20,0,0,5,0,0,9,9)",
+         "3:1: warning: versions of LONGHOLE differ: the radius is taken as that of the inner ends "
+         "of the slots, not of their middles [slot-position]"},
+        {By::SinumerikTurning,
+         kSinumerik + "CYCLE72(\"A:B\",9,0,1,-1,0,0,0,9,9,2,41,1,9)~M30~A:~G1 X0 Y0~B: G1 X9",
+         "3:1: warning: versions of CYCLE72 differ in the ways to the contour and back: lengths "
+         "are "
+         "taken from the edge of the tool, radii of its centre [contour-lead]"},
         {By::SinumerikTurning, kSinumerik + "CYCLE61(9,0,1,-1,0,0,9,9,1,1,0,9,11)",
          "3:1: warning: how far CYCLE61 mills outside of its face or blank is up to the control; "
          "material there makes the part uncertain [mills-outside]"},

@@ -243,14 +243,40 @@ TEST(SinumerikFlow, ProgramsOfAnArchive) {
     expect_end(r, 5, 3, 0);
 }
 
-TEST(SinumerikFlow, MissingProgram) {
-    expect_refused(
-        "L77",
-        "5:1: the program L77 is not in the folder (--subprograms DIR names a folder with it); the "
-        "program is stopped here [program-not-found]");
-    expect_refused("EXTCALL \"A\"",
-                   "5:1: the program A is not in the folder (--subprograms DIR names a folder with "
-                   "it); the program is stopped here [program-not-found]");
+TEST(SinumerikFlow, MissingProgramIsLeftOutWithADoubt) {
+    // M202: a macro of the machine builder. "R1=5 L77": the assignment acts.
+    for (const char* call :
+         {"L77", "L77 P3", "R1=5 L77", "CLAMP_PART", "CLAMP_PART(1,\"A\")", "M202(0.002)",
+          "CALL \"L77\"", "PCALL /_N_CUS_DIR/L77(3)", "EXTCALL \"L77\"", "MCALL L77"}) {
+        const Made r = run(sinumerik("R1=5\nG1 X1 F100\n" + std::string(call) + "\nY=R1"));
+        expect_end(r, 1, 5, 50);
+        EXPECT_TRUE(r.result.ended) << call;
+        ASSERT_EQ(r.says("program-not-found"), true) << call;
+        EXPECT_EQ(std::ranges::count(r.result.diagnostics, "program-not-found", &Diagnostic::code),
+                  1)
+            << call;
+    }
+}
+
+TEST(SinumerikFlow, FoldersOfACalledProgramAreNotLookedAt) {
+    const Files files{{"../L9.SPF", "G1 X9 F100\n"}, {"/etc/L9.SPF", "G1 X9 F100\n"}};
+    for (const char* call : {"EXTCALL(\"../L9\")", "CALL \"/etc/L9\"", "PCALL ../L9",
+                             "CYCLE72(\"../L9\",20,0,2,-4,0,0,0,300,100,2,41,1,8)"}) {
+        const Made r = run(sinumerik("G1 X1 F100\n" + std::string(call)), files);
+        expect_end(r, 1, 0, 50);
+        EXPECT_TRUE(r.says("program-not-found")) << call;
+    }
+}
+
+TEST(SinumerikFlow, MissingModalProgramEndsTheLastModalCall) {
+    const Made r = run(sinumerik("F100\nMCALL CYCLE81(50,0,2,-5)\nX1\nMCALL L77\nX2\nMCALL"));
+    expect_end(r, 2, 0, 50);
+    EXPECT_EQ(r.texts, run(sinumerik("F100\nMCALL CYCLE81(50,0,2,-5)\nX1\nMCALL\nX2")).texts);
+}
+
+TEST(SinumerikFlow, MissingProgramIsRefusedIfItIsACycleOfTheControl) {
+    expect_refused("CYCLE95(\"A\",1)",
+                   "5:1: CYCLE95 is not read; the program is stopped here [not-read]");
 }
 
 TEST(SinumerikFlow, EndlessRecursionEnds) {

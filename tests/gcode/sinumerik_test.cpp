@@ -136,8 +136,9 @@ TEST(Sinumerik, UnreadableText) {
     expect_refused("G1 X1 F1\n?&",
                    "6:1: '?&' is no block of SINUMERIK; the program is stopped here [not-read]");
     expect_refused("X (5)",
-                   "5:1: the program X is not in the folder (--subprograms DIR names a folder "
-                   "with it); the program is stopped here [program-not-found]");
+                   "5:1: 'X (5)' is no block of SINUMERIK; the program is stopped here [not-read]");
+    expect_refused(
+        "G81(5)", "5:1: 'G81(5)' is no block of SINUMERIK; the program is stopped here [not-read]");
     expect_refused(
         "(TEXT)", "5:1: '(TEXT)' is no block of SINUMERIK; the program is stopped here [not-read]");
 }
@@ -172,6 +173,32 @@ TEST(Sinumerik, SettableOffsets) {
     const Made r = run("G710 G90\nT1 M6\nG505\nG0 X0 Y0 Z5\nG1 X5 F100\nG500 X0\nG54 X1\nM30\n");
     EXPECT_EQ(r.errors(), "");
     EXPECT_EQ(r.result.workpiece_system, 9 + 5);
+    const Made last = run("G710 G90\nT1 M6\nG599\nG0 X0 Y0 Z5\nG1 X5 F100\nM30\n");
+    EXPECT_EQ(last.errors(), "");
+    EXPECT_EQ(last.result.workpiece_system, 9 + 99);
+    for (const std::string code : {"G504", "G600"})
+        expect_refused(code,
+                       "5:1: " + code + " is not read; the program is stopped here [not-read]");
+}
+
+TEST(Sinumerik, ContourOffsetIsRefusedUnlessZero) {
+    expect_equal("G41 OFFN=0\nG1 X20 F100\nY20\nG40 X0", "G41\nG1 X20 F100\nY20\nG40 X0");
+    expect_refused("OFFN=0.5", "5:1: OFFN= is not read; the program is stopped here [not-read]");
+}
+
+TEST(Sinumerik, InvolutesAreRefused) {
+    for (const std::string name : {"INVCW", "INVCCW"})
+        expect_refused(name + " X10 Y5 CR=3",
+                       "5:1: " + name + " is not read; the program is stopped here [not-read]");
+}
+
+TEST(Sinumerik, SwivelPlaneThatIsNotActiveMayBeCleared) {
+    for (const std::string clear : {"CYCLE800()", "CYCLE800", "CYCLE800(1,\"0\",0,57)"}) {
+        const Made r = run(sinumerik(clear + "\nG1 X5 F100"));
+        EXPECT_EQ(r.errors(), "") << clear;
+        EXPECT_FALSE(r.says("left-on")) << clear;
+        EXPECT_EQ(r.texts, run(sinumerik("G1 X5 F100")).texts) << clear;
+    }
 }
 
 TEST(Sinumerik, MachineCoordinatesForOneBlock) {
@@ -404,8 +431,8 @@ TEST(Sinumerik, ConstructsAreRefusedByName) {
           "CUT3DC", "WHEN", "SETINT", "G33", "G34", "G81", "G331"})
         expect_refused(name,
                        "5:1: " + name + " is not read; the program is stopped here [not-read]");
-    for (const std::string name : {"SLOT1", "SLOT2", "LONGHOLE", "CYCLE71", "CYCLE72", "CYCLE79",
-                                   "CYCLE95", "CYCLE930", "TRACYL"})
+    for (const std::string name :
+         {"CYCLE70", "CYCLE73", "CYCLE74", "CYCLE75", "CYCLE79", "CYCLE95", "CYCLE930", "TRACYL"})
         expect_refused(name + "(1,2)",
                        "5:1: " + name + " is not read; the program is stopped here [not-read]");
     expect_refused("WHENEVER $A_IN[1] DO M5",

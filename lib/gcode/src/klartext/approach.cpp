@@ -171,6 +171,8 @@ bool Control::move_height(const Words& words, SourceSpan span) {
 
 bool Control::approach(const Block& block, const Block& next, const Block* centre) {
     const SourceSpan span = block.whole();
+    if (records_contour_)
+        return fail(Message::KlartextVerb, span, {std::string(block.name) + " in a contour"});
     const auto needs = [&](std::string_view what) {
         return fail(Message::BlockNeeds, span, {block.name, what});
     };
@@ -261,6 +263,9 @@ bool Control::approach(const Block& block, const Block& next, const Block* centr
 }
 
 bool Control::depart(const Block& block) {
+    if (records_contour_)
+        return fail(Message::KlartextVerb, block.whole(),
+                    {std::string(block.name) + " in a contour"});
     const SourceSpan span = block.whole();
     const auto needs = [&](std::string_view what) {
         return fail(Message::BlockNeeds, span, {block.name, what});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// SL cycles: 14 (contours), 20 (data), 22 (roughing), 23 and 24 (finishing of floor and side). The
-// contours are subprograms that are recorded, not executed.
+// SL cycles: 14 (contours), 20 (data), 22 (roughing), 23 and 24 (finishing of floor and side), 25
+// (contour train). The contours are subprograms that are recorded, not executed.
 // Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903, "SL cycles".
 #include "ncsim/trig/angles.h"
 
@@ -176,6 +176,51 @@ bool Control::mill_contours(SourceSpan span) {
     if (!read_contours(span, direction >= 0.0, m)) return false;
     const double safe = std::max(m.clear, data(7));
     return move_to(safe, std::nullopt) && mill_levels(span, m) && move_to(safe, std::nullopt);
+}
+
+/// 25: mills along the contour of cycle 14, which may be open.
+bool Control::mill_contour_train(SourceSpan span) {
+    const std::string name = "cycle 25";
+    if (contour_labels_.size() != 1)
+        return fail(Message::BlockNeeds, span, {name, "cycle 14 with one contour before"});
+    if (!needs({1, 5, 7, 12}, span)) return false;
+    const double depth = value(1, 0.0);
+    if (depth >= 0.0) {
+        log_.add(depth > 0.0 ? Message::KlartextDepthPositive : Message::KlartextDepthZero, span,
+                 {"25"});
+        return true;
+    }
+    if (value(18, 0.0) != 0.0)
+        return fail(Message::KlartextVerb, span, {name + " with a coarse tool (Q18)"});
+    std::optional<Contour> read = read_contour_(contour_labels_.front(), span);
+    if (!read) return false;
+    language::ContourPath m;
+    m.contour = std::move(read->moves);
+    m.side = read->side;
+    if (m.side != CutterSide::Off && !(radius_of_tool().value_or(0.0) > 0.0)) {
+        report_unknown_radius(name);
+        return true;
+    }
+    const PlaneAxes axes = axes_of(plane_);
+    const Transformation& t = transformation_;
+    m.is_mirrored = t.is_mirrored[axes.first] != t.is_mirrored[axes.second];
+    if (m.side != CutterSide::Off) m.offset = *radius_of_tool() + std::abs(value(3, 0.0));
+    m.surface = value(5, 0.0);
+    m.bottom = m.surface + depth;
+    m.clear = value(7, 0.0);
+    m.lift_to = m.clear;
+    m.infeed = std::abs(value(10, 0.0));
+    m.plunge_feed = feed_of(feed_value(11).value_or(feed_value(12).value_or(0.0)));
+    m.feed = feed_of(feed_value(12).value_or(0.0));
+    const double direction = value(15, 1.0);
+    m.is_alternating = direction == 0.0;
+    const bool turns_left = machine_.state().spindle == SpindleTurning::Counterclockwise;
+    const bool is_climb = (m.side == CutterSide::Left) != turns_left;
+    if (direction != 0.0 && m.side != CutterSide::Off && is_climb != (direction > 0.0)) {
+        language::reverse(m.contour);
+        m.side = m.side == CutterSide::Left ? CutterSide::Right : CutterSide::Left;
+    }
+    return move_to(m.clear, std::nullopt) && mill_along(m, name) && move_to(m.clear, std::nullopt);
 }
 
 bool Control::mill_levels(SourceSpan span, const ContourMilling& m) {

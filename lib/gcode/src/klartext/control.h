@@ -180,7 +180,15 @@ private:
     std::optional<Point> middle_of_area(const language::MilledArea& area) const;
     bool read_blank(SourceSpan span, language::Milling& m);
     bool mill_circular_slots(SourceSpan span, language::Milling& m);
-    bool thread_mill(SourceSpan span, double bottom, double clear);
+    bool mill_polygon(SourceSpan span, language::Milling& m);
+    static bool is_thread_cycle(int number);
+    std::optional<double> feed_or_rapid(std::uint32_t q) const;
+    bool read_thread(SourceSpan span, double surface, language::ThreadMilling& m);
+    bool countersink_front(const language::ThreadMilling& m, double surface);
+    bool prepare_thread(SourceSpan span, const language::ThreadMilling& m, double surface);
+    bool thread_cycle(SourceSpan span);
+    bool single_lip_drill(SourceSpan span, double surface, double bottom, double clear);
+    bool mill_contour_train(SourceSpan span);
     struct MilledContour;
     struct ContourMilling;
     bool contour_labels(const Block& block, Scanner& scan);

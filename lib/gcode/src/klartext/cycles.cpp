@@ -28,7 +28,8 @@ bool is_hole_cycle(int number) {
         case 207:
         case 208:
         case 209:
-        case 240: return true;
+        case 240:
+        case 241: return true;
         default: return false;
     }
 }
@@ -132,9 +133,9 @@ bool Control::read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle)
 bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
     if (has_no_path(number)) return true;
     const bool is_pattern = number == 220 || number == 221;
-    const bool mills_contours = number >= 22 && number <= 24;
+    const bool mills_contours = number >= 22 && number <= 25;
     const bool is_known = (is_hole_cycle(number) && number >= 200) || is_area_cycle(number) ||
-                          number == 262 || number == 247 || is_pattern || number == 20 ||
+                          is_thread_cycle(number) || number == 247 || is_pattern || number == 20 ||
                           mills_contours;
     if (!is_known) return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
     Cycle cycle;
@@ -177,6 +178,7 @@ bool Control::old_cycle(const Block& block, Scanner& scan, int number, int part)
         case 22:
         case 23:
         case 24:
+        case 25:
             if (is_head) return numbered_cycle(block, scan, number);
             return fail(Message::KlartextVerb, block.whole(), {name_of_cycle(number)});
         case 19: return is_head || working_plane(block, scan);
@@ -440,6 +442,8 @@ bool Control::drill(SourceSpan span) {
     const int number = cycle_.number;
     if (number == 204) return back_bore(span);
     if (number >= 22 && number <= 24) return mill_contours(span);
+    if (number == 25) return mill_contour_train(span);
+    if (is_thread_cycle(number)) return thread_cycle(span);
     if (!needs({200, 201}, span)) return false;
     const std::string name = std::to_string(number);
     const double depth = value(201, 0.0);
@@ -454,7 +458,7 @@ bool Control::drill(SourceSpan span) {
         log_.add(Message::KlartextDepthZero, span, {name});
         return true;
     }
-    const bool needs_radius = number == 208 || number == 262 || is_area_cycle(number);
+    const bool needs_radius = number == 208 || is_area_cycle(number);
     if (needs_radius && !(radius_of_tool().value_or(0.0) > 0.0)) {
         report_unknown_radius("cycle " + name);
         return true;
@@ -494,8 +498,9 @@ bool Control::drill(SourceSpan span) {
         case 253:
         case 254:
         case 256:
-        case 257: done = mill_area(span, bottom, clear); break;
-        case 262: done = thread_mill(span, bottom, clear); break;
+        case 257:
+        case 258: done = mill_area(span, bottom, clear); break;
+        case 241: done = single_lip_drill(span, surface, bottom, clear); break;
         default: done = peck(span, surface, bottom, clear); break;
     }
     if (!done) return false;
@@ -551,6 +556,49 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
     return peck(pecks, Message::CycleRepeats);
 }
 
+/// 241: drills with a single-lip drill. The tool goes to a deepened start (Q379) and out of the
+/// hole with the speed Q427, and drills with the speed Q428.
+bool Control::single_lip_drill(SourceSpan span, double surface, double bottom, double clear) {
+    if (!needs({206}, span)) return false;
+    const double deepened = surface - std::abs(value(379, 0.0));
+    const double from = deepened < surface && deepened > bottom ? deepened : surface;
+    MachineState& state = machine_.state();
+    const double speed = state.spindle_rpm;
+    const SpindleTurning turning = state.spindle;
+    const auto turn = [&](bool drills) {
+        using enum SpindleTurning;
+        const double direction = drills ? 3.0 : value(426, 3.0);
+        state.spindle = direction == 5.0   ? Stopped
+                        : direction == 4.0 ? Counterclockwise
+                                           : Clockwise;
+        state.spindle_rpm = value(drills ? 428 : 427, speed);
+    };
+    language::Pecks pecks;
+    pecks.surface = surface;
+    pecks.from = from;
+    pecks.bottom = bottom;
+    // Between infeeds the tool stays in its guiding hole.
+    pecks.clear = from < surface ? from : clear;
+    pecks.infeed = std::abs(value(202, 0.0));
+    pecks.decrement = std::abs(value(212, 0.0));
+    pecks.least = std::min(pecks.infeed, std::abs(value(205, 0.0)));
+    pecks.ahead = options_.peck_clearance.value_or(0.2 / state.unit_mm());
+    pecks.feed = feed_of(feed_value(206).value_or(0.0));
+    const bool is_rapid = cycle_.values.contains(208) && !feed_value(208);
+    const double up = feed_of(feed_value(208).value_or(0.0));
+    if (!is_rapid) pecks.up = up > 0.0 ? up : pecks.feed;
+    pecks.dwell_below = value(211, 0.0);
+    turn(false);
+    bool done = from == surface || move_to(from, feed_or_rapid(253));
+    turn(true);
+    done = done && peck(pecks, Message::CycleRepeats);
+    turn(false);
+    done = done && move_to(clear, pecks.up);
+    state.spindle = turning;
+    state.spindle_rpm = speed;
+    return done;
+}
+
 /// 202: the spindle is oriented at the bottom, and the tool steps away from the wall (Q214).
 bool Control::bore(double bottom, double clear) {
     const double down = feed_of(feed_value(206).value_or(0.0));
@@ -570,10 +618,6 @@ bool Control::back_bore(SourceSpan span) {
     const double edge = std::abs(value(252, 0.0));  // Height of the cutting edge above the tip.
     const double below = lower_edge - value(200, 0.0) - edge;
     const double bottom = lower_edge + std::abs(value(249, 0.0)) - edge;
-    const auto feed_or_rapid = [this](std::uint32_t q) {
-        const std::optional<double> feed = feed_value(q);
-        return feed ? std::optional(feed_of(*feed)) : std::nullopt;
-    };
     const SpindleTurning turning = machine_.state().spindle;
     const auto orient = [&](bool on) {
         MachineState& state = machine_.state();

@@ -5,6 +5,7 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "language/contour_recorder.h"
 #include "text/line_end.h"
 #include "text/message.h"
 
@@ -148,28 +149,9 @@ bool Runner::act() {
 /// Runs the subprogram `label` with a machine of its own, and returns its moves in the plane; the
 /// first move leads to the contour and is left out.
 std::optional<Control::Contour> Runner::record_contour(const std::string& label, SourceSpan span) {
-    const PlaneAxes axes = axes_of(control_.plane());
-    const double unit = machine_.state().unit_mm();
+    language::ContourRecorder recorder(control_.plane(), machine_.state().unit_mm());
+    const MotionSink take = recorder.sink();
     Control::Contour contour;
-    bool is_known = true;
-    const MotionSink take = [&](const Motion& motion) {
-        const Position* const from = start_of(motion);
-        const Position* const to = end_of(motion);
-        if (!from) return;
-        const auto in_plane = [&](const Position& p) {
-            const std::array<double, 3> all{p.x.mm(), p.y.mm(), p.z.mm()};
-            return PlanePoint{all[axes.first] / unit, all[axes.second] / unit};
-        };
-        OutlineMove move{in_plane(*from), in_plane(*to), {}, 0};
-        if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
-            move.centre = {arc->centre_1.mm() / unit, arc->centre_2.mm() / unit};
-            move.turns = arc->turns;
-        }
-        const bool moves = move.turns != 0 || move.from.x != move.to.x || move.from.y != move.to.y;
-        if (moves) contour.moves.push_back(move);
-        const std::array<bool, 3> known{motion.known_end.x, motion.known_end.y, motion.known_end.z};
-        is_known = is_known && known[axes.first] && known[axes.second];
-    };
     Interpretation ignored;
     {
         Runner contour_runner(*file().source, options_, rules_, centres_, take, log_, ignored);
@@ -183,12 +165,12 @@ std::optional<Control::Contour> Runner::record_contour(const std::string& label,
         if (!done) return std::nullopt;
         contour.side = contour_runner.control_.contour_side();
     }
-    if (!is_known || contour.moves.empty()) {
+    if (!recorder.is_complete()) {
         fail(Message::BlockNeeds, span,
              {"LBL " + label, "a contour that begins with a line to a point"});
         return std::nullopt;
     }
-    contour.moves.erase(contour.moves.begin());
+    contour.moves = recorder.contour();
     return contour;
 }
 
@@ -675,7 +657,10 @@ bool Runner::call_program() {
     const SourceSpan span = block_.whole();
     if (!control_.end_compensation(span)) return false;
     const std::optional<std::size_t> opened = open_file(name);
-    if (!opened) return fail(Message::ProgramMissing, span, {name});
+    if (!opened) {
+        report_missing_program(name, span);
+        return true;
+    }
     Frame frame;
     frame.is_program = true;
     frame.label = name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pocket, slot, stud and thread milling cycles: 251 … 254, 256, 257, 262. Source: HEIDENHAIN TNC
-// 640, User's Manual for Cycle Programming, 892903; TNC 426, TNC 430 (262).
+// Pocket, slot and stud cycles: 251 … 254, 256 … 258. Source: HEIDENHAIN TNC 640, User's Manual for
+// Cycle Programming, 892903.
 #include "ncsim/trig/angles.h"
 
 #include "klartext/control.h"
@@ -21,7 +21,7 @@ constexpr double kMostOverlap = 2.0;
 }  // namespace
 
 bool Control::is_area_cycle(int number) {
-    return (number >= 251 && number <= 254) || number == 256 || number == 257;
+    return (number >= 251 && number <= 254) || (number >= 256 && number <= 258);
 }
 
 /// Reads what the cycles of areas share: levels, allowances, feeds, direction.
@@ -70,13 +70,14 @@ bool Control::read_milling(SourceSpan span, double bottom, double clear, languag
     return true;
 }
 
-/// 251 … 254, 256, 257: mills an area at the position of the tool, where the tool is after the
+/// 251 … 254, 256 … 258: mills an area at the position of the tool, where the tool is after the
 /// cycle.
 bool Control::mill_area(SourceSpan span, double bottom, double clear) {
     language::Milling m;
     const int number = cycle_.number;
     if (!read_milling(span, bottom, clear, m)) return false;
     if (number == 254) return mill_circular_slots(span, m);
+    if (number == 258) return mill_polygon(span, m);
     const bool is_round = number == 252 || number == 257;
     const bool is_slot = number == 253;
     if (!(is_round ? needs({223}, span) : needs({218, 219}, span))) return false;
@@ -140,6 +141,35 @@ bool Control::read_blank(SourceSpan span, language::Milling& m) {
     return true;
 }
 
+/// 258: mills around a regular polygon.
+bool Control::mill_polygon(SourceSpan span, language::Milling& m) {
+    constexpr double kMostCorners = 1000.0;
+    if (!needs({571, 222, 572}, span)) return false;
+    const std::string name = "cycle 258";
+    const double sides = value(572, 0.0);
+    if (!(sides >= 3.0 && sides <= kMostCorners && sides == std::round(sides)))
+        return fail(Message::BlockNeeds, span, {name, "a number of corners (Q572) from 3 to 1000"});
+    if (value(220, 0.0) < 0.0)
+        return fail(Message::KlartextVerb, span, {name + " with a chamfer (Q220)"});
+    const bool is_outer = value(573, 0.0) == 1.0;  // The circle through the corners.
+    language::MilledArea& area = m.area;
+    area.sides = static_cast<int>(sides);
+    const double to_inner = is_outer ? trig::sin_cos(180.0 / sides).cos : 1.0;
+    area.length = area.width = value(571, 0.0) * to_inner;
+    area.corner = std::min(value(220, 0.0), area.length / 2.0);
+    area.angle = value(224, 0.0);
+    const double blank = value(222, 0.0);
+    if (!(area.length > 0.0 && blank >= 2.0 * area.reach()))
+        return fail(Message::BlockNeeds, span, {name, "a blank (Q222) larger than the stud"});
+    m.blank = (blank - area.length) / 2.0;
+    m.blank_length = blank;
+    const Point start = in_plane();
+    area.centre = {start[0], start[1]};
+    log_.add(Message::MillsOutside, span, {name});
+    log_.add(Message::CornerDirection, span, {name});
+    return mill(m, name) && go_to(start, true, span);
+}
+
 /// 254: slots about arcs, at equal angles.
 bool Control::mill_circular_slots(SourceSpan span, language::Milling& m) {
     if (!needs({219, 375, 376, 248}, span)) return false;
@@ -169,40 +199,13 @@ bool Control::mill_circular_slots(SourceSpan span, language::Milling& m) {
     const double repeats = std::round(value(377, 1.0));
     if (!(repeats >= 1.0 && repeats <= kMostRepeats))
         return fail(Message::BlockNeeds, span, {name, "a number of slots (Q377) from 1 to 10000"});
+    m.repeats = repeats;
     const double first = area.angle;
     for (int i = 0; i < static_cast<int>(repeats); ++i) {
         area.angle = first + i * value(378, 0.0);
         if (!mill(m, name)) return false;
     }
     return go_to(start, true, span);
-}
-
-/// 262: mills a thread into a hole.
-/// Requires: the radius of the tool is known.
-bool Control::thread_mill(SourceSpan span, double bottom, double clear) {
-    if (!needs({335, 239, 207}, span)) return false;
-    const double pitch = value(239, 0.0);
-    const double per_step = std::round(value(355, 0.0));
-    language::ThreadMilling m;
-    m.centre = {in_plane()[0], in_plane()[1]};
-    m.radius = value(335, 0.0) / 2.0 - *radius_of_tool();
-    if (!(m.radius > 0.0))
-        return fail(Message::BlockNeeds, span, {"cycle 262", "a diameter larger than the tool"});
-    if (pitch == 0.0) return fail(Message::BlockNeeds, span, {"cycle 262", "a pitch (Q239)"});
-    if (per_step < 0.0) return fail(Message::NegativeValue, span, {"Q355"});
-    m.top = clear - value(200, 0.0);
-    m.bottom = bottom;
-    m.clear = clear;
-    m.pitch = std::abs(pitch);
-    m.turns_per_step = per_step;
-    const bool is_climb = value(351, 1.0) >= 0.0;
-    const bool turns_left = machine_.state().spindle == SpindleTurning::Counterclockwise;
-    m.is_clockwise = is_climb == turns_left;
-    // A right-hand thread rises counter-clockwise.
-    m.goes_up = m.is_clockwise == (pitch < 0.0);
-    m.feed = feed_of(feed_value(207).value_or(0.0));
-    if (const std::optional<double> feed = feed_value(253)) m.approach_feed = feed_of(*feed);
-    return mill_thread(m);
 }
 
 }  // namespace ncsim::gcode::klartext

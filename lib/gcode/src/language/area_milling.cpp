@@ -15,8 +15,7 @@
 namespace ncsim::gcode::language {
 namespace {
 
-constexpr double kMostPasses = 20'000.0;  // Passes of a cycle, at all levels.
-constexpr double kRounding = 1e-9;        // Relative to the radius of the tool.
+constexpr double kRounding = 1e-9;  // Relative to the radius of the tool.
 /// Largest distance of passes, in radii of the tool, that leaves no material in square corners.
 constexpr double kWidestStep = 1.4;
 /// Slope of ramps and helices without a specified pitch.
@@ -64,7 +63,8 @@ std::vector<Pass> passes_of(const Milling& m, double inset) {
     return passes;
 }
 
-/// Returns the levels from `from` down to `to`.
+}  // namespace
+
 std::vector<double> levels_of(double from, double to, double infeed, bool is_equal) {
     const double depth = from - to;
     const double count = infeed > 0.0 ? std::max(1.0, std::ceil(depth / infeed - kRounding)) : 1.0;
@@ -74,8 +74,6 @@ std::vector<double> levels_of(double from, double to, double infeed, bool is_equ
     levels.push_back(to);
     return levels;
 }
-
-}  // namespace
 
 /// Makes `move` in the plane, and moves the tool axis to `height` on the way. Without `feed`: a
 /// rapid line.
@@ -241,12 +239,13 @@ bool BlockControl::mill(const Milling& m, std::string_view name) {
     const double levels = m.infeed > 0.0 ? depth / m.infeed + 1.0 : 1.0;
     const double finishes = m.finishing_infeed > 0.0 ? depth / m.finishing_infeed + 1.0 : 1.0;
     const double passes = count_of_passes(m, m.is_stud ? -m.tool_radius : m.tool_radius) + 1.0;
-    if (!(passes * levels < kMostPasses && finishes < kMostPasses))
+    const double most = kMostPasses / m.repeats;
+    if (!(passes * levels < most && finishes < most))
         return fail(Message::CycleRepeats, cycle_span_);
     PlanePoint entry = middle_of(m.area);
     if (m.is_stud) {
         const double outermost =
-            m.area.length / 2.0 + inset + (count_of_passes(m, -inset) - 1.0) * step_of(m);
+            m.area.reach() + inset + (count_of_passes(m, -inset) - 1.0) * step_of(m);
         const double margin = kStudMargin / machine_.state().unit_mm();
         const double outside = m.blank_length / 2.0 + m.tool_radius + margin;
         entry = point_in(m.area, std::max(outermost, outside), 0.0);
@@ -268,16 +267,19 @@ bool BlockControl::mill(const Milling& m, std::string_view name) {
 /// Mills a face. The strokes begin and end outside of the face; the first and the last stroke cover
 /// the sides.
 bool BlockControl::mill_face(const FaceMilling& m) {
-    const double across = m.is_along_second ? m.length : m.width;
-    const double along = m.is_along_second ? m.width : m.length;
+    const double across = std::abs(m.is_along_second ? m.length : m.width) + m.overrun;
+    const double along = std::abs(m.is_along_second ? m.width : m.length);
     const double step = m.step > 0.0 ? std::min(m.step, 2.0 * m.tool_radius) : m.tool_radius;
     const double count = std::max(1.0, std::ceil(across / step - kRounding));
     const double levels = m.infeed > 0.0 ? (m.surface - m.bottom) / m.infeed + 1.0 : 1.0;
     if (!(count * levels < kMostPasses)) return fail(Message::CycleRepeats, cycle_span_);
     const double reach = m.tool_radius + m.margin;
+    const trig::SinCos direction = trig::sin_cos(m.angle);
     const auto place = [&](double to, double row) {
-        return m.is_along_second ? PlanePoint{m.corner.x + row, m.corner.y + to}
-                                 : PlanePoint{m.corner.x + to, m.corner.y + row};
+        const double x = (m.is_along_second ? row : to) * (m.length < 0.0 ? -1.0 : 1.0);
+        const double y = (m.is_along_second ? to : row) * (m.width < 0.0 ? -1.0 : 1.0);
+        return PlanePoint{m.corner.x + x * direction.cos - y * direction.sin,
+                          m.corner.y + x * direction.sin + y * direction.cos};
     };
     for (const double level : levels_of(m.surface, m.bottom, m.infeed, true)) {
         for (int i = 0; i < static_cast<int>(count); ++i) {

@@ -135,6 +135,9 @@ protected:
     bool mill(const Milling& m, std::string_view name);
     bool mill_face(const FaceMilling& m);
     bool mill_thread(const ThreadMilling& m);
+    /// Mills along a contour; the tool ends at the end of the last level, lifted. `name`: the
+    /// cycle.
+    bool mill_along(const ContourPath& m, std::string_view name);
 
     int number_of(const std::string& tool_name);
     std::optional<double> diameter_of(int tool) const;
@@ -163,6 +166,7 @@ private:
     bool rough(const Milling& m, PlanePoint entry);
     bool finish(const Milling& m, PlanePoint entry);
     bool leave(const Milling& m, double height, PlanePoint entry);
+    bool follow_contour(const ContourPath& m, const Pass& contour, CutterSide side, double level);
 };
 
 }  // namespace ncsim::gcode::language

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outlines of rectangles with round corners and of bands about arcs.
+// Outlines of rectangles and polygons with round corners, and of bands about arcs.
 #include "language/milled_area.h"
 
 #include "ncsim/trig/angles.h"
@@ -45,10 +45,38 @@ Pass outline_of_band(const MilledArea& area, double inset) {
             arc(outer_start, start, area.centre, 1)};
 }
 
+Pass outline_of_polygon(const MilledArea& area, double inset) {
+    const double side = area.length / 2.0 - inset;  // Distance of the sides from the centre.
+    const double r = std::clamp(area.corner - inset, 0.0, side);
+    const double step = 360.0 / area.sides;
+    const double to_centres = (side - r) / trig::sin_cos(step / 2.0).cos;
+    const auto centre = [&](int i) {
+        return polar(area.centre, to_centres, area.angle + i * step);
+    };
+    // End of the corner `i`, at the side behind the corner.
+    const auto behind = [&](int i) { return polar(centre(i), r, area.angle + (i + 0.5) * step); };
+    const auto before = [&](int i) { return polar(centre(i), r, area.angle + (i - 0.5) * step); };
+    const PlanePoint start = polar(centre(0), r, area.angle);
+    Pass pass;
+    if (r > 0.0) pass.push_back(arc(start, behind(0), centre(0), 1));
+    for (int i = 1; i < area.sides; ++i) {
+        pass.push_back({behind(i - 1), before(i), {}, 0});
+        if (r > 0.0) pass.push_back(arc(before(i), behind(i), centre(i), 1));
+    }
+    pass.push_back({behind(area.sides - 1), before(0), {}, 0});
+    if (r > 0.0) pass.push_back(arc(before(0), start, centre(0), 1));
+    return pass;
+}
+
 }  // namespace
 
 double MilledArea::half_width() const {
     return (is_band() ? width : std::min(length, width)) / 2.0;
+}
+
+double MilledArea::reach() const {
+    if (!is_polygon()) return length / 2.0;
+    return (length / 2.0 - corner) / trig::sin_cos(180.0 / sides).cos + corner;
 }
 
 PlanePoint point_in(const MilledArea& area, double x, double y) {
@@ -59,6 +87,7 @@ PlanePoint point_in(const MilledArea& area, double x, double y) {
 
 Pass outline_of(const MilledArea& area, double inset) {
     if (area.is_band()) return outline_of_band(area, inset);
+    if (area.is_polygon()) return outline_of_polygon(area, inset);
     const double a = area.length / 2.0 - inset;
     const double b = area.width / 2.0 - inset;
     const double most = std::min(a, b);

@@ -9,8 +9,8 @@
 
 namespace ncsim::gcode::language {
 
-/// An area in the plane, active units: a rectangle with round corners (also a circle, a slot), or a
-/// band about an arc (a circular slot).
+/// An area in the plane, active units: a rectangle with round corners (also a circle, a slot), a
+/// band about an arc (a circular slot), or a regular polygon with round corners.
 struct MilledArea {
     PlanePoint centre;        ///< Centre of the rectangle or the arc.
     double angle = 0.0;       ///< Degrees: direction of the length, or of the start of the band.
@@ -19,10 +19,16 @@ struct MilledArea {
     double corner = 0.0;      ///< Radius of the corners.
     double arc_radius = 0.0;  ///< Radius of the centre line of the band; 0: a rectangle.
     double opening = 0.0;     ///< Angle of the band, degrees, > 0.
+    /// Sides of a polygon, at least 3; 0: no polygon. `length` and `width` are the diameter of the
+    /// inscribed circle; a corner is in the direction of `angle`.
+    int sides = 0;
 
+    bool is_polygon() const { return sides > 0; }
     bool is_band() const { return arc_radius > 0.0; }
     /// Half of the smaller width.
     double half_width() const;
+    /// Distance between the centre and the outline in the direction of `angle`.
+    double reach() const;
 };
 
 /// Moves that follow each other.
@@ -30,7 +36,7 @@ using Pass = std::vector<OutlineMove>;
 
 /// Returns the outline at the distance `inset` inside the area (negative: outside),
 /// counter-clockwise, from the middle of the side in the direction of the angle (of a band: from
-/// the middle of the outer side).
+/// the middle of the outer side; of a polygon: from the middle of the corner).
 /// Requires: `inset` < area.half_width().
 Pass outline_of(const MilledArea& area, double inset);
 /// Returns the middle of the area.

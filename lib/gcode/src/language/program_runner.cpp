@@ -66,6 +66,11 @@ void ProgramRunner::count_repeats() {
     repeated_ = std::max<std::uint64_t>(repeated_, 1);
 }
 
+void ProgramRunner::report_missing_program(std::string_view name, SourceSpan span) {
+    if (std::ranges::find(options_.allow, name) == options_.allow.end())
+        log_.add(Message::ProgramMissing, span, {name, name});
+}
+
 bool ProgramRunner::skips_deletable(std::size_t file, SourceSpan span) {
     if (!result_.deletable) result_.deletable = {static_cast<std::uint32_t>(file), span};
     return options_.block_delete;

@@ -50,6 +50,9 @@ protected:
     bool count_block(bool is_called, SourceSpan span);
     /// Starts the count of repeated blocks: a call, or a jump backwards.
     void count_repeats();
+    /// Reports a call of the program `name`, which is not found and left out, unless the program is
+    /// declared harmless.
+    void report_missing_program(std::string_view name, SourceSpan span);
     /// True if block delete skips a block with '/'.
     bool skips_deletable(std::size_t file, SourceSpan span);
 

@@ -15,6 +15,7 @@ namespace ncsim::gcode::sinumerik {
 
 bool Control::frame(std::string_view name, const Words& words, SourceSpan span) {
     if (side_ != CutterSide::Off) return fail(Message::NotRead, span, {"a frame under G41 or G42"});
+    if (records_contour_) return fail(Message::NotRead, span, {"a frame in a contour"});
     const bool adds = name.starts_with('A');
     const std::string_view kind = adds ? name.substr(1) : name;
     const bool is_empty = !words.has_plain_axes() && !words.plane_angle;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Milling cycles POCKET1 … POCKET4, CYCLE76, CYCLE77 (spigots), CYCLE61 (faces), CYCLE90 (threads).
+// Milling cycles POCKET1 … POCKET4, CYCLE76, CYCLE77 (spigots), CYCLE90 (threads).
 // Source: SINUMERIK 840D sl, Programming Manual Cycles, 2007, and NC Programming, 06/2019.
 #include "ncsim/trig/angles.h"
 
@@ -15,12 +15,14 @@ namespace ncsim::gcode::sinumerik {
 namespace {
 
 constexpr auto kMillingCycles = std::to_array<std::string_view>(
-    {"POCKET1", "POCKET2", "POCKET3", "POCKET4", "CYCLE76", "CYCLE77", "CYCLE61", "CYCLE90"});
+    {"POCKET1", "POCKET2", "POCKET3", "POCKET4", "CYCLE76", "CYCLE77", "CYCLE61", "CYCLE71",
+     "CYCLE72", "CYCLE90", "SLOT1", "SLOT2", "LONGHOLE"});
 
 /// Width of passes without a specified width, in diameters of the tool.
 constexpr double kUsualWidth = 0.8;
 
-/// Returns the decimal digit `place` of `value`, from the right; 0: units.
+}  // namespace
+
 int digit(double value, int place) {
     constexpr double kMost = 1e9;
     auto rest = static_cast<long>(std::clamp(std::round(value), 0.0, kMost));
@@ -28,8 +30,6 @@ int digit(double value, int place) {
         rest /= 10;
     return static_cast<int>(rest % 10);
 }
-
-}  // namespace
 
 /// Places of the arguments of a milling cycle; -1: the cycle has no such argument.
 struct Control::MillingArguments {
@@ -81,6 +81,7 @@ bool Control::mill_cycle(const CycleCall& call) {
         return fail(Message::NotRead, call.span, {call.name + " under G41 or G42"});
     if (machine_.state().feed_mode == FeedMode::InverseTime)
         return fail(Message::NotRead, call.span, {call.name + " under G93"});
+    if (records_contour_) return fail(Message::NotRead, call.span, {call.name + " in a contour"});
     cycle_span_ = call.span;
     const std::optional<double> diameter = diameter_of(tool_);
     if (edge_ == 0)
@@ -92,8 +93,13 @@ bool Control::mill_cycle(const CycleCall& call) {
     const double feed = machine_.state().feed;
     const FeedMode mode = machine_.state().feed_mode;
     const double radius = *diameter / 2.0;
+    const bool is_straight_slot = call.name == "SLOT1" || call.name == "LONGHOLE";
     const bool done = call.name == "CYCLE61"   ? mill_face_cycle(call, radius)
+                      : call.name == "CYCLE71" ? mill_old_face_cycle(call, radius)
+                      : call.name == "CYCLE72" ? mill_path_cycle(call, radius)
                       : call.name == "CYCLE90" ? mill_thread_cycle(call, radius)
+                      : is_straight_slot       ? mill_slots_cycle(call, radius)
+                      : call.name == "SLOT2"   ? mill_circular_slots_cycle(call, radius)
                                                : mill_area_cycle(call, radius);
     if (machine_.state().feed_mode == mode) machine_.state().feed = feed;
     return done;
@@ -252,49 +258,6 @@ bool Control::read_spigot_blank(const CycleCall& call, const MillingArguments& a
     m.blank =
         is_rectangle ? trig::length_of(x + m.area.corner, y + m.area.corner) - m.area.corner : x;
     return true;
-}
-
-/// CYCLE61(_RTP, _Z0, _SDIS, _Z1, _X0, _Y0, _X1, _Y1, _DZ, _DXY, _UZ, _F, _VARI, _LIM, _DMODE,
-/// _AMODE): mills a face.
-bool Control::mill_face_cycle(const CycleCall& call, double radius) {
-    const auto at = [&](std::size_t index) { return argument(call, index, 0.0); };
-    const double mode = at(15);
-    if (at(13) != 0.0) return fail(Message::NotRead, call.span, {"CYCLE61 with limits (_LIM)"});
-    Hole hole;
-    hole.retract = at(0);
-    hole.surface = at(1);
-    hole.clear = hole.surface + std::abs(at(2));
-    hole.bottom = digit(mode, 0) == 1 ? hole.surface - std::abs(at(3)) : at(3);
-    if (hole.retract < hole.surface)
-        return fail(Message::BlockNeeds, call.span,
-                    {call.name, "a retraction plane (_RTP) above the surface (_Z0)"});
-    const int variant = digit(at(12), 0);
-    const int way = digit(at(12), 1);
-    if ((variant != 1 && variant != 2) || way < 1 || way > 4)
-        return fail(Message::NotRead, call.span, {"CYCLE61 with this _VARI"});
-    language::FaceMilling m;
-    m.tool_radius = radius;
-    m.surface = hole.surface;
-    m.bottom = hole.bottom + (variant == 1 ? std::abs(at(10)) : 0.0);
-    m.clear = hole.clear;
-    m.infeed = variant == 1 ? std::abs(at(8)) : 0.0;
-    if (m.bottom > m.surface) return fail(Message::HoleUpwards, call.span, {call.name});
-    // Digits 4 and 5 of _AMODE: the second corner is absolute (2), or a distance.
-    const double length = digit(mode, 3) == 2 ? at(6) - at(4) : at(6);
-    const double width = digit(mode, 4) == 2 ? at(7) - at(5) : at(7);
-    m.corner = {at(4) + std::min(0.0, length), at(5) + std::min(0.0, width)};
-    m.length = std::abs(length);
-    m.width = std::abs(width);
-    if (!(m.length > 0.0 && m.width > 0.0))
-        return fail(Message::BlockNeeds, call.span, {call.name, "a length and a width above 0"});
-    const double step = std::abs(at(9));
-    m.step = digit(mode, 1) == 1 ? step / 100.0 * 2.0 * radius : step;
-    m.is_along_second = way == 2 || way == 4;
-    m.is_alternating = way >= 3;
-    m.margin = std::abs(at(2));
-    m.feed = feed_of(at(11));
-    log_.add(Message::MillsOutside, call.span, {call.name});
-    return rise(hole.retract) && mill_face(m) && move_to(hole.retract, std::nullopt);
 }
 
 /// CYCLE90(RTP, RFP, SDIS, DP, DPR, DIATH, KDIAM, PIT, FFR, CDIR, TYPTH, CPA, CPO): mills a thread.

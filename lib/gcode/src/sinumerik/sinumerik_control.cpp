@@ -198,9 +198,25 @@ bool Control::set_system(int code, SourceSpan span) {
     return !is_tilted || apply_frame("a frame", span);
 }
 
+void Control::begin_contour(const Control& caller) {
+    records_contour_ = true;
+    motion_ = caller.motion_;
+    is_incremental_ = caller.is_incremental_;
+    is_feed_in_inches_ = caller.is_feed_in_inches_;
+    is_feed_reported_ = is_tool_change_reported_ = true;
+    plane_ = caller.plane_;
+    Command command = make({});
+    put(command, caller.machine_.state().inches ? Code::G20 : Code::G21);
+    put(command, plane_ == Plane::XY ? Code::G17 : plane_ == Plane::ZX ? Code::G18 : Code::G19);
+    (void)machine_.execute(command);
+    // The feed of the cycle counts.
+    machine_.state().feed = 1.0;
+    refresh();
+}
+
 bool Control::set_side(const Words& words, Command& command, SourceSpan span) {
     const auto code = words.of(CodeGroup::Side);
-    if (!code) return true;
+    if (!code || records_contour_) return true;
     const CutterSide side = *code == 40   ? CutterSide::Off
                             : *code == 41 ? CutterSide::Left
                                           : CutterSide::Right;

@@ -13,10 +13,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::gcode::sinumerik {
@@ -35,6 +37,9 @@ struct CycleCall {
 struct HolePlace {
     double first = 0.0, second = 0.0;
 };
+
+/// Returns the decimal digit `place` of the argument `value`, from the right; 0: units.
+int digit(double value, int place);
 
 /// Modes that a subprogram with SAVE restores.
 struct SavedModes {
@@ -66,9 +71,19 @@ public:
     std::optional<std::vector<HolePlace>> pattern(const CycleCall& call);
     static bool is_hole_cycle(std::string_view name);
     static bool is_pattern(std::string_view name);
-    /// Executes a cycle that mills an area, a face or a thread.
+    /// Executes a cycle that mills an area, slots, a face, a contour or a thread.
     bool mill_cycle(const CycleCall& call);
     static bool is_milling_cycle(std::string_view name);
+    /// Runs the subprogram, or the blocks between two labels ("A:B"), without the machine, and
+    /// returns its moves in the plane; nullopt after reporting an error, no moves if the subprogram
+    /// is missing.
+    using ContourReader =
+        std::function<std::optional<language::Pass>(const std::string& name, SourceSpan span)>;
+    void set_contour_reader(ContourReader reader) { read_contour_ = std::move(reader); }
+    /// Records a contour for `caller`: plane and units are those of the caller; cutter compensation
+    /// does not act.
+    void begin_contour(const Control& caller);
+    Plane plane() const { return plane_; }
 
     SavedModes save() const { return {motion_, plane_, is_incremental_, chain_}; }
     bool restore(const SavedModes& saved, SourceSpan span);
@@ -142,7 +157,20 @@ private:
     bool read_milling_depth(const CycleCall& call, const MillingArguments& a, Hole& hole);
     bool read_variant(const CycleCall& call, const MillingArguments& a, language::Milling& m);
     bool read_spigot_blank(const CycleCall& call, const MillingArguments& a, language::Milling& m);
+    bool read_slot_passes(const CycleCall& call, std::size_t feeds, double radius, Hole& hole,
+                          language::Milling& m);
+    bool read_slot_variant(const CycleCall& call, std::size_t variant, language::Milling& m);
+    std::optional<int> count_of_slots(const CycleCall& call);
+    bool mill_slots_cycle(const CycleCall& call, double radius);
+    bool mill_circular_slots_cycle(const CycleCall& call, double radius);
+    bool read_face_heights(const CycleCall& call, double depth, language::FaceMilling& m,
+                           double& retract);
     bool mill_face_cycle(const CycleCall& call, double radius);
+    bool mill_old_face_cycle(const CycleCall& call, double radius);
+    bool read_lead(const CycleCall& call, std::size_t form, double radius, language::Lead& lead);
+    bool read_path_heights(const CycleCall& call, Hole& hole);
+    bool read_path_ways(const CycleCall& call, double radius, language::ContourPath& m);
+    bool mill_path_cycle(const CycleCall& call, double radius);
     bool mill_thread_cycle(const CycleCall& call, double radius);
 
     std::array<RotaryWay, 3> ways_;
@@ -165,7 +193,9 @@ private:
     Frame chain_;                                       ///< TRANS, ROT, SCALE, MIRROR.
     Frame swivel_;                                      ///< CYCLE800
     std::array<double, 3> coarse_{}, fine_{};           ///< Parts of TRANS by G58 and G59.
-    bool is_plain_offset_ = true;                       ///< `chain_` is `coarse_` plus `fine_`.
+    ContourReader read_contour_;
+    bool records_contour_ = false;
+    bool is_plain_offset_ = true;  ///< `chain_` is `coarse_` plus `fine_`.
 };
 
 }  // namespace ncsim::gcode::sinumerik

@@ -78,6 +78,9 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options,
                const std::array<RotaryWay, 3>& ways, const Rules& rules, ArcCentres& centres,
                const MotionSink& sink, DiagnosticLog& log, Interpretation& result)
     : ProgramRunner(program, options, rules, centres, sink, log, result),
+      ways_(ways),
+      rules_(rules),
+      centres_(centres),
       control_(options, ways, machine_, log, !has_tool_change(program)),
       expressions_(variables_, control_, log),
       words_(expressions_, log) {
@@ -87,6 +90,8 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options,
         added.section = section;
     }
     control_.add_tool_names(tool_names(program));
+    control_.set_contour_reader(
+        [this](const std::string& name, SourceSpan span) { return record_contour(name, span); });
     // The first main program of an archive runs.
     const auto main = std::ranges::find_if(
         programs_, [](const Program& candidate) { return candidate.section.is_main; });

@@ -29,6 +29,9 @@ namespace ncsim::gcode::sinumerik {
 /// Returns the names of tools that the program selects by name, in the order of the first one.
 std::vector<std::string> tool_names(const SourceFile& program);
 
+/// Returns the name of a program in `path`: "/_N_CUS_DIR/_N_L320_SPF" is "L320".
+std::string program_name(std::string_view path);
+
 /// Runs a program.
 class Runner final : public language::ProgramRunner {
 public:
@@ -152,6 +155,17 @@ private:
     bool finish_program();
     std::optional<double> take_runs(CodeScanner& scan);
 
+    // Contours of cycles.
+    struct ContourSource {
+        bool is_found = false;
+        std::size_t program = 0;
+        Place begin;
+        std::size_t stop = 0;  ///< Offset of the first line behind the contour; 0: to its end.
+    };
+    std::optional<ContourSource> find_contour(const std::string& name, SourceSpan span);
+    std::optional<language::Pass> record_contour(const std::string& name, SourceSpan span);
+    bool run_contour(const ContourSource& source, std::size_t own_program);
+
     bool refuse_text(std::size_t at);
     void seek(Place place);
 
@@ -159,6 +173,9 @@ private:
     Program& program() { return programs_[frame().program]; }
     bool is_in_subprogram() const { return frames_.size() > 1; }
 
+    const std::array<RotaryWay, 3>& ways_;
+    const Rules& rules_;
+    ArcCentres& centres_;
     Control control_;
     Variables variables_;
     Expressions expressions_;

@@ -26,7 +26,18 @@ constexpr auto kRefusedCycles = std::to_array<std::string_view>(
      "SPLINEPATH", "CONTPRON", "SETINT",   "GROUP_BEGIN", "GROUP_END", "F_",
      "E_",         "ORIRESET", "MEAFRAME", "POLFA",       "PRESETON"});
 
-/// Returns the name of a program in `path`: "/_N_CUS_DIR/_N_L320_SPF" is "L320".
+/// True for the name of a subprogram, or of a macro in the place of an M code ("DEFINE M6 AS L6"):
+/// two letters, or L or M and a number.
+bool may_name_program(std::string_view upper_name) {
+    const auto is_name_letter = [](char c) { return is_letter(c) || c == '_'; };
+    if (upper_name.size() < 2 || !is_name_letter(upper_name[0])) return false;
+    if (is_name_letter(upper_name[1])) return true;
+    return (upper_name[0] == 'L' || upper_name[0] == 'M') &&
+           std::ranges::all_of(upper_name.substr(1), is_digit);
+}
+
+}  // namespace
+
 std::string program_name(std::string_view path) {
     if (const std::size_t folder = path.find_last_of("\\/:"); folder != std::string_view::npos)
         path.remove_prefix(folder + 1);
@@ -38,8 +49,6 @@ std::string program_name(std::string_view path) {
     if (upper_name.ends_with("_SPF") || upper_name.ends_with("_MPF")) name.resize(name.size() - 4);
     return name;
 }
-
-}  // namespace
 
 /// Reads "P3", "P=R1", the number of runs of a call; 1 without a word.
 std::optional<double> Runner::take_runs(CodeScanner& scan) {
@@ -206,11 +215,12 @@ bool Runner::modal(CodeScanner& scan) {
     if (is_known) return true;
     std::optional<std::vector<Argument>> passed = arguments(scan);
     if (!passed || !is_at_end(scan)) return false;
+    frame().modal = {};
     if (!find_program(std::string(raw))) {
+        show_modal();
         // Reports the program.
         return call(std::string(raw), {}, 1.0, line_.whole());
     }
-    frame().modal = {};
     frame().modal.is_active = true;
     frame().modal.program = std::string(raw);
     frame().modal.arguments = std::move(*passed);
@@ -304,7 +314,10 @@ bool Runner::call(const std::string& called, std::vector<Argument> passed, doubl
         const bool is_of_control = std::ranges::any_of(
             kRefusedCycles, [&](std::string_view head) { return upper_name.starts_with(head); });
         if (is_of_control) return fail(Message::NotRead, span, {upper_name});
-        return fail(Message::ProgramMissing, span, {name});
+        // Programs of the machine builder and of the shop are often not at hand.
+        if (!may_name_program(upper_name)) return refuse_text(0);
+        report_missing_program(name, span);
+        return true;
     }
     if (frames_.size() > options_.limits.call_depth) return fail(Message::CallDepth, span);
     if (runs < 1.0) return true;
