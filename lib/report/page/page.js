@@ -195,19 +195,32 @@ async function makeView(holder) {
   holder.append(canvas);
   const part = data.mesh ? await readPart(data.mesh) : null;
   const play = data.play ? await readPlay(data.play) : null;
-  const marked = (all) => {
-    const faulty = new Set(Object.keys(data.marks).filter((n) => data.marks[n] === "error")
-      .map(Number));
-    return Uint32Array.from(all, (n) => (faulty.has(n) ? n + 0x80000000 : n));
+  const faulty = new Set(Object.keys(data.marks).filter((n) => data.marks[n] === "error").map(Number));
+  // Returns the line of each corner; the highest bit marks lines with errors.
+  const marked = (count, lineAt) => {
+    const all = new Uint32Array(count);
+    for (let i = 0; i < count; i += 1) {
+      const line = lineAt(i);
+      all[i] = faulty.has(line) ? line + 0x80000000 : line;
+    }
+    return all;
   };
-  const partMesh = part && part.corners.length ?
-    renderer.mesh({ corners: part.corners, normals: part.normals, lines: marked(part.lines) }) : null;
+  const partMesh = part && part.corners.length ? renderer.mesh({ corners: part.corners,
+    normals: part.normals,
+    lines: marked(part.corners.length / 3, (i) => part.lines[(i / 3) | 0]) }) : null;
   let stateMesh = null;
   const stateMatrix = play ? Matrix.product(Matrix.move(...play.states.origin),
     Matrix.scale(play.states.step)) : null;
   if (play) {
-    stateMesh = renderer.mesh({ corners: play.states.corners, normals: play.states.normals,
-      lines: marked(play.states.lines), life: play.states.life, matrix: stateMatrix });
+    const { corners, normals, polygonOf, lines: lineOf, first, end } = play.states;
+    const life = new Uint16Array(2 * polygonOf.length);
+    for (let i = 0; i < polygonOf.length; i += 1) {
+      life[2 * i] = first[polygonOf[i]];
+      life[2 * i + 1] = end[polygonOf[i]];
+    }
+    stateMesh = renderer.mesh({ corners, normals, life, matrix: stateMatrix,
+      index: indexOfStates(play.states),
+      lines: marked(polygonOf.length, (i) => lineOf[polygonOf[i]]) });
   }
   const fixtures = [];
   for (const body of data.fixtures || []) {
@@ -384,14 +397,25 @@ async function makeView(holder) {
     return plus(plus(back.map((c) => -c), right, tangent * wide * (2 * x / canvas.clientWidth - 1)),
       up, tangent * (1 - 2 * y / canvas.clientHeight));
   }
+  // Returns the corners of the polygon that a hit is on, in mm.
   function cornersOfHit(hit) {
-    const m = [];
     const source = hit.kind === kPart ? part.corners : play.states.corners;
-    for (let v = 0; v < 3; v += 1) {
-      const p = [0, 1, 2].map((c) => source[9 * hit.triangle + 3 * v + c]);
-      m.push(hit.kind === kPart ? p : Matrix.apply(stateMatrix, p));
+    const p = hit.kind === kPart ? 0 : play.states.polygonOf[hit.corner];
+    const begin = hit.kind === kPart ? hit.corner - hit.corner % 3 : play.states.starts[p];
+    const end = hit.kind === kPart ? begin + 3 : play.states.starts[p + 1];
+    const all = [];
+    for (let i = begin; i < end; i += 1) {
+      const at = [source[3 * i], source[3 * i + 1], source[3 * i + 2]];
+      all.push(hit.kind === kPart ? at : Matrix.apply(stateMatrix, at));
     }
-    return m;
+    return all;
+  }
+  // Returns the normal of a plane polygon: the sum over its triangles.
+  function normalOfCorners(all) {
+    let sum = [0, 0, 0];
+    for (let i = 1; i + 1 < all.length; i += 1)
+      sum = plus(sum, cross(minus(all[i], all[0]), minus(all[i + 1], all[0])));
+    return unitVector(sum);
   }
   // Returns the extent along an axis of all faces of a form: the depth of a bore.
   function lengthAlong(axis, form) {
@@ -418,26 +442,25 @@ async function makeView(holder) {
       return { line: null, point: plus(eye, ray, t), normal: section.slice(0, 3), form: null };
     }
     if (hit.kind !== kPart && hit.kind !== kState) return null;
-    const [a, b, c] = cornersOfHit(hit);
-    const normal = unitVector(cross(minus(b, a), minus(c, a)));
+    const around = cornersOfHit(hit), normal = normalOfCorners(around);
     const along = dot(normal, ray);
-    let point = plus(eye, ray, dot(normal, minus(a, eye)) / (along || 1));
+    let point = plus(eye, ray, dot(normal, minus(around[0], eye)) / (along || 1));
     // A corner of the face that is near on the picture is meant exactly.
-    for (const corner of [a, b, c]) {
+    for (const corner of around) {
       const p = project(...corner), frame = canvas.getBoundingClientRect();
       if (Math.hypot(p.x - frame.left - x, p.y - frame.top - y) < 7) point = corner;
     }
     const result = { point, normal, form: null, tool: 0 };
     if (hit.kind === kPart) {
-      result.line = part.lines[hit.triangle];
-      result.tool = part.tools[hit.triangle];
-      const form = part.formOf[hit.triangle];
+      const triangle = Math.floor(hit.corner / 3), form = part.formOf[triangle];
+      result.line = part.lines[triangle];
+      result.tool = part.tools[triangle];
       if (form > 0) {
         result.form = part.forms[form - 1];
         result.length = lengthAlong(result.form[2], form);
       }
     } else {
-      result.line = play.states.lines[hit.triangle];
+      result.line = play.states.lines[play.states.polygonOf[hit.corner]];
     }
     return result;
   }

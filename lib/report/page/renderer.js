@@ -57,13 +57,13 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in uint line;
 layout(location = 3) in uvec2 life;
 out vec3 place, facing;
-flat out uint cutBy, triangle;
+flat out uint cutBy, corner;
 void main() {
   vec4 at = model * vec4(position, 1.0);
   place = at.xyz;
   facing = turned * normal;
   cutBy = line;
-  triangle = uint(gl_VertexID) / 3u;
+  corner = uint(gl_VertexID);
   gl_Position = life.x <= state && state < life.y ? camera * at : vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 const kMeshFragment = `#version 300 es
@@ -74,7 +74,7 @@ uniform vec4 section;
 uniform uint chosen, kind;
 uniform bool isCut, isPart, isSheer;
 in vec3 place, facing;
-flat in uint cutBy, triangle;
+flat in uint cutBy, corner;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out uint number;
@@ -89,7 +89,7 @@ void main() {
     if (cutBy != line) paint = vec3(0.86, 0.20, 0.20);
     if (line == chosen && line > 0u) paint = vec3(0.98, 0.55, 0.12);
   }
-  number = kind << 28u | triangle + 1u;
+  number = kind << 28u | corner + 1u;
   // Kind of pixel: 1 a face with edges, 0.75 a cut face, 0.5 without edges, 0.25 a gap between
   // polygons, 0 without light.
   float pixel = isSheer ? 0.5 : 1.0;
@@ -239,18 +239,18 @@ class Renderer {
     return { program, at };
   }
 
-  buffer(array) {
+  buffer(array, kind = this.gl.ARRAY_BUFFER) {
     const gl = this.gl, buffer = gl.createBuffer();
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, array, gl.STATIC_DRAW);
+    gl.bindBuffer(kind, buffer);
+    gl.bufferData(kind, array, gl.STATIC_DRAW);
     this.uploaded += array.byteLength;
     return buffer;
   }
 
-  // Returns a mesh to draw. `corners`: nine numbers a triangle; `lines` and `life`: per triangle.
-  mesh({ corners, normals, lines = null, life = null, matrix = Matrix.unit() }) {
+  // Returns a mesh to draw. `corners`: three numbers a corner; `index`: the corners of triangles, if
+  // not each three in turn; `lines` and `life`: one and two numbers a corner.
+  mesh({ corners, normals, index = null, lines = null, life = null, matrix = Matrix.unit() }) {
     const gl = this.gl, vao = gl.createVertexArray();
-    const count = corners.length / 3;
     gl.bindVertexArray(vao);
     this.buffer(corners);
     gl.enableVertexAttribArray(0);
@@ -260,24 +260,19 @@ class Renderer {
     gl.enableVertexAttribArray(1);
     gl.vertexAttribPointer(1, 3, gl.SHORT, true, 0, 0);
     if (lines) {
-      const all = new Uint32Array(count);
-      for (let i = 0; i < count; i += 1) all[i] = lines[(i / 3) | 0];
-      this.buffer(all);
+      this.buffer(lines);
       gl.enableVertexAttribArray(2);
       gl.vertexAttribIPointer(2, 1, gl.UNSIGNED_INT, 0, 0);
     }
     if (life) {
-      const all = new Uint16Array(2 * count);
-      for (let i = 0; i < count; i += 1) {
-        all[2 * i] = life[2 * ((i / 3) | 0)];
-        all[2 * i + 1] = life[2 * ((i / 3) | 0) + 1];
-      }
-      this.buffer(all);
+      this.buffer(life);
       gl.enableVertexAttribArray(3);
       gl.vertexAttribIPointer(3, 2, gl.UNSIGNED_SHORT, 0, 0);
     }
+    if (index) this.buffer(index, gl.ELEMENT_ARRAY_BUFFER);
     gl.bindVertexArray(null);
-    return { vao, count, matrix, hasLines: lines !== null, hasLife: life !== null };
+    return { vao, count: (index || corners).length / (index ? 1 : 3), matrix, isIndexed: index !== null,
+      hasLines: lines !== null, hasLife: life !== null };
   }
 
   // Returns lines to draw: two points a line.
@@ -378,7 +373,8 @@ class Renderer {
       gl.bindVertexArray(mesh.vao);
       if (!mesh.hasLines) gl.vertexAttribI4ui(2, 0, 0, 0, 0);
       if (!mesh.hasLife) gl.vertexAttribI4ui(3, 0, 0xffffffff, 0, 0);
-      gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
+      if (mesh.isIndexed) gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+      else gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
     }
   }
 
@@ -404,7 +400,7 @@ class Renderer {
     }
   }
 
-  // Returns kind and triangle of the body at a pixel of the picture; null: background.
+  // Returns kind and a corner of the polygon at a pixel of the picture; null: background.
   pick(x, y) {
     const gl = this.gl, { samples, height } = this.target, pixel = new Uint32Array(4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.frame);
@@ -413,6 +409,6 @@ class Renderer {
       gl.RGBA_INTEGER, gl.UNSIGNED_INT, pixel);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     if (pixel[0] === 0) return null;
-    return { kind: pixel[0] >>> 28, triangle: (pixel[0] & 0xfffffff) - 1 };
+    return { kind: pixel[0] >>> 28, corner: (pixel[0] & 0xfffffff) - 1 };
   }
 }
