@@ -56,6 +56,16 @@ async function cornersOf(mesh) {
   return corners;
 }
 
+// Returns corners of a surface and for each corner the distance from the design, mm; positive:
+// material is left.
+async function readDeviation(packed) {
+  const [corners, index, values] = await Promise.all([cornersOf(packed),
+    numbersOf(packed.triangles, 3), numbersOf(packed.deviation)]);
+  const deviation = new Float32Array(index.length);
+  for (let i = 0; i < index.length; i += 1) deviation[i] = kPageUnit * values[index[i]];
+  return { corners, deviation, tolerance: packed.tolerance };
+}
+
 // Normal of each triangle for each corner, in units of 1/32767.
 function flatNormals(corners) {
   const normals = new Int16Array(corners.length);

@@ -32,6 +32,14 @@ const Matrix = {
     const other = cross(axis, side);
     return [...side, 0, ...other, 0, ...axis, 0, ...at, 1];
   },
+  // Inverse of a rotation and translation.
+  inverseOfRigid(m) {
+    const t = [m[12], m[13], m[14]], axes = [0, 4, 8].map((i) => [m[i], m[i + 1], m[i + 2]]);
+    const [x, y, z] = axes;
+    return [x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0,
+      -dot(x, t), -dot(y, t), -dot(z, t), 1];
+  },
+  turned: (m, [x, y, z]) => [0, 1, 2].map((i) => m[i] * x + m[4 + i] * y + m[8 + i] * z),
   apply(m, [x, y, z]) {
     const w = m[3] * x + m[7] * y + m[11] * z + m[15];
     return [0, 1, 2].map((i) => (m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i]) / w);
@@ -56,46 +64,72 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in uint line;
 layout(location = 3) in uvec2 life;
+layout(location = 4) in float deviation;
 out vec3 place, facing;
+out float away;
 flat out uint cutBy, corner;
 void main() {
   vec4 at = model * vec4(position, 1.0);
   place = at.xyz;
   facing = turned * normal;
   cutBy = line;
+  away = deviation;
   corner = uint(gl_VertexID);
   gl_Position = life.x <= state && state < life.y ? camera * at : vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 const kMeshFragment = `#version 300 es
 precision highp float;
 precision highp int;
-uniform vec3 eye, stockColour, cutColour, bodyColour, faceColour;
+uniform vec3 eye, bodyColour, faceColour, chosenColour, errorColour;
+uniform vec3 tools[16], scale[5], deviations[5];
+uniform vec2 depths;
+uniform vec2 limits;
 uniform vec4 section;
 uniform uint chosen, kind;
+uniform float lastLine;
+uniform int colouring;
 uniform bool isCut, isPart, isSheer;
 in vec3 place, facing;
+in float away;
 flat in uint cutBy, corner;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out uint number;
+vec3 scaled(float t) {
+  float at = 4.0 * clamp(t, 0.0, 1.0);
+  int below = min(int(at), 3);
+  return mix(scale[below], scale[below + 1], at - float(below));
+}
+// Colour of a face, by kColours in paint.js; limits: tolerance and largest deviation.
+vec3 faceColourOf(uint line, uint tool) {
+  if (colouring == 3) {
+    float size = abs(away);
+    if (size <= limits.x) return deviations[2];
+    float t = (size - limits.x) / (limits.y - limits.x);
+    return away < 0.0 ? mix(deviations[1], deviations[0], t) : mix(deviations[3], deviations[4], t);
+  }
+  if (colouring == 1 && line > 0u) return scaled(float(line) / lastLine);
+  if (colouring == 2 && tool > 0u) return scaled((depths.y - place.z) / (depths.y - depths.x));
+  return tools[tool];
+}
 void main() {
   if (isSheer && (int(gl_FragCoord.x) + int(gl_FragCoord.y)) % 2 == 0) discard;
   if (isCut && dot(section.xyz, place) > section.w) discard;
   vec3 n = normalize(facing);
   vec3 paint = bodyColour;
   if (isPart) {
-    uint line = cutBy & 0x7fffffffu;
-    paint = line == 0u ? stockColour : cutColour;
-    if (cutBy != line) paint = vec3(0.86, 0.20, 0.20);
-    if (line == chosen && line > 0u) paint = vec3(0.98, 0.55, 0.12);
+    uint line = cutBy & 0x7ffffffu;
+    paint = faceColourOf(line, cutBy >> 27u & 15u);
+    if (cutBy >> 31u == 1u && colouring != 3) paint = errorColour;
+    if (line == chosen && line > 0u) paint = chosenColour;
   }
   number = kind << 28u | corner + 1u;
-  // Kind of pixel: 1 a face with edges, 0.75 a cut face, 0.5 without edges, 0.25 a gap between
-  // polygons, 0 without light.
+  // Kind of pixel: 1 a face with edges, 0.75 a cut face, 0.5 without edges, 0.25 an inner side, which
+  // is seen through a gap between polygons, 0 without light.
   float pixel = isSheer ? 0.5 : 1.0;
-  if (!gl_FrontFacing) {
+  if (!gl_FrontFacing && !isSheer) {
     n = -n;
-    if (isPart) pixel = 0.25;
+    pixel = 0.25;
     vec3 ray = place - eye;
     float t = (section.w - dot(section.xyz, eye)) / dot(section.xyz, ray);
     // The plane is before this inner side of the body, so it meets material: the cut face, if no
@@ -154,15 +188,27 @@ float distanceAt(ivec2 at) {
   return 2.0 * near * far / (far + near - d * (far - near));
 }
 bool isGap(float kind) { return kind > 0.2 && kind < 0.3; }
+bool isCutFace(float kind) { return kind > 0.7 && kind < 0.8; }
+// True for a pixel of the cut face between faces: it is seen through a gap.
+bool isSpeck(ivec2 at, ivec2 most) {
+  int faces = 0;
+  for (int i = 0; i < 4; i += 1) {
+    ivec2 next = clamp(at + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5)), ivec2(0), most);
+    if (texelFetch(normals, next, 0).a > 0.9) faces += 1;
+  }
+  return faces > 2;
+}
 vec3 sampleAt(ivec2 at, ivec2 most) {
   vec4 own = texelFetch(normals, at, 0);
   // An inner side of the part shows through a gap, which is narrower than a pixel.
-  for (int i = 0; i < 4 && isGap(own.a); i += 1) {
+  bool isHole = isGap(own.a) || (isCutFace(own.a) && isSpeck(at, most));
+  for (int i = 0; i < 4 && isHole; i += 1) {
     ivec2 beside = clamp(at + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5)), ivec2(0), most);
     vec4 other = texelFetch(normals, beside, 0);
-    if (isGap(other.a) || other.a == 0.0) continue;
+    if (isGap(other.a) || isCutFace(other.a) || other.a == 0.0) continue;
     own = other;
     at = beside;
+    isHole = false;
   }
   vec4 paint = texelFetch(colours, at, 0);
   if (paint.a == 0.0) return background;
@@ -178,12 +224,13 @@ vec3 sampleAt(ivec2 at, ivec2 most) {
     vec4 na = texelFetch(normals, a, 0), nb = texelFetch(normals, b, 0);
     bool hasA = na.a > 0.9 || texelFetch(colours, a, 0).a == 0.0;
     bool hasB = nb.a > 0.9 || texelFetch(colours, b, 0).a == 0.0;
-    if (na.a > 0.6 && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
-    if (nb.a > 0.6 && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
-    bool isCutFace = own.a < 0.9;
-    if (isCutFace && (texelFetch(colours, a, 0).a == 0.0 || texelFetch(colours, b, 0).a == 0.0))
+    // The border of a cut face is drawn on the cut face alone.
+    bool isCut = isCutFace(own.a);
+    if (na.a > (isCut ? 0.6 : 0.9) && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
+    if (nb.a > (isCut ? 0.6 : 0.9) && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
+    if (isCut && (texelFetch(colours, a, 0).a == 0.0 || texelFetch(colours, b, 0).a == 0.0))
       edge = 1.0;
-    if (isCutFace || !hasA || !hasB) continue;
+    if (isCut || !hasA || !hasB) continue;
     // Only the nearer side of a jump is an edge, and no slope is one.
     float za = distanceAt(a), zb = distanceAt(b);
     if (max(za, zb) - z - abs(z - min(za, zb)) > 0.004 * z) edge = 1.0;
@@ -248,8 +295,9 @@ class Renderer {
   }
 
   // Returns a mesh to draw. `corners`: three numbers a corner; `index`: the corners of triangles, if
-  // not each three in turn; `lines` and `life`: one and two numbers a corner.
-  mesh({ corners, normals, index = null, lines = null, life = null, matrix = Matrix.unit() }) {
+  // not each three in turn; `lines`, `life`, `deviation`: one, two, one number a corner.
+  mesh({ corners, normals, index = null, lines = null, life = null, deviation = null,
+    matrix = Matrix.unit() }) {
     const gl = this.gl, vao = gl.createVertexArray();
     gl.bindVertexArray(vao);
     this.buffer(corners);
@@ -268,6 +316,11 @@ class Renderer {
       this.buffer(life);
       gl.enableVertexAttribArray(3);
       gl.vertexAttribIPointer(3, 2, gl.UNSIGNED_SHORT, 0, 0);
+    }
+    if (deviation) {
+      this.buffer(deviation);
+      gl.enableVertexAttribArray(4);
+      gl.vertexAttribPointer(4, 1, gl.FLOAT, false, 0, 0);
     }
     if (index) this.buffer(index, gl.ELEMENT_ARRAY_BUFFER);
     gl.bindVertexArray(null);
@@ -353,9 +406,16 @@ class Renderer {
     gl.useProgram(program);
     gl.uniformMatrix4fv(at.camera, false, scene.view.camera);
     gl.uniform3fv(at.eye, scene.view.eye);
-    gl.uniform3fv(at.stockColour, scene.colours.stock);
-    gl.uniform3fv(at.cutColour, scene.colours.cut);
     gl.uniform3fv(at.faceColour, scene.colours.face);
+    gl.uniform3fv(at.chosenColour, scene.colours.chosen);
+    gl.uniform3fv(at.errorColour, scene.colours.error);
+    gl.uniform3fv(at["tools[0]"], scene.paint.tools);
+    gl.uniform3fv(at["scale[0]"], scene.paint.scale);
+    gl.uniform3fv(at["deviations[0]"], scene.paint.deviations);
+    gl.uniform1i(at.colouring, scene.paint.colouring);
+    gl.uniform1f(at.lastLine, scene.paint.lastLine);
+    gl.uniform2fv(at.depths, scene.paint.depths);
+    gl.uniform2fv(at.limits, scene.paint.limits);
     gl.uniform4fv(at.section, scene.section || [0, 0, 1, 0]);
     gl.uniform1ui(at.chosen, scene.chosen);
     gl.uniform1ui(at.state, scene.state);
