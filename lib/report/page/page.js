@@ -299,7 +299,7 @@ async function makeView(holder) {
   const shown = { part: true, path: true, tool: true, fixtures: true, machine: Boolean(machine),
     axes: true };
   const camera = { target: centre, azimuth: kViews.iso[0], height: kViews.iso[1], distance: 1 };
-  const kFieldOfView = 25 * Math.PI / 180;
+  const kFieldOfView = 25 * Math.PI / 180, kHeightOfButtons = 34;
   let chosen = 0, state = play ? play.states.stateMoves.length - 1 : 0;
   let moves = play ? play.lines.length : 0, tip = null;
   let section = null, segments = [], matrix = Matrix.unit(), eye = [0, 0, 0];
@@ -328,6 +328,8 @@ async function makeView(holder) {
     const [right, up, back] = frameOfCamera();
     const wide = canvas.clientWidth / Math.max(1, canvas.clientHeight);
     const tangent = Math.tan(kFieldOfView / 2);
+    // Share of the height below the buttons of the views.
+    const free = Math.max(0.7, 1 - kHeightOfButtons / Math.max(1, canvas.clientHeight));
     const around = shown.machine && machine ? machineCorners() :
       shown.fixtures ? withFixtures : corners;
     // The middle of the extent on the picture, then the distance at which each corner is inside.
@@ -352,9 +354,10 @@ async function makeView(holder) {
       for (const p of around) {
         const q = minus(p, camera.target);
         distance = Math.max(distance, dot(q, back) + 1.06 * Math.max(
-          Math.abs(dot(q, right)) / (tangent * wide), Math.abs(dot(q, up)) / tangent));
+          Math.abs(dot(q, right)) / (tangent * wide), Math.abs(dot(q, up)) / (tangent * free)));
       }
     }
+    camera.target = plus(camera.target, up, distance * tangent * (1 - free));
     camera.distance = distance;
     camera.target = Matrix.apply(Matrix.inverseOfRigid(rest()), camera.target);
     isFitted = true;
@@ -996,10 +999,11 @@ function makeTools() {
   });
   bar.append(axis, at, flipLabel, value,
     element("label", { title: "distance of two points (M)" }, measure, " measure"), unit);
-  for (const name of Object.keys(kViews)) {
-    bar.append(element("button", { type: "button", textContent: name, title: `view: ${name}`,
+  const views = element("div", { className: "bar", id: "views" });
+  Object.keys(kViews).forEach((name, i) => {
+    views.append(element("button", { type: "button", textContent: name, title: `view: ${name} (${i + 1})`,
       onclick: () => view.setView(name) }));
-  }
+  });
   const theme = element("button", { type: "button", textContent: "◐", title: "light or dark",
     "aria-label": "light or dark" });
   const prefersDark = window.matchMedia("(prefers-color-scheme: dark)");
@@ -1010,8 +1014,10 @@ function makeTools() {
   };
   theme.addEventListener("click", () => { dark = !dark; apply(); });
   prefersDark.addEventListener("change", () => { dark = prefersDark.matches; apply(); });
-  bar.append(element("button", { type: "button", textContent: "fit", title: "fit (0)",
-    onclick: () => view.fit() }), theme);
+  views.append(element("button", { type: "button", textContent: "fit", title: "fit (0)",
+    onclick: () => view.fit() }));
+  view.canvas.parentNode.append(views);
+  bar.append(theme);
   cut();
   apply();
   const flipBox = (input) => { input.checked = !input.checked; input.dispatchEvent(new Event("change")); };

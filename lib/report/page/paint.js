@@ -112,7 +112,8 @@ function showLegend(legend, paint, deviation) {
     made.style.background = `linear-gradient(to right, ${colours.map(css).join(", ")})`;
     return [element("span", { textContent: from }), made, element("span", { textContent: to })];
   };
-  const size = [0, 1, 2].map((i) => numberText(data.stock[3 + i] - data.stock[i]));
+  const short = (mm) => String(Number(numberText(mm)));
+  const size = [0, 1, 2].map((i) => short(data.stock[3 + i] - data.stock[i]));
   const rows = [];
   if (paint.colouring === 0) {
     const tools = [kStockColour, ...kToolColours, kUnnumberedColour];
@@ -127,16 +128,13 @@ function showLegend(legend, paint, deviation) {
     rows.push(bar(kScale, "line 1", `line ${paint.lastLine}`));
   } else if (paint.colouring === 2) {
     const [low, high] = paint.depths;
-    rows.push(bar(kScale, `Z ${numberText(high)}`, `Z ${numberText(low)}`));
+    rows.push(bar(kScale, `Z ${short(high)}`, `Z ${short(low)}`));
   } else {
     const { svg, beyond } = histogram(deviation, paint);
     const [tolerance, largest] = paint.limits;
-    rows.push([svg], bar(kDeviations, `−${numberText(largest)}`,
-      `+${lengthText(largest)}`),
-    [element("span", { textContent: `gouge at most ${numberText(paint.deepest)}, material left at most ` +
-      `${lengthText(paint.thickest)}` })],
-    [element("span", { textContent: `${(100 * beyond).toFixed(1)} % of the surface beyond ±` +
-      `${lengthText(tolerance)}` })]);
+    rows.push([svg], bar(kDeviations, `−${short(largest)}`, `+${short(largest)}`),
+    [element("span", { textContent: `gouge ${short(paint.deepest)}, left ${short(paint.thickest)} at most` })],
+    [element("span", { textContent: `${(100 * beyond).toFixed(1)} % beyond ±${short(tolerance)}` })]);
   }
   rows.push([element("span", { className: "size",
     textContent: `stock ${size.join(" × ")} ${inInches ? "in" : "mm"}` })]);

@@ -189,26 +189,35 @@ float distanceAt(ivec2 at) {
 }
 bool isGap(float kind) { return kind > 0.2 && kind < 0.3; }
 bool isCutFace(float kind) { return kind > 0.7 && kind < 0.8; }
-// True for a pixel of the cut face between faces: it is seen through a gap.
-bool isSpeck(ivec2 at, ivec2 most) {
-  int faces = 0;
-  for (int i = 0; i < 4; i += 1) {
-    ivec2 next = clamp(at + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5)), ivec2(0), most);
-    if (texelFetch(normals, next, 0).a > 0.9) faces += 1;
+// True for a pixel that is seen through a gap: an inner side, or a pixel behind a plane that its two
+// neighbours are in.
+bool isHole(ivec2 at, ivec2 most) {
+  vec4 own = texelFetch(normals, at, 0);
+  if (isGap(own.a)) return true;
+  if (own.a < 0.7) return false;
+  float z = distanceAt(at);
+  for (int i = 0; i < 2; i += 1) {
+    ivec2 step = i == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    ivec2 a = clamp(at - step, ivec2(0), most), b = clamp(at + step, ivec2(0), most);
+    vec4 na = texelFetch(normals, a, 0), nb = texelFetch(normals, b, 0);
+    if (na.a < 0.9 || nb.a < 0.9 || distance(na.xyz, nb.xyz) > 0.02) continue;
+    bool isOther = distance(na.xyz, own.xyz) > 0.1 || isCutFace(own.a);
+    float za = distanceAt(a), zb = distanceAt(b);
+    if (isOther && abs(za - zb) < 0.001 * z && z > 0.5 * (za + zb)) return true;
   }
-  return faces > 2;
+  return false;
 }
 vec3 sampleAt(ivec2 at, ivec2 most) {
   vec4 own = texelFetch(normals, at, 0);
   // An inner side of the part shows through a gap, which is narrower than a pixel.
-  bool isHole = isGap(own.a) || (isCutFace(own.a) && isSpeck(at, most));
-  for (int i = 0; i < 4 && isHole; i += 1) {
+  bool isOpen = isHole(at, most);
+  for (int i = 0; i < 4 && isOpen; i += 1) {
     ivec2 beside = clamp(at + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5)), ivec2(0), most);
     vec4 other = texelFetch(normals, beside, 0);
     if (isGap(other.a) || isCutFace(other.a) || other.a == 0.0) continue;
     own = other;
     at = beside;
-    isHole = false;
+    isOpen = false;
   }
   vec4 paint = texelFetch(colours, at, 0);
   if (paint.a == 0.0) return background;
@@ -226,8 +235,9 @@ vec3 sampleAt(ivec2 at, ivec2 most) {
     bool hasB = nb.a > 0.9 || texelFetch(colours, b, 0).a == 0.0;
     // The border of a cut face is drawn on the cut face alone.
     bool isCut = isCutFace(own.a);
-    if (na.a > (isCut ? 0.6 : 0.9) && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
-    if (nb.a > (isCut ? 0.6 : 0.9) && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
+    float least = isCut ? 0.6 : 0.9;
+    if (na.a > least && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90 && !isHole(a, most)) edge = 1.0;
+    if (nb.a > least && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90 && !isHole(b, most)) edge = 1.0;
     if (isCut && (texelFetch(colours, a, 0).a == 0.0 || texelFetch(colours, b, 0).a == 0.0))
       edge = 1.0;
     if (isCut || !hasA || !hasB) continue;

@@ -66,6 +66,10 @@ await reader.run(async () => {
     const page = await reader.open(file + (hash || ""), { colorScheme: dark ? "dark" : "light",
       viewport: { width: Number(width), height: Number(height) } });
     await page.evaluate(async () => {
+      await Promise.all([...document.images].map((image) => {
+        image.loading = "eager";
+        return image.decode();
+      }));
       if (!window.ncsim) return;
       await window.ncsim.ready;
       window.ncsim.view.draw();
