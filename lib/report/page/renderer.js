@@ -59,7 +59,12 @@ function unitVector(a) { const n = norm(a) || 1; return [a[0] / n, a[1] / n, a[2
 const kMeshVertex = `#version 300 es
 uniform mat4 model, camera;
 uniform mat3 turned;
-uniform uint state;
+uniform uint state, chosen;
+uniform vec3 bodyColour, chosenColour, errorColour;
+uniform vec3 tools[16], scale[5];
+uniform float lastLine;
+uniform int colouring;
+uniform bool isPart;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in uint line;
@@ -67,12 +72,30 @@ layout(location = 3) in uvec2 life;
 layout(location = 4) in float deviation;
 out vec3 place, facing;
 out float away;
-flat out uint cutBy, corner;
+flat out vec3 paintOf;
+flat out uint corner, isVarying;
+vec3 scaled(float t) {
+  float at = 4.0 * clamp(t, 0.0, 1.0);
+  int below = min(int(at), 3);
+  return mix(scale[below], scale[below + 1], at - float(below));
+}
+// Colour of a face, by kColours in paint.js. isVarying: the colour differs within the face.
+void paint() {
+  uint lineOf = line & 0x7ffffffu, tool = line >> 27u & 15u;
+  isVarying = colouring == 3 || (colouring == 2 && tool > 0u) ? 1u : 0u;
+  paintOf = colouring == 1 && lineOf > 0u ? scaled(float(lineOf) / lastLine) : tools[tool];
+  bool isChosen = lineOf == chosen && lineOf > 0u, isWrong = line >> 31u == 1u && colouring != 3;
+  if (!isChosen && !isWrong) return;
+  isVarying = 0u;
+  paintOf = isChosen ? chosenColour : errorColour;
+}
 void main() {
+  isVarying = 0u;
+  paintOf = bodyColour;
+  if (isPart) paint();
   vec4 at = model * vec4(position, 1.0);
   place = at.xyz;
   facing = turned * normal;
-  cutBy = line;
   away = deviation;
   corner = uint(gl_VertexID);
   gl_Position = life.x <= state && state < life.y ? camera * at : vec4(2.0, 2.0, 2.0, 1.0);
@@ -80,49 +103,37 @@ void main() {
 const kMeshFragment = `#version 300 es
 precision highp float;
 precision highp int;
-uniform vec3 eye, bodyColour, faceColour, chosenColour, errorColour;
-uniform vec3 tools[16], scale[5], deviations[5];
-uniform vec2 depths;
-uniform vec2 limits;
+uniform vec3 eye, bodyColour, faceColour;
+uniform vec3 scale[5], deviations[5];
+uniform vec2 depths, limits;
 uniform vec4 section;
-uniform uint chosen, kind;
-uniform float lastLine;
+uniform uint kind;
 uniform int colouring;
 uniform bool isCut, isPart, isSheer;
 in vec3 place, facing;
 in float away;
-flat in uint cutBy, corner;
+flat in vec3 paintOf;
+flat in uint corner, isVarying;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out uint number;
-vec3 scaled(float t) {
-  float at = 4.0 * clamp(t, 0.0, 1.0);
-  int below = min(int(at), 3);
-  return mix(scale[below], scale[below + 1], at - float(below));
-}
-// Colour of a face, by kColours in paint.js; limits: tolerance and largest deviation.
-vec3 faceColourOf(uint line, uint tool) {
-  if (colouring == 3) {
-    float size = abs(away);
-    if (size <= limits.x) return deviations[2];
-    float t = (size - limits.x) / (limits.y - limits.x);
-    return away < 0.0 ? mix(deviations[1], deviations[0], t) : mix(deviations[3], deviations[4], t);
+// Colour of a point of a face; limits: tolerance and largest deviation.
+vec3 varyingPaint() {
+  if (colouring == 2) {
+    float at = 4.0 * clamp((depths.y - place.z) / (depths.y - depths.x), 0.0, 1.0);
+    int below = min(int(at), 3);
+    return mix(scale[below], scale[below + 1], at - float(below));
   }
-  if (colouring == 1 && line > 0u) return scaled(float(line) / lastLine);
-  if (colouring == 2 && tool > 0u) return scaled((depths.y - place.z) / (depths.y - depths.x));
-  return tools[tool];
+  float size = abs(away);
+  if (size <= limits.x) return deviations[2];
+  float t = (size - limits.x) / (limits.y - limits.x);
+  return away < 0.0 ? mix(deviations[1], deviations[0], t) : mix(deviations[3], deviations[4], t);
 }
 void main() {
   if (isSheer && (int(gl_FragCoord.x) + int(gl_FragCoord.y)) % 2 == 0) discard;
   if (isCut && dot(section.xyz, place) > section.w) discard;
   vec3 n = normalize(facing);
-  vec3 paint = bodyColour;
-  if (isPart) {
-    uint line = cutBy & 0x7ffffffu;
-    paint = faceColourOf(line, cutBy >> 27u & 15u);
-    if (cutBy >> 31u == 1u && colouring != 3) paint = errorColour;
-    if (line == chosen && line > 0u) paint = chosenColour;
-  }
+  vec3 paint = isVarying == 1u ? varyingPaint() : paintOf;
   number = kind << 28u | corner + 1u;
   // Kind of pixel: 1 a face with edges, 0.75 a cut face, 0.5 without edges, 0.25 an inner side, which
   // is seen through a gap between polygons, 0 without light.
@@ -189,61 +200,53 @@ float distanceAt(ivec2 at) {
 }
 bool isGap(float kind) { return kind > 0.2 && kind < 0.3; }
 bool isCutFace(float kind) { return kind > 0.7 && kind < 0.8; }
-// True for a pixel that is seen through a gap: an inner side, or a pixel behind a plane that its two
-// neighbours are in.
-bool isHole(ivec2 at, ivec2 most) {
-  vec4 own = texelFetch(normals, at, 0);
-  if (isGap(own.a)) return true;
-  if (own.a < 0.7) return false;
-  float z = distanceAt(at);
-  for (int i = 0; i < 2; i += 1) {
-    ivec2 step = i == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    ivec2 a = clamp(at - step, ivec2(0), most), b = clamp(at + step, ivec2(0), most);
-    vec4 na = texelFetch(normals, a, 0), nb = texelFetch(normals, b, 0);
-    if (na.a < 0.9 || nb.a < 0.9 || distance(na.xyz, nb.xyz) > 0.02) continue;
-    bool isOther = distance(na.xyz, own.xyz) > 0.1 || isCutFace(own.a);
-    float za = distanceAt(a), zb = distanceAt(b);
-    if (isOther && abs(za - zb) < 0.001 * z && z > 0.5 * (za + zb)) return true;
-  }
-  return false;
+vec3 lit(vec3 paint, vec3 n) {
+  return paint * (0.38 + 0.62 * max(dot(n, lamp), 0.0) + 0.08 * n.z);
 }
+vec3 directionOf(vec4 stored) { return normalize(2.0 * stored.xyz - 1.0); }
 vec3 sampleAt(ivec2 at, ivec2 most) {
   vec4 own = texelFetch(normals, at, 0);
-  // An inner side of the part shows through a gap, which is narrower than a pixel.
-  bool isOpen = isHole(at, most);
-  for (int i = 0; i < 4 && isOpen; i += 1) {
+  // An inner side of a body shows through a gap, which is narrower than a pixel.
+  for (int i = 0; i < 4 && isGap(own.a); i += 1) {
     ivec2 beside = clamp(at + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5)), ivec2(0), most);
     vec4 other = texelFetch(normals, beside, 0);
-    if (isGap(other.a) || isCutFace(other.a) || other.a == 0.0) continue;
+    if (isGap(other.a) || other.a == 0.0) continue;
     own = other;
     at = beside;
-    isOpen = false;
   }
   vec4 paint = texelFetch(colours, at, 0);
   if (paint.a == 0.0) return background;
   if (own.a == 0.0) return paint.rgb;
-  vec3 n = normalize(2.0 * own.xyz - 1.0);
-  float light = 0.38 + 0.62 * max(dot(n, lamp), 0.0) + 0.08 * n.z;
-  vec3 shown = paint.rgb * light;
+  vec3 n = directionOf(own);
+  vec3 shown = lit(paint.rgb, n);
   if (own.a < 0.6) return shown;
-  float edge = 0.0, z = distanceAt(at);
+  float edge = 0.0, z = distanceAt(at), same = 0.004 * z;
+  bool isCut = isCutFace(own.a);
+  // The border of a cut face is drawn on the cut face alone.
+  float least = isCut ? 0.6 : 0.9;
   for (int i = 0; i < 2; i += 1) {
     ivec2 step = i == 0 ? ivec2(1, 0) : ivec2(0, 1);
     ivec2 a = clamp(at - step, ivec2(0), most), b = clamp(at + step, ivec2(0), most);
     vec4 na = texelFetch(normals, a, 0), nb = texelFetch(normals, b, 0);
+    float za = distanceAt(a), zb = distanceAt(b);
+    bool isOtherA = na.a > least && dot(n, directionOf(na)) < 0.90;
+    bool isOtherB = nb.a > least && dot(n, directionOf(nb)) < 0.90;
+    if (isOtherA || isOtherB) {
+      // What a plane shows through a gap of one sample is no face: neither here nor next to here.
+      if (distance(na, nb) < 0.02 && z > max(za, zb) && abs(za - zb) < same)
+        return lit(texelFetch(colours, a, 0).rgb, directionOf(na));
+      ivec2 c = clamp(isOtherA ? at - 2 * step : at + 2 * step, ivec2(0), most);
+      bool isGapNext = (isOtherA ? za : zb) > z && abs(distanceAt(c) - z) < same &&
+        distance(texelFetch(normals, c, 0), own) < 0.02;
+      if (!isGapNext) edge = 1.0;
+    }
     bool hasA = na.a > 0.9 || texelFetch(colours, a, 0).a == 0.0;
     bool hasB = nb.a > 0.9 || texelFetch(colours, b, 0).a == 0.0;
-    // The border of a cut face is drawn on the cut face alone.
-    bool isCut = isCutFace(own.a);
-    float least = isCut ? 0.6 : 0.9;
-    if (na.a > least && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90 && !isHole(a, most)) edge = 1.0;
-    if (nb.a > least && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90 && !isHole(b, most)) edge = 1.0;
     if (isCut && (texelFetch(colours, a, 0).a == 0.0 || texelFetch(colours, b, 0).a == 0.0))
       edge = 1.0;
     if (isCut || !hasA || !hasB) continue;
     // Only the nearer side of a jump is an edge, and no slope is one.
-    float za = distanceAt(a), zb = distanceAt(b);
-    if (max(za, zb) - z - abs(z - min(za, zb)) > 0.004 * z) edge = 1.0;
+    if (max(za, zb) - z - abs(z - min(za, zb)) > same) edge = 1.0;
   }
   return mix(shown, edgeColour, 0.8 * edge);
 }
