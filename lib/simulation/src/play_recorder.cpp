@@ -20,7 +20,7 @@ namespace ncsim::simulation {
 namespace {
 
 // Number of states of a long program. Twice as many states take nearly twice the bytes.
-constexpr std::uint64_t kStates = 24;
+constexpr std::uint64_t kStates = 20;
 // Most polygons of a page. If states need more, half of the states are dropped, unless the last
 // state alone has nearly as many polygons: then its part of the page is the largest.
 constexpr std::size_t kMostPolygons = 900'000;

@@ -41,7 +41,7 @@ try {
   const play = await context.reader.readPlay(data.play);
   const { states } = play;
   const last = states.stateMoves.length - 1;
-  expect(last >= 24, `${last + 1} states`);
+  expect(last >= 20, `${last + 1} states`);
   for (const state of [0, Math.floor(last / 3), Math.floor(2 * last / 3), last]) {
     run(program, "--report", "report.json", ...(state > 0 ?
       ["--at-line", String(states.stateLines[state])] : []));
