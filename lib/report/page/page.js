@@ -851,8 +851,9 @@ function makePlayer(play) {
     const cut = play.states.stateLines[state];
     const isExact = play.states.stateMoves[state] === moves || state + 1 === play.states.stateMoves.length;
     const tool = count > 0 ? play.bodies[play.tools[Math.min(Math.max(moves - 1, 0), count - 1)]].name : "";
-    where.textContent = `line ${line} · ${timeText(clock)} · ${tool}` +
-      (isExact ? "" : ` · cut as after line ${cut}`);
+    where.textContent = `line ${line} · ${timeText(clock)} · ` +
+      (isExact ? "" : `cut as after line ${cut} · `) + tool;
+    where.title = where.textContent;
     markLine(line, "current", isPlaying || share > 0);
     if (view.machine) view.machine.show(line);
   }
