@@ -590,7 +590,7 @@ async function makeView(holder) {
       if (!tip) return;
       const p = project(...tip.at), frame = canvas.getBoundingClientRect();
       const isSeen = p.x > frame.left + 40 && p.x < frame.right - 40 &&
-        p.y > frame.top + frame.height / 5 && p.y < frame.bottom - 40;
+        p.y > frame.top + frame.height * 0.35 && p.y < frame.bottom - 40;
       if (isSeen) return;
       isFitted = false;
       const inRest = Matrix.apply(Matrix.inverseOfRigid(rest()), tip.at);

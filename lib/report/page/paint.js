@@ -118,8 +118,9 @@ function showLegend(legend, paint, deviation) {
   if (paint.colouring === 0) {
     const tools = [kStockColour, ...kToolColours, kUnnumberedColour];
     for (const number of paint.numbers.slice(0, kMostInLegend)) {
-      rows.push([swatch(tools[paint.ofFace(number, 1)]),
-        element("span", { textContent: paint.names.get(number) || `T${number}` })]);
+      // Without shank and holder.
+      const [name] = (paint.names.get(number) || `T${number}`).split(",");
+      rows.push([swatch(tools[paint.ofFace(number, 1)]), element("span", { textContent: name })]);
     }
     const more = paint.numbers.length - kMostInLegend;
     if (more > 0) rows.push([element("span", { textContent: `and ${more} more tools` })]);

@@ -56,6 +56,13 @@ function unitVector(a) { const n = norm(a) || 1; return [a[0] / n, a[1] / n, a[2
 
 // --- Shaders -------------------------------------------------------------------------------------
 
+// Colour at a place from 0 to 1 of the scale, in a shader with `scale`.
+const kScaled = `
+vec3 scaled(float t) {
+  float at = 4.0 * clamp(t, 0.0, 1.0);
+  int below = min(int(at), 3);
+  return mix(scale[below], scale[below + 1], at - float(below));
+}`;
 const kMeshVertex = `#version 300 es
 uniform mat4 model, camera;
 uniform mat3 turned;
@@ -74,11 +81,7 @@ out vec3 place, facing;
 out float away;
 flat out vec3 paintOf;
 flat out uint corner, isVarying;
-vec3 scaled(float t) {
-  float at = 4.0 * clamp(t, 0.0, 1.0);
-  int below = min(int(at), 3);
-  return mix(scale[below], scale[below + 1], at - float(below));
-}
+${kScaled}
 // Colour of a face, by kColours in paint.js. isVarying: the colour differs within the face.
 void paint() {
   uint lineOf = line & 0x7ffffffu, tool = line >> 27u & 15u;
@@ -117,13 +120,10 @@ flat in uint corner, isVarying;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out uint number;
+${kScaled}
 // Colour of a point of a face; limits: tolerance and largest deviation.
 vec3 varyingPaint() {
-  if (colouring == 2) {
-    float at = 4.0 * clamp((depths.y - place.z) / (depths.y - depths.x), 0.0, 1.0);
-    int below = min(int(at), 3);
-    return mix(scale[below], scale[below + 1], at - float(below));
-  }
+  if (colouring == 2) return scaled((depths.y - place.z) / (depths.y - depths.x));
   float size = abs(away);
   if (size <= limits.x) return deviations[2];
   float t = (size - limits.x) / (limits.y - limits.x);

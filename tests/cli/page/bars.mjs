@@ -83,7 +83,7 @@ const sizes = () => {
 await reader.run(async () => {
   writeFileSync(join(folder, "blank.html"), "<!DOCTYPE html><title>blank</title>");
   writeFileSync(join(folder, "1k.nc"), raster(32, 31));
-  writeFileSync(join(folder, "19k.nc"), raster(140, 139));
+  writeFileSync(join(folder, "22k.nc"), raster(150, 149));
   writeFileSync(join(folder, "200k.nc"), raster(447, 446));
   for (const program of [join(samples, "wave.nc"), "1k.nc"]) {
     const times = Array.from({ length: kRounds }, () => ["gltf", "html"].map((format) =>
@@ -92,7 +92,7 @@ await reader.run(async () => {
       median(times.map(([gltf, html]) => html / gltf)), 2.5, "times");
   }
   reader.call("run", join(samples, "wave.nc"), "-q", "--html", "wave.html");
-  reader.call("run", "19k.nc", "-q", "--html", "19k.html");
+  reader.call("run", "22k.nc", "-q", "--html", "22k.html");
   reader.call("run", "200k.nc", "-q", "--html", "200k.html");
   bar("page of wave.nc", statSync(join(folder, "wave.html")).size / 1e6, 4, "MB");
   bar("page of 200,000 moves", statSync(join(folder, "200k.html")).size / 1e6, 40, "MB");
@@ -107,14 +107,14 @@ await reader.run(async () => {
       }
       return view.uploaded() - before;
     }));
-    million.push(await load("19k.html", sizes));
+    million.push(await load("22k.html", sizes));
   }
   bar("CPU to load wave.nc", median(wave.map(({ cpu }) => cpu)), 1, "s");
   bar("bytes sent by steps of the slider", wave[0].answer, 0, "B");
   const [triangles, states] = million[0].answer;
   reader.expect(triangles > 1e6, `${triangles} triangles`);
   bar(`CPU to load ${triangles} triangles`, median(million.map(({ cpu }) => cpu)), 3, "s");
-  reader.expect(states > 20, `${states} states of 19,000 moves`);
+  reader.expect(states > 20, `${states} states of 22,000 moves`);
   const large = await load("200k.html", sizes);
   reader.expect(large.answer[1] > 20, `${large.answer[1]} states of 200,000 moves`);
   bar(`CPU to load ${large.answer[0]} triangles`, large.cpu, 20, "s");
