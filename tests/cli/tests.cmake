@@ -88,7 +88,7 @@ if(TARGET ncsim)
   find_program(NCSIM_CHROMIUM chromium)
   set(page_tools ${CMAKE_CURRENT_BINARY_DIR}/cli/page)
   foreach(file package.json package-lock.json reader.mjs page.mjs arrays.mjs index.mjs
-      review.mjs)
+      review.mjs shots.mjs bars.mjs)
     configure_file(cli/page/${file} ${page_tools}/${file} COPYONLY)
   endforeach()
   add_test(NAME cli.install_browser_driver
@@ -111,6 +111,20 @@ if(TARGET ncsim)
     WORKING_DIRECTORY ${page_tools})
   set_tests_properties(cli.a_review_shows_what_differs PROPERTIES
     FIXTURES_REQUIRED browser_driver TIMEOUT 300)
+  # Pictures of the documentation take half a minute; cost of large pages takes minutes.
+  if(NCSIM_NIGHTLY_TESTS)
+    add_test(NAME cli.commands_of_docs_make_their_pictures_of_pages
+      COMMAND node shots.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM} ${PROJECT_SOURCE_DIR}
+        ${page_tools}/shots
+      WORKING_DIRECTORY ${page_tools})
+    set_tests_properties(cli.commands_of_docs_make_their_pictures_of_pages PROPERTIES
+      FIXTURES_REQUIRED browser_driver TIMEOUT 300)
+    add_test(NAME cli.pages_cost_no_more_than_documented
+      COMMAND node bars.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM} ${PROJECT_SOURCE_DIR}/samples
+      WORKING_DIRECTORY ${page_tools})
+    set_tests_properties(cli.pages_cost_no_more_than_documented PROPERTIES
+      FIXTURES_REQUIRED browser_driver RUN_SERIAL ON TIMEOUT 1200)
+  endif()
   add_test(NAME cli.states_of_a_page_have_the_volume_of_the_part
     COMMAND node arrays.mjs $<TARGET_FILE:ncsim> ${PROJECT_SOURCE_DIR}/samples
     WORKING_DIRECTORY ${page_tools})

@@ -56,6 +56,16 @@ async function cornersOf(mesh) {
   return corners;
 }
 
+// Returns corners of a surface and for each corner the distance from the design, mm; positive:
+// material is left.
+async function readDeviation(packed) {
+  const [corners, index, values] = await Promise.all([cornersOf(packed),
+    numbersOf(packed.triangles, 3), numbersOf(packed.deviation)]);
+  const deviation = new Float32Array(index.length);
+  for (let i = 0; i < index.length; i += 1) deviation[i] = kPageUnit * values[index[i]];
+  return { corners, deviation, tolerance: packed.tolerance };
+}
+
 // Normal of each triangle for each corner, in units of 1/32767.
 function flatNormals(corners) {
   const normals = new Int16Array(corners.length);
@@ -79,100 +89,130 @@ async function readPart(mesh) {
   return { corners, normals, lines, tools, formOf, forms: mesh.forms };
 }
 
-// Averages the normals of polygons that meet in a corner at less than 35° and exist at the same
-// time. Returns a normal for each corner of each polygon.
-function smoothNormals(surface) {
-  const { sizes, corners, first, end, normals } = surface;
-  const kLeastCosine = 0.82;
+// Returns the numbers of corners by place: `members` from `starts[v]` to `starts[v + 1]` have the same
+// place. `corners`: three numbers below 65536 a corner.
+function cornersByPlace(corners) {
   const count = corners.length / 3;
   let size = 1;
-  while (size < 2 * count) size *= 2;
-  const head = new Int32Array(size).fill(-1), next = new Int32Array(count);
-  const polygon = new Int32Array(count), slot = new Int32Array(count);
-  for (let p = 0, at = 0; p < sizes.length; p += 1) {
-    for (let k = 0; k < sizes[p]; k += 1, at += 1) {
-      polygon[at] = p;
-      let h = Math.imul(corners[3 * at], 0x9e3779b1) ^ Math.imul(corners[3 * at + 1], 0x85ebca6b) ^
-        Math.imul(corners[3 * at + 2], 0xc2b2ae35);
-      h = (h ^ h >>> 15) & size - 1;
-      slot[at] = h;
-      next[at] = head[h];
-      head[h] = at;
+  while (size < count) size *= 2;
+  const known = new Int32Array(size).fill(-1), vertexOf = new Int32Array(count);
+  let vertices = 0;
+  for (let i = 0; i < count; i += 1) {
+    const x = corners[3 * i], y = corners[3 * i + 1], z = corners[3 * i + 2];
+    let h = Math.imul(x | y << 16, 0x9e3779b1);
+    h = Math.imul(h ^ h >>> 15 ^ z, 0x85ebca6b);
+    h = (h ^ h >>> 13) & size - 1;
+    for (; known[h] >= 0; h = h + 1 & size - 1) {
+      const k = 3 * known[h];
+      if (corners[k] === x && corners[k + 1] === y && corners[k + 2] === z) break;
+    }
+    if (known[h] < 0) {
+      known[h] = i;
+      vertexOf[i] = vertices;
+      vertices += 1;
+    } else {
+      vertexOf[i] = vertexOf[known[h]];
     }
   }
-  const result = new Int16Array(3 * count);
-  for (let at = 0; at < count; at += 1) {
-    const p = polygon[at], own = 3 * p;
-    let x = 0, y = 0, z = 0;
-    for (let other = head[slot[at]]; other >= 0; other = next[other]) {
-      if (corners[3 * other] !== corners[3 * at] || corners[3 * other + 1] !== corners[3 * at + 1] ||
-          corners[3 * other + 2] !== corners[3 * at + 2]) continue;
-      const q = polygon[other], n = 3 * q;
-      if (first[q] >= end[p] || first[p] >= end[q]) continue;
-      if (normals[n] * normals[own] + normals[n + 1] * normals[own + 1] +
-          normals[n + 2] * normals[own + 2] < kLeastCosine) continue;
-      x += normals[n];
-      y += normals[n + 1];
-      z += normals[n + 2];
+  const starts = new Int32Array(vertices + 1), members = new Int32Array(count);
+  for (let i = 0; i < count; i += 1) starts[vertexOf[i] + 1] += 1;
+  for (let v = 0; v < vertices; v += 1) starts[v + 1] += starts[v];
+  const next = starts.slice();
+  for (let i = 0; i < count; i += 1) {
+    members[next[vertexOf[i]]] = i;
+    next[vertexOf[i]] += 1;
+  }
+  return { starts, members };
+}
+
+// Averages the normals of polygons that meet in a corner at less than 35° and exist at the same
+// time. Returns a normal for each corner of each polygon, in units of 1/32767. `table`: normals in
+// these units; `normalOf`, `first`, `end`: for each polygon.
+function smoothNormals({ polygonOf, corners, first, end, normalOf, table }) {
+  const kLeastCosine = 0.82 * 32767 * 32767;
+  const { starts, members } = cornersByPlace(corners);
+  const result = new Int16Array(corners.length);
+  let x = new Float64Array(64), y = new Float64Array(64), z = new Float64Array(64);
+  let from = new Int32Array(64), to = new Int32Array(64);
+  for (let v = 0; v + 1 < starts.length; v += 1) {
+    const begin = starts[v], m = starts[v + 1] - begin;
+    if (m > x.length) {
+      [x, y, z] = [x, y, z].map(() => new Float64Array(2 * m));
+      [from, to] = [from, to].map(() => new Int32Array(2 * m));
     }
-    const length = Math.hypot(x, y, z) || 1;
-    result[3 * at] = 32767 * x / length;
-    result[3 * at + 1] = 32767 * y / length;
-    result[3 * at + 2] = 32767 * z / length;
+    for (let i = 0; i < m; i += 1) {
+      const p = polygonOf[members[begin + i]], n = 3 * normalOf[p];
+      x[i] = table[n];
+      y[i] = table[n + 1];
+      z[i] = table[n + 2];
+      from[i] = first[p];
+      to[i] = end[p];
+    }
+    for (let i = 0; i < m; i += 1) {
+      let sx = 0, sy = 0, sz = 0, isFlat = true;
+      for (let k = 0; k < m; k += 1) {
+        if (from[k] >= to[i] || from[i] >= to[k]) continue;
+        if (x[i] * x[k] + y[i] * y[k] + z[i] * z[k] < kLeastCosine) continue;
+        isFlat = isFlat && x[i] === x[k] && y[i] === y[k] && z[i] === z[k];
+        sx += x[k];
+        sy += y[k];
+        sz += z[k];
+      }
+      const at = 3 * members[begin + i];
+      const scale = isFlat ? 0 : 32767 / Math.sqrt(sx * sx + sy * sy + sz * sz);
+      result[at] = isFlat ? x[i] : sx * scale;
+      result[at + 1] = isFlat ? y[i] : sy * scale;
+      result[at + 2] = isFlat ? z[i] : sz * scale;
+    }
   }
   return result;
 }
 
-// The states of the part as triangles: corners on the grid, normals, lines, and the states in
-// which each triangle exists.
+// The states of the part as convex polygons: corners on the grid and normals, the polygon of each
+// corner, and for each polygon the line, the first corner, and the states in which it exists.
 async function readStates(packed) {
-  const [sizes, corners, lines, first, end, normalOf, table, stateMoves, stateLines] =
+  const [sizes, all, lines, first, end, normalOf, table, stateMoves, stateLines] =
     await Promise.all([numbersOf(packed.sizes), numbersOf(packed.corners, 3),
       numbersOf(packed.lines), numbersOf(packed.first), numbersOf(packed.end),
       numbersOf(packed.normalOf), numbersOf(packed.normals, 3), numbersOf(packed.stateMoves),
       numbersOf(packed.stateLines)]);
-  const normals = new Float32Array(3 * sizes.length);
-  let triangles = 0;
-  for (let p = 0; p < sizes.length; p += 1) {
-    triangles += sizes[p] - 2;
-    for (let c = 0; c < 3; c += 1) normals[3 * p + c] = table[3 * normalOf[p] + c] / 32767;
+  const corners = new Uint16Array(all);
+  const starts = new Int32Array(sizes.length + 1), polygonOf = new Int32Array(corners.length / 3);
+  for (let p = 0, at = 0; p < sizes.length; p += 1) {
+    polygonOf.fill(p, at, at += sizes[p]);
+    starts[p + 1] = at;
   }
-  const smooth = smoothNormals({ sizes, corners, first, end, normals });
-  const states = {
-    origin: packed.origin, step: packed.step, triangles, stateMoves, stateLines,
-    corners: new Uint16Array(9 * triangles), normals: new Int16Array(9 * triangles),
-    lines: new Int32Array(triangles), life: new Uint16Array(2 * triangles),
-  };
-  let t = 0;
-  for (let p = 0, at = 0; p < sizes.length; at += sizes[p], p += 1) {
-    for (let k = 1; k + 1 < sizes[p]; k += 1, t += 1) {
-      const fan = [at, at + k, at + k + 1];
-      for (let v = 0; v < 3; v += 1) {
-        for (let c = 0; c < 3; c += 1) {
-          states.corners[9 * t + 3 * v + c] = corners[3 * fan[v] + c];
-          states.normals[9 * t + 3 * v + c] = smooth[3 * fan[v] + c];
-        }
-      }
-      states.lines[t] = lines[p];
-      states.life[2 * t] = first[p];
-      states.life[2 * t + 1] = end[p];
+  const normals = smoothNormals({ polygonOf, corners, first, end, normalOf, table });
+  return { origin: packed.origin, step: packed.step, stateMoves, stateLines, corners, normals,
+    polygonOf, starts, lines, first, end, triangles: polygonOf.length - 2 * sizes.length };
+}
+
+// Returns the corners of the triangles of all polygons: a fan for each.
+function indexOfStates({ starts, triangles }) {
+  const index = new Uint32Array(3 * triangles);
+  for (let p = 0, t = 0; p + 1 < starts.length; p += 1) {
+    for (let k = starts[p] + 1; k + 1 < starts[p + 1]; k += 1, t += 3) {
+      index[t] = starts[p];
+      index[t + 1] = k;
+      index[t + 2] = k + 1;
     }
   }
-  return states;
+  return index;
 }
 
 // Volume of the part in a state, mm³, by the divergence theorem.
-function volumeOfState(states, state) {
-  const c = states.corners;
+function volumeOfState({ corners: c, starts, first, end, step }, state) {
   let sum = 0;
-  for (let t = 0; t < states.triangles; t += 1) {
-    if (states.life[2 * t] > state || states.life[2 * t + 1] <= state) continue;
-    const i = 9 * t;
-    sum += c[i] * (c[i + 4] * c[i + 8] - c[i + 5] * c[i + 7]) +
-      c[i + 1] * (c[i + 5] * c[i + 6] - c[i + 3] * c[i + 8]) +
-      c[i + 2] * (c[i + 3] * c[i + 7] - c[i + 4] * c[i + 6]);
+  for (let p = 0; p + 1 < starts.length; p += 1) {
+    if (first[p] > state || end[p] <= state) continue;
+    const i = 3 * starts[p];
+    for (let j = i + 3; j + 3 < 3 * starts[p + 1]; j += 3) {
+      sum += c[i] * (c[j + 1] * c[j + 5] - c[j + 2] * c[j + 4]) +
+        c[i + 1] * (c[j + 2] * c[j + 3] - c[j] * c[j + 5]) +
+        c[i + 2] * (c[j] * c[j + 4] - c[j + 1] * c[j + 3]);
+    }
   }
-  return sum * states.step ** 3 / 6;
+  return sum * step ** 3 / 6;
 }
 
 // Moves, path and tools of the program.

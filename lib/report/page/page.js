@@ -73,6 +73,7 @@ function markLine(n, className, scroll) {
 // Selects a line: its faces are highlighted.
 function highlight(n, scroll = true) {
   selected = n;
+  if (view) view.setAlarm(false);
   markLine(n, "selected", scroll);
   picked.replaceChildren();
   if (n > 0) {
@@ -94,6 +95,12 @@ function select(n, scroll = true) {
   if (view) view.request();
 }
 
+box.addEventListener("keydown", (event) => {
+  const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+  if (!step || event.ctrlKey || event.altKey || event.metaKey) return;
+  event.preventDefault();
+  select(Math.max(1, Math.min(lines.length, selected + step)));
+});
 box.addEventListener("click", (event) => {
   const row = event.target.closest("[data-line]");
   if (row) select(Number(row.dataset.line), false);
@@ -102,12 +109,20 @@ box.addEventListener("click", (event) => {
 // --- Findings ------------------------------------------------------------------------------------
 
 function showFinding(item) {
-  const [line, , point] = data.findings[item.dataset.finding] || [Number(item.dataset.line), "", []];
+  const [line, , point, isContact] =
+    data.findings[item.dataset.finding] || [Number(item.dataset.line), "", [], false];
   if (line > 0) select(line);
-  if (view && point.length === 3) view.mark(point);
+  if (view) {
+    if (point.length === 3) view.mark(point);
+    if (player && line > 0 && isContact) {
+      player.meet(line, point);
+      view.setAlarm(true);
+      view.showTip();
+    }
+  }
   document.getElementById("part").scrollIntoView({ block: "nearest" });
 }
-const findings = [...document.querySelectorAll(".finding[data-finding], .finding[data-line]")];
+const findings = [...document.querySelectorAll(".finding[role=button]")];
 for (const finding of findings) {
   finding.addEventListener("click", () => showFinding(finding));
   finding.addEventListener("keydown", (event) => {
@@ -143,6 +158,8 @@ async function makeMachine(packed, renderer) {
       Matrix.product(Matrix.turn(direction, amount * Math.PI / 180),
         Matrix.move(...through.map((c) => -c))));
   }
+  // Frame of the machine in the frame of the part, at present and before the first line.
+  let frame = Matrix.unit();
   function indexOf(line) {
     let i = 0;
     while (i + 1 < lineOf.length && lineOf[i + 1] <= line) i += 1;
@@ -155,6 +172,7 @@ async function makeMachine(packed, renderer) {
     for (const joint of packed.part_moved_by)
       toPart = Matrix.product(jointMatrix(joint, -value(i, joint[0])), toPart);
     toPart = Matrix.product(Matrix.move(-x, -y, -z), toPart);
+    frame = toPart;
     packed.bodies.forEach((body, k) => {
       items[k].isShown = body.tool < 0 || body.tool === tools[i];
       items[k].matrix = body.moved_by.reduce((m, joint) =>
@@ -167,47 +185,81 @@ async function makeMachine(packed, renderer) {
     return Matrix.apply(items[k].matrix, [x, y, z]);
   }
   show(0);
-  return { lines: lineOf, items, bodies, show, place };
+  const start = frame;
+  // Returns the frame of a machine at rest in the frame of the part that moves.
+  const rest = () => Matrix.product(frame, Matrix.inverseOfRigid(start));
+  return { lines: lineOf, items, bodies, show, place, rest };
+}
+
+// Returns the corners of the box around points, three numbers each.
+function cornersOfBox(lists) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const list of lists) {
+    for (let i = 0; i < list.length; i += 1) {
+      low[i % 3] = Math.min(low[i % 3], list[i]);
+      high[i % 3] = Math.max(high[i % 3], list[i]);
+    }
+  }
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [0, 1, 2].map((a) => (k >> a & 1 ? high : low)[a]));
 }
 
 // --- View ----------------------------------------------------------------------------------------
 
-const kPart = 1, kState = 2, kTool = 3, kFixture = 4;
+const kPart = 1, kState = 2, kTool = 3, kFixture = 4, kDeviation = 6;
 const kViews = {
   iso: [-Math.PI / 3, Math.PI / 5], top: [-Math.PI / 2, Math.PI / 2],
   bottom: [-Math.PI / 2, -Math.PI / 2], front: [-Math.PI / 2, 0], back: [Math.PI / 2, 0],
   right: [0, 0], left: [Math.PI, 0],
 };
 const kLight = {
-  background: [0.933, 0.945, 0.957], edge: [0.12, 0.16, 0.20], stock: [0.74, 0.77, 0.80],
-  cut: [0.40, 0.64, 0.88], face: [0.93, 0.76, 0.42], feed: [0.05, 0.35, 0.20],
-  rapid: [0.80, 0.10, 0.45], mark: [0.85, 0.10, 0.10],
+  background: [0.933, 0.945, 0.957], edge: [0.12, 0.16, 0.20], face: [0.82, 0.72, 0.52],
+  chosen: [1.0, 0.87, 0.15], error: [0.86, 0.20, 0.20], feed: [0.09, 0.24, 0.54],
+  rapid: [0.78, 0.17, 0.16], mark: [0.85, 0.10, 0.10],
 };
 const kDark = {
-  background: [0.085, 0.10, 0.12], edge: [0.02, 0.03, 0.04], stock: [0.62, 0.66, 0.70],
-  cut: [0.36, 0.60, 0.86], face: [0.85, 0.66, 0.32], feed: [0.35, 0.95, 0.60],
-  rapid: [1.0, 0.45, 0.75], mark: [1.0, 0.35, 0.35],
+  background: [0.085, 0.10, 0.12], edge: [0.02, 0.03, 0.04], face: [0.72, 0.62, 0.42],
+  chosen: [1.0, 0.87, 0.15], error: [0.90, 0.25, 0.25], feed: [1.0, 0.91, 0.44],
+  rapid: [1.0, 0.41, 0.36], mark: [1.0, 0.35, 0.35],
 };
 
 async function makeView(holder) {
-  const canvas = element("canvas", { tabIndex: 0, "aria-label": "part in three dimensions" });
+  const canvas = element("canvas", { tabIndex: 0, role: "img", "aria-label": "part in three dimensions" });
   const renderer = new Renderer(canvas);
-  holder.append(canvas);
+  const marks = makeMarks(), legend = element("div", { className: "legend" });
+  holder.append(canvas, marks.element, legend);
   const part = data.mesh ? await readPart(data.mesh) : null;
   const play = data.play ? await readPlay(data.play) : null;
-  const marked = (all) => {
-    const faulty = new Set(Object.keys(data.marks).filter((n) => data.marks[n] === "error")
-      .map(Number));
-    return Uint32Array.from(all, (n) => (faulty.has(n) ? n + 0x80000000 : n));
+  const deviation = data.deviation ? await readDeviation(data.deviation) : null;
+  const paint = makePaint(part, play, deviation);
+  const faulty = new Set(Object.keys(data.marks).filter((n) => data.marks[n] === "error").map(Number));
+  // Returns for each corner the line, the colour of the tool (bits 27 to 30), and a bit for errors.
+  const marked = (count, lineAt, toolAt) => {
+    const all = new Uint32Array(count);
+    for (let i = 0; i < count; i += 1) {
+      const line = lineAt(i);
+      all[i] = (line & 0x7ffffff | toolAt(i, line) << 27) + (faulty.has(line) ? 0x80000000 : 0);
+    }
+    return all;
   };
-  const partMesh = part && part.corners.length ?
-    renderer.mesh({ corners: part.corners, normals: part.normals, lines: marked(part.lines) }) : null;
+  const partMesh = part && part.corners.length ? renderer.mesh({ corners: part.corners,
+    normals: part.normals,
+    lines: marked(part.corners.length / 3, (i) => part.lines[(i / 3) | 0],
+      (i, line) => paint.ofFace(part.tools[(i / 3) | 0], line)) }) : null;
+  const deviationMesh = deviation ? renderer.mesh({ corners: deviation.corners,
+    normals: flatNormals(deviation.corners), deviation: deviation.deviation }) : null;
   let stateMesh = null;
   const stateMatrix = play ? Matrix.product(Matrix.move(...play.states.origin),
     Matrix.scale(play.states.step)) : null;
   if (play) {
-    stateMesh = renderer.mesh({ corners: play.states.corners, normals: play.states.normals,
-      lines: marked(play.states.lines), life: play.states.life, matrix: stateMatrix });
+    const { corners, normals, polygonOf, lines: lineOf, first, end } = play.states;
+    const life = new Uint16Array(2 * polygonOf.length);
+    for (let i = 0; i < polygonOf.length; i += 1) {
+      life[2 * i] = first[polygonOf[i]];
+      life[2 * i + 1] = end[polygonOf[i]];
+    }
+    stateMesh = renderer.mesh({ corners, normals, life, matrix: stateMatrix,
+      index: indexOfStates(play.states),
+      lines: marked(polygonOf.length, (i) => lineOf[polygonOf[i]], (i, line) => paint.ofLine(line)) });
   }
   const fixtures = [];
   for (const body of data.fixtures || []) {
@@ -239,22 +291,32 @@ async function makeView(holder) {
 
   const stock = data.stock;
   const centre = [0, 1, 2].map((i) => (stock[i] + stock[3 + i]) / 2);
-  const corners = [];
-  for (let k = 0; k < 8; k += 1) corners.push([stock[k & 1 ? 3 : 0], stock[k & 2 ? 4 : 1],
-    stock[k & 4 ? 5 : 2]]);
+  const corners = cornersOfBox([stock]);
   const radius = norm(minus([stock[3], stock[4], stock[5]], centre)) || 1;
+  const withFixtures = fixtures.length ? cornersOfBox([corners.flat(),
+    ...fixtures.map((body) => body.corners)]) : corners;
   let extent = radius;
-  const shown = { part: true, path: true, tool: true, fixtures: true, machine: Boolean(machine) };
+  const shown = { part: true, path: true, tool: true, fixtures: true, machine: Boolean(machine),
+    axes: true };
   const camera = { target: centre, azimuth: kViews.iso[0], height: kViews.iso[1], distance: 1 };
-  const kFieldOfView = 25 * Math.PI / 180;
+  const kFieldOfView = 25 * Math.PI / 180, kHeightOfButtons = 34;
   let chosen = 0, state = play ? play.states.stateMoves.length - 1 : 0;
   let moves = play ? play.lines.length : 0, tip = null;
   let section = null, segments = [], matrix = Matrix.unit(), eye = [0, 0, 0];
+  let isMachineAtRest = true, alarm = false, legendOf = -1;
   let isDark = false, isWaiting = false, pixelRatio = 1, frames = 0;
   let isFitted = true;  // the camera is as fit() left it
 
-  // Axes of the camera: right, up, and towards the viewer.
+  // Frame in which the camera is at rest, in the frame of the part.
+  function rest() {
+    return machine && shown.machine && isMachineAtRest ? machine.rest() : Matrix.unit();
+  }
+  // Axes of the camera in the frame of the part: right, up, and towards the viewer.
   function frameOfCamera() {
+    const frame = rest();
+    return axesOfCamera().map((axis) => Matrix.turned(frame, axis));
+  }
+  function axesOfCamera() {
     const { azimuth: a, height: h } = camera;
     const back = [Math.cos(h) * Math.cos(a), Math.cos(h) * Math.sin(a), Math.sin(h)];
     const right = [-Math.sin(a), Math.cos(a), 0];
@@ -266,7 +328,10 @@ async function makeView(holder) {
     const [right, up, back] = frameOfCamera();
     const wide = canvas.clientWidth / Math.max(1, canvas.clientHeight);
     const tangent = Math.tan(kFieldOfView / 2);
-    const around = shown.machine && machine ? machineCorners() : corners;
+    // Share of the height below the buttons of the views.
+    const free = Math.max(0.7, 1 - kHeightOfButtons / Math.max(1, canvas.clientHeight));
+    const around = shown.machine && machine ? machineCorners() :
+      shown.fixtures ? withFixtures : corners;
     // The middle of the extent on the picture, then the distance at which each corner is inside.
     const range = (axis) => {
       const all = around.map((p) => dot(p, axis));
@@ -289,31 +354,28 @@ async function makeView(holder) {
       for (const p of around) {
         const q = minus(p, camera.target);
         distance = Math.max(distance, dot(q, back) + 1.06 * Math.max(
-          Math.abs(dot(q, right)) / (tangent * wide), Math.abs(dot(q, up)) / tangent));
+          Math.abs(dot(q, right)) / (tangent * wide), Math.abs(dot(q, up)) / (tangent * free)));
       }
     }
+    camera.target = plus(camera.target, up, distance * tangent * (1 - free));
     camera.distance = distance;
+    camera.target = Matrix.apply(Matrix.inverseOfRigid(rest()), camera.target);
     isFitted = true;
   }
   function machineCorners() {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    machine.items.forEach((item, k) => {
-      const c = machine.bodies[k].corners;
-      for (let i = 0; i < c.length; i += 9) {
-        const p = Matrix.apply(item.matrix, [c[i], c[i + 1], c[i + 2]]);
-        for (let a = 0; a < 3; a += 1) {
-          low[a] = Math.min(low[a], p[a]);
-          high[a] = Math.max(high[a], p[a]);
-        }
-      }
+    const points = machine.items.map((item, k) => {
+      const c = machine.bodies[k].corners, all = [];
+      for (let i = 0; i < c.length; i += 9) all.push(...Matrix.apply(item.matrix, [c[i], c[i + 1], c[i + 2]]));
+      return all;
     });
-    extent = norm(minus(high, low)) / 2;
-    return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [0, 1, 2].map((a) => (k >> a & 1 ? high : low)[a]));
+    const all = cornersOfBox(points);
+    extent = norm(minus(all[7], all[0])) / 2;
+    return all;
   }
 
   function place() {
     const [right, up, back] = frameOfCamera();
-    eye = plus(camera.target, back, camera.distance);
+    eye = plus(Matrix.apply(rest(), camera.target), back, camera.distance);
     const wide = canvas.clientWidth / Math.max(1, canvas.clientHeight);
     const near = Math.max(camera.distance / 200, camera.distance - 6 * Math.max(radius, extent));
     const far = camera.distance + 8 * Math.max(radius, extent);
@@ -343,8 +405,13 @@ async function makeView(holder) {
       Math.max(1, Math.round(height * pixelRatio)));
     const placed = place();
     const meshes = [];
+    // Only the finished part is compared with the design.
+    const colouring = paint.colouring === 3 && !isFinished() ? 0 : paint.colouring;
+    if (legendOf !== colouring) updateLegend(colouring);
     if (shown.part) {
-      if (isFinished()) meshes.push({ mesh: partMesh, kind: kPart, isPart: true, isSectioned: true });
+      if (colouring === 3) {
+        meshes.push({ mesh: deviationMesh, kind: kDeviation, isPart: true, isSectioned: true });
+      } else if (isFinished()) meshes.push({ mesh: partMesh, kind: kPart, isPart: true, isSectioned: true });
       else meshes.push({ mesh: stateMesh, kind: kState, isPart: true, isSectioned: true });
     }
     if (shown.fixtures) {
@@ -354,11 +421,12 @@ async function makeView(holder) {
     if (shown.machine && machine) meshes.push(...machine.items.filter((item) => item.isShown));
     if (shown.tool && tip && !(shown.machine && machine)) {
       for (const piece of tools[tip.tool]) {
-        meshes.push({ mesh: piece.mesh, kind: kTool, colour: piece.colour, matrix: toolMatrix(),
-          isSheer: true });
+        meshes.push({ mesh: piece.mesh, kind: kTool, matrix: toolMatrix(),
+          colour: alarm ? (isDark ? kDark : kLight).error : piece.colour, isSheer: true });
       }
     }
-    const scene = { view: placed, colours: isDark ? kDark : kLight, section, meshes, chosen, state,
+    const scene = { view: placed, colours: isDark ? kDark : kLight, section,
+      paint: { ...paint, colouring }, meshes, chosen, state,
       paths: [], segments: [...segments] };
     if (shown.path && path && moves > 0) {
       const whole = Math.min(Math.floor(moves), play.lines.length);
@@ -369,7 +437,15 @@ async function makeView(holder) {
       }
     }
     renderer.draw(scene);
+    const zero = Matrix.apply(matrix, [0, 0, 0]);
+    marks.place(frameOfCamera(), shown.axes && zero[2] < 1 ? { x: (zero[0] + 1) / 2 * width,
+      y: (1 - zero[1]) / 2 * height } : null, width, height);
+    marks.element.style.visibility = shown.axes ? "visible" : "hidden";
     frames += 1;
+  }
+  function updateLegend(colouring = legendOf) {
+    legendOf = colouring;
+    showLegend(legend, { ...paint, colouring }, deviation);
   }
   function request() {
     if (isWaiting) return;
@@ -384,14 +460,25 @@ async function makeView(holder) {
     return plus(plus(back.map((c) => -c), right, tangent * wide * (2 * x / canvas.clientWidth - 1)),
       up, tangent * (1 - 2 * y / canvas.clientHeight));
   }
+  // Returns the corners of the polygon that a hit is on, in mm.
   function cornersOfHit(hit) {
-    const m = [];
     const source = hit.kind === kPart ? part.corners : play.states.corners;
-    for (let v = 0; v < 3; v += 1) {
-      const p = [0, 1, 2].map((c) => source[9 * hit.triangle + 3 * v + c]);
-      m.push(hit.kind === kPart ? p : Matrix.apply(stateMatrix, p));
+    const p = hit.kind === kPart ? 0 : play.states.polygonOf[hit.corner];
+    const begin = hit.kind === kPart ? hit.corner - hit.corner % 3 : play.states.starts[p];
+    const end = hit.kind === kPart ? begin + 3 : play.states.starts[p + 1];
+    const all = [];
+    for (let i = begin; i < end; i += 1) {
+      const at = [source[3 * i], source[3 * i + 1], source[3 * i + 2]];
+      all.push(hit.kind === kPart ? at : Matrix.apply(stateMatrix, at));
     }
-    return m;
+    return all;
+  }
+  // Returns the normal of a plane polygon: the sum over its triangles.
+  function normalOfCorners(all) {
+    let sum = [0, 0, 0];
+    for (let i = 1; i + 1 < all.length; i += 1)
+      sum = plus(sum, cross(minus(all[i], all[0]), minus(all[i + 1], all[0])));
+    return unitVector(sum);
   }
   // Returns the extent along an axis of all faces of a form: the depth of a bore.
   function lengthAlong(axis, form) {
@@ -417,27 +504,33 @@ async function makeView(holder) {
       const t = (section[3] - dot(section, eye)) / dot(section, ray);
       return { line: null, point: plus(eye, ray, t), normal: section.slice(0, 3), form: null };
     }
+    if (hit.kind === kDeviation) {
+      const at = hit.corner - hit.corner % 3, c = deviation.corners;
+      const [a, b, d] = [0, 3, 6].map((k) => [0, 1, 2].map((i) => c[3 * at + k + i]));
+      const normal = unitVector(cross(minus(b, a), minus(d, a)));
+      const point = plus(eye, ray, dot(normal, minus(a, eye)) / (dot(normal, ray) || 1));
+      return { line: null, point, normal, form: null, away: deviation.deviation[at] };
+    }
     if (hit.kind !== kPart && hit.kind !== kState) return null;
-    const [a, b, c] = cornersOfHit(hit);
-    const normal = unitVector(cross(minus(b, a), minus(c, a)));
+    const around = cornersOfHit(hit), normal = normalOfCorners(around);
     const along = dot(normal, ray);
-    let point = plus(eye, ray, dot(normal, minus(a, eye)) / (along || 1));
+    let point = plus(eye, ray, dot(normal, minus(around[0], eye)) / (along || 1));
     // A corner of the face that is near on the picture is meant exactly.
-    for (const corner of [a, b, c]) {
+    for (const corner of around) {
       const p = project(...corner), frame = canvas.getBoundingClientRect();
       if (Math.hypot(p.x - frame.left - x, p.y - frame.top - y) < 7) point = corner;
     }
     const result = { point, normal, form: null, tool: 0 };
     if (hit.kind === kPart) {
-      result.line = part.lines[hit.triangle];
-      result.tool = part.tools[hit.triangle];
-      const form = part.formOf[hit.triangle];
+      const triangle = Math.floor(hit.corner / 3), form = part.formOf[triangle];
+      result.line = part.lines[triangle];
+      result.tool = part.tools[triangle];
       if (form > 0) {
         result.form = part.forms[form - 1];
         result.length = lengthAlong(result.form[2], form);
       }
     } else {
-      result.line = play.states.lines[hit.triangle];
+      result.line = play.states.lines[play.states.polygonOf[hit.corner]];
     }
     return result;
   }
@@ -463,7 +556,7 @@ async function makeView(holder) {
     },
     shift(dx, dy) {
       isFitted = false;
-      const [right, up] = frameOfCamera();
+      const [right, up] = axesOfCamera();
       const step = 2 * camera.distance * Math.tan(kFieldOfView / 2) / canvas.clientHeight;
       camera.target = plus(plus(camera.target, right, -dx * step), up, dy * step);
       request();
@@ -492,6 +585,19 @@ async function makeView(holder) {
     uploaded: () => renderer.uploaded,
     frames: () => frames,
     highlight(line) { chosen = Math.max(0, line); request(); },
+    // Moves the camera if the tip is outside of the picture.
+    showTip() {
+      if (!tip) return;
+      const p = project(...tip.at), frame = canvas.getBoundingClientRect();
+      const isSeen = p.x > frame.left + 40 && p.x < frame.right - 40 &&
+        p.y > frame.top + frame.height * 0.35 && p.y < frame.bottom - 40;
+      if (isSeen) return;
+      isFitted = false;
+      const inRest = Matrix.apply(Matrix.inverseOfRigid(rest()), tip.at);
+      camera.target = plus(camera.target.map((c) => c / 2), inRest, 0.5);
+      camera.distance *= 1.3;
+      request();
+    },
     setDark(dark) { isDark = dark; request(); },
     // Shows the part after `count` moves, with the tip where `tipNow` says.
     show(count, stateNow, tipNow) {
@@ -504,6 +610,19 @@ async function makeView(holder) {
     volume: () => (play ? volumeOfState(play.states, state) : NaN),
     setSection(plane) { section = plane; request(); },
     section: () => section,
+    paint, deviation,
+    setMachineAtRest(isAtRest) {
+      isMachineAtRest = isAtRest;
+      fit();
+      request();
+    },
+    // Draws the tool in the colour of errors.
+    setAlarm(isOn) { alarm = isOn; request(); },
+    setColouring(name) {
+      paint.colouring = kColours.indexOf(name);
+      request();
+    },
+    updateLegend: () => updateLegend(),
     setSegments(all) {
       const { mark } = isDark ? kDark : kLight;
       segments = all.map(([from, to]) => ({ from, to, colour: mark, rapid: false }));
@@ -518,7 +637,7 @@ async function makeView(holder) {
         return [minus(point, step), plus(point, step)];
       }));
       isFitted = false;
-      camera.target = point;
+      camera.target = Matrix.apply(Matrix.inverseOfRigid(rest()), point);
       camera.distance = Math.min(camera.distance, 5 * radius);
       request();
     },
@@ -601,10 +720,16 @@ function toolName(number) {
   return found ? found.name : `T${number}`;
 }
 
+function distanceFromDesign(mm) {
+  if (Math.abs(mm) < 5e-4) return "on the design";
+  return `${lengthText(Math.abs(mm))} ${mm < 0 ? "inside" : "outside"} of the design: ` +
+    (mm < 0 ? "gouge" : "material is left");
+}
+
 function showPicked(hit) {
   if (!hit) return;
   if (hit.line === null) {
-    picked.replaceChildren("section");
+    picked.replaceChildren(hit.away === undefined ? "section" : distanceFromDesign(hit.away));
   } else {
     highlight(hit.line);
     if (hit.line > 0 && hit.tool > 0) picked.append(`  — ${toolName(hit.tool)}`);
@@ -658,7 +783,7 @@ function makePlayer(play) {
     "aria-label": "move of the program" });
   const button = element("button", { type: "button", title: "play (space)", textContent: "▶",
     "aria-label": "play" });
-  const where = element("output", {});
+  const where = element("output", { "aria-live": "off" });
   const speed = element("select", { title: "speed", "aria-label": "speed" },
     ...kSpeeds.map((s) => element("option", { value: s, textContent: `× ${s}` })));
   // Plays a program in about a minute.
@@ -701,17 +826,34 @@ function makePlayer(play) {
     }
     return { at: point(last), axis: axis(last), tool: play.tools[move], from: null };
   }
+  // Shows the part after a line, and the tool where it is nearest to a point of a finding.
+  function meet(line, point) {
+    const kMostMoves = 400, kSteps = 24;
+    goToLine(line);
+    if (point.length !== 3) return;
+    let nearest = Infinity, best = null;
+    for (let m = moves - 1, n = 0; m >= 0 && n < kMostMoves && play.lines[m] === line; m -= 1, n += 1) {
+      for (let i = 1; i <= kSteps; i += 1) {
+        const tip = tipAt(m, i / kSteps), away = norm(minus(tip.at, point));
+        if (away < nearest) [nearest, best] = [away, tip];
+      }
+    }
+    if (best) view.show(moves, stateOf(moves), best);
+  }
   function lineNow() { return moves > 0 ? play.lines[moves - 1] : 0; }
   function show(share = 0) {
     const state = stateOf(moves);
+    view.setAlarm(false);
     view.show(moves, state, tipAt(moves, share));
     slider.value = moves;
+    slider.setAttribute("aria-valuetext", `line ${moves > 0 ? play.lines[moves - 1] : 0}`);
     const line = share > 0 && moves < count ? play.lines[moves] : lineNow();
     const cut = play.states.stateLines[state];
     const isExact = play.states.stateMoves[state] === moves || state + 1 === play.states.stateMoves.length;
     const tool = count > 0 ? play.bodies[play.tools[Math.min(Math.max(moves - 1, 0), count - 1)]].name : "";
-    where.textContent = `line ${line} · ${timeText(clock)} · ${tool}` +
-      (isExact ? "" : ` · cut as after line ${cut}`);
+    where.textContent = `line ${line} · ${timeText(clock)} · ` +
+      (isExact ? "" : `cut as after line ${cut} · `) + tool;
+    where.title = where.textContent;
     markLine(line, "current", isPlaying || share > 0);
     if (view.machine) view.machine.show(line);
   }
@@ -770,7 +912,7 @@ function makePlayer(play) {
     small("T+", "next tool change", () => toolChange(1)));
   if (findings.length) bar.append(small("!", "next finding (F)", nextFinding));
   bar.append(speed, slider, where);
-  return { bar, goTo, goToLine, setPlaying, toggle: () => setPlaying(!isPlaying), moves: () => moves,
+  return { bar, goTo, goToLine, meet, setPlaying, toggle: () => setPlaying(!isPlaying), moves: () => moves,
     count, isPlaying: () => isPlaying, show, line: lineNow,
     state: () => stateOf(moves) };
 }
@@ -796,6 +938,23 @@ function makeTools() {
   }
   if ((data.fixtures || []).length) boxes.fixtures = toggle("fixtures", "X", "fixtures");
   if (view.machine) boxes.machine = toggle("machine", "", "machine");
+  boxes.axes = toggle("axes", "A", "axes");
+  const colour = element("select", { "aria-label": "colours", title: "colours (C)" },
+    ...kColours.filter((name) => name !== "design" || view.deviation).map((name) =>
+      element("option", { value: name,
+        textContent: name === "design" ? "from design" : `by ${name}` })));
+  colour.addEventListener("change", () => {
+    view.setColouring(colour.value);
+    if (colour.value === "design" && player) player.goTo(player.count);
+  });
+  bar.append(colour);
+  if (view.machine) {
+    const frame = element("select", { "aria-label": "frame", title: "what is at rest" },
+      element("option", { value: "machine", textContent: "machine at rest" }),
+      element("option", { value: "part", textContent: "part at rest" }));
+    frame.addEventListener("change", () => view.setMachineAtRest(frame.value === "machine"));
+    bar.append(frame);
+  }
 
   const axis = element("select", { "aria-label": "section", title: "section (S)" },
     ...["no section", "section X", "section Y", "section Z"].map((text, i) =>
@@ -803,10 +962,11 @@ function makeTools() {
   const at = element("input", { type: "range", min: 0, max: 1000, value: 500,
     "aria-label": "position of the section", id: "sectionAt" });
   const flip = element("input", { type: "checkbox" });
+  const flipLabel = element("label", { title: "keep the other side" }, flip, " flip");
   const value = element("output", {});
   function cut() {
     const a = Number(axis.value);
-    at.disabled = flip.disabled = a < 0;
+    at.hidden = flipLabel.hidden = a < 0;
     if (a < 0) {
       value.textContent = "";
       view.setSection(null);
@@ -836,13 +996,15 @@ function makeTools() {
   unit.addEventListener("change", () => {
     inInches = unit.value === "inch";
     cut();
+    view.updateLegend();
   });
-  bar.append(axis, at, element("label", { title: "keep the other side" }, flip, " flip"), value,
+  bar.append(axis, at, flipLabel, value,
     element("label", { title: "distance of two points (M)" }, measure, " measure"), unit);
-  for (const name of Object.keys(kViews)) {
-    bar.append(element("button", { type: "button", textContent: name, title: `view: ${name}`,
+  const views = element("div", { className: "bar", id: "views" });
+  Object.keys(kViews).forEach((name, i) => {
+    views.append(element("button", { type: "button", textContent: name, title: `view: ${name} (${i + 1})`,
       onclick: () => view.setView(name) }));
-  }
+  });
   const theme = element("button", { type: "button", textContent: "◐", title: "light or dark",
     "aria-label": "light or dark" });
   const prefersDark = window.matchMedia("(prefers-color-scheme: dark)");
@@ -853,14 +1015,17 @@ function makeTools() {
   };
   theme.addEventListener("click", () => { dark = !dark; apply(); });
   prefersDark.addEventListener("change", () => { dark = prefersDark.matches; apply(); });
-  bar.append(element("button", { type: "button", textContent: "fit", title: "fit (0)",
-    onclick: () => view.fit() }), theme);
+  views.append(element("button", { type: "button", textContent: "fit", title: "fit (0)",
+    onclick: () => view.fit() }));
+  view.canvas.parentNode.append(views);
+  bar.append(theme);
   cut();
   apply();
   const flipBox = (input) => { input.checked = !input.checked; input.dispatchEvent(new Event("change")); };
   const keys = {
     p: () => boxes.path && flipBox(boxes.path), x: () => boxes.fixtures && flipBox(boxes.fixtures),
-    m: () => flipBox(measure), f: nextFinding, 0: () => view.fit(),
+    a: () => flipBox(boxes.axes), m: () => flipBox(measure), f: nextFinding,
+    c: () => setControl(colour, colour.options[(colour.selectedIndex + 1) % colour.length].value), 0: () => view.fit(),
     u: () => { unit.value = inInches ? "mm" : "inch"; unit.dispatchEvent(new Event("change")); },
     s: () => { axis.value = (Number(axis.value) + 2) % 4 - 1; cut(); },
     " ": () => player && player.toggle(),
@@ -877,7 +1042,18 @@ function makeTools() {
     event.preventDefault();
     action();
   });
-  return bar;
+  // Sets the section at a place along an axis, mm; null: in the middle.
+  const setSection = (number, place) => {
+    const low = data.stock[number], high = data.stock[3 + number];
+    axis.value = number;
+    if (place !== null) at.value = Math.round(1000 * (place - low) / (high - low));
+    cut();
+  };
+  const setDark = (isDark) => {
+    dark = isDark;
+    apply();
+  };
+  return { bar, boxes, unit, colour, setSection, setDark };
 }
 
 // --- Start ---------------------------------------------------------------------------------------
@@ -903,10 +1079,15 @@ async function start() {
     window.ncsim.player = player;
     controls.append(player.bar);
   }
-  controls.append(makeTools());
+  const tools = makeTools();
+  controls.append(tools.bar);
   if (player) player.goTo(player.count);
   view.fit();
   picked.textContent = "Click a face for its line and size, or a line for the part after the line.";
+  const pictures = document.getElementById("pictures");
+  if (pictures) pictures.open = false;
+  followLink(tools);
+  window.addEventListener("hashchange", () => followLink(tools));
 }
 window.ncsim = { select, view, player, selected: () => selected };
 window.ncsim.ready = start();

@@ -32,6 +32,14 @@ const Matrix = {
     const other = cross(axis, side);
     return [...side, 0, ...other, 0, ...axis, 0, ...at, 1];
   },
+  // Inverse of a rotation and translation.
+  inverseOfRigid(m) {
+    const t = [m[12], m[13], m[14]], axes = [0, 4, 8].map((i) => [m[i], m[i + 1], m[i + 2]]);
+    const [x, y, z] = axes;
+    return [x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0,
+      -dot(x, t), -dot(y, t), -dot(z, t), 1];
+  },
+  turned: (m, [x, y, z]) => [0, 1, 2].map((i) => m[i] * x + m[4 + i] * y + m[8 + i] * z),
   apply(m, [x, y, z]) {
     const w = m[3] * x + m[7] * y + m[11] * z + m[15];
     return [0, 1, 2].map((i) => (m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i]) / w);
@@ -48,54 +56,91 @@ function unitVector(a) { const n = norm(a) || 1; return [a[0] / n, a[1] / n, a[2
 
 // --- Shaders -------------------------------------------------------------------------------------
 
+// Colour at a place from 0 to 1 of the scale, in a shader with `scale`.
+const kScaled = `
+vec3 scaled(float t) {
+  float at = 4.0 * clamp(t, 0.0, 1.0);
+  int below = min(int(at), 3);
+  return mix(scale[below], scale[below + 1], at - float(below));
+}`;
 const kMeshVertex = `#version 300 es
 uniform mat4 model, camera;
 uniform mat3 turned;
-uniform uint state;
+uniform uint state, chosen;
+uniform vec3 bodyColour, chosenColour, errorColour;
+uniform vec3 tools[16], scale[5];
+uniform float lastLine;
+uniform int colouring;
+uniform bool isPart;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in uint line;
 layout(location = 3) in uvec2 life;
+layout(location = 4) in float deviation;
 out vec3 place, facing;
-flat out uint cutBy, triangle;
+out float away;
+flat out vec3 paintOf;
+flat out uint corner, isVarying;
+${kScaled}
+// Colour of a face, by kColours in paint.js. isVarying: the colour differs within the face.
+void paint() {
+  uint lineOf = line & 0x7ffffffu, tool = line >> 27u & 15u;
+  isVarying = colouring == 3 || (colouring == 2 && tool > 0u) ? 1u : 0u;
+  paintOf = colouring == 1 && lineOf > 0u ? scaled(float(lineOf) / lastLine) : tools[tool];
+  bool isChosen = lineOf == chosen && lineOf > 0u, isWrong = line >> 31u == 1u && colouring != 3;
+  if (!isChosen && !isWrong) return;
+  isVarying = 0u;
+  paintOf = isChosen ? chosenColour : errorColour;
+}
 void main() {
+  isVarying = 0u;
+  paintOf = bodyColour;
+  if (isPart) paint();
   vec4 at = model * vec4(position, 1.0);
   place = at.xyz;
   facing = turned * normal;
-  cutBy = line;
-  triangle = uint(gl_VertexID) / 3u;
+  away = deviation;
+  corner = uint(gl_VertexID);
   gl_Position = life.x <= state && state < life.y ? camera * at : vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 const kMeshFragment = `#version 300 es
 precision highp float;
 precision highp int;
-uniform vec3 eye, stockColour, cutColour, bodyColour, faceColour;
+uniform vec3 eye, bodyColour, faceColour;
+uniform vec3 scale[5], deviations[5];
+uniform vec2 depths, limits;
 uniform vec4 section;
-uniform uint chosen, kind;
+uniform uint kind;
+uniform int colouring;
 uniform bool isCut, isPart, isSheer;
 in vec3 place, facing;
-flat in uint cutBy, triangle;
+in float away;
+flat in vec3 paintOf;
+flat in uint corner, isVarying;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out uint number;
+${kScaled}
+// Colour of a point of a face; limits: tolerance and largest deviation.
+vec3 varyingPaint() {
+  if (colouring == 2) return scaled((depths.y - place.z) / (depths.y - depths.x));
+  float size = abs(away);
+  if (size <= limits.x) return deviations[2];
+  float t = (size - limits.x) / (limits.y - limits.x);
+  return away < 0.0 ? mix(deviations[1], deviations[0], t) : mix(deviations[3], deviations[4], t);
+}
 void main() {
   if (isSheer && (int(gl_FragCoord.x) + int(gl_FragCoord.y)) % 2 == 0) discard;
   if (isCut && dot(section.xyz, place) > section.w) discard;
   vec3 n = normalize(facing);
-  vec3 paint = bodyColour;
-  if (isPart) {
-    uint line = cutBy & 0x7fffffffu;
-    paint = line == 0u ? stockColour : cutColour;
-    if (cutBy != line) paint = vec3(0.86, 0.20, 0.20);
-    if (line == chosen && line > 0u) paint = vec3(0.98, 0.55, 0.12);
-  }
-  number = kind << 28u | triangle + 1u;
-  // Kind of pixel: 1 a face with edges, 0.75 a cut face, 0.5 without edges, 0.25 a gap between
-  // polygons, 0 without light.
+  vec3 paint = isVarying == 1u ? varyingPaint() : paintOf;
+  number = kind << 28u | corner + 1u;
+  // Kind of pixel: 1 a face with edges, 0.75 a cut face, 0.5 without edges, 0.25 an inner side, which
+  // is seen through a gap between polygons, 0 without light.
   float pixel = isSheer ? 0.5 : 1.0;
-  if (!gl_FrontFacing) {
+  if (!gl_FrontFacing && !isSheer) {
     n = -n;
-    if (isPart) pixel = 0.25;
+    pixel = 0.25;
     vec3 ray = place - eye;
     float t = (section.w - dot(section.xyz, eye)) / dot(section.xyz, ray);
     // The plane is before this inner side of the body, so it meets material: the cut face, if no
@@ -154,9 +199,14 @@ float distanceAt(ivec2 at) {
   return 2.0 * near * far / (far + near - d * (far - near));
 }
 bool isGap(float kind) { return kind > 0.2 && kind < 0.3; }
+bool isCutFace(float kind) { return kind > 0.7 && kind < 0.8; }
+vec3 lit(vec3 paint, vec3 n) {
+  return paint * (0.38 + 0.62 * max(dot(n, lamp), 0.0) + 0.08 * n.z);
+}
+vec3 directionOf(vec4 stored) { return normalize(2.0 * stored.xyz - 1.0); }
 vec3 sampleAt(ivec2 at, ivec2 most) {
   vec4 own = texelFetch(normals, at, 0);
-  // An inner side of the part shows through a gap, which is narrower than a pixel.
+  // An inner side of a body shows through a gap, which is narrower than a pixel.
   for (int i = 0; i < 4 && isGap(own.a); i += 1) {
     ivec2 beside = clamp(at + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5)), ivec2(0), most);
     vec4 other = texelFetch(normals, beside, 0);
@@ -167,26 +217,36 @@ vec3 sampleAt(ivec2 at, ivec2 most) {
   vec4 paint = texelFetch(colours, at, 0);
   if (paint.a == 0.0) return background;
   if (own.a == 0.0) return paint.rgb;
-  vec3 n = normalize(2.0 * own.xyz - 1.0);
-  float light = 0.38 + 0.62 * max(dot(n, lamp), 0.0) + 0.08 * n.z;
-  vec3 shown = paint.rgb * light;
+  vec3 n = directionOf(own);
+  vec3 shown = lit(paint.rgb, n);
   if (own.a < 0.6) return shown;
-  float edge = 0.0, z = distanceAt(at);
+  float edge = 0.0, z = distanceAt(at), same = 0.004 * z;
+  bool isCut = isCutFace(own.a);
+  // The border of a cut face is drawn on the cut face alone.
+  float least = isCut ? 0.6 : 0.9;
   for (int i = 0; i < 2; i += 1) {
     ivec2 step = i == 0 ? ivec2(1, 0) : ivec2(0, 1);
     ivec2 a = clamp(at - step, ivec2(0), most), b = clamp(at + step, ivec2(0), most);
     vec4 na = texelFetch(normals, a, 0), nb = texelFetch(normals, b, 0);
+    float za = distanceAt(a), zb = distanceAt(b);
+    bool isOtherA = na.a > least && dot(n, directionOf(na)) < 0.90;
+    bool isOtherB = nb.a > least && dot(n, directionOf(nb)) < 0.90;
+    if (isOtherA || isOtherB) {
+      // What a plane shows through a gap of one sample is no face: neither here nor next to here.
+      if (distance(na, nb) < 0.02 && z > max(za, zb) && abs(za - zb) < same)
+        return lit(texelFetch(colours, a, 0).rgb, directionOf(na));
+      ivec2 c = clamp(isOtherA ? at - 2 * step : at + 2 * step, ivec2(0), most);
+      bool isGapNext = (isOtherA ? za : zb) > z && abs(distanceAt(c) - z) < same &&
+        distance(texelFetch(normals, c, 0), own) < 0.02;
+      if (!isGapNext) edge = 1.0;
+    }
     bool hasA = na.a > 0.9 || texelFetch(colours, a, 0).a == 0.0;
     bool hasB = nb.a > 0.9 || texelFetch(colours, b, 0).a == 0.0;
-    if (na.a > 0.6 && dot(n, normalize(2.0 * na.xyz - 1.0)) < 0.90) edge = 1.0;
-    if (nb.a > 0.6 && dot(n, normalize(2.0 * nb.xyz - 1.0)) < 0.90) edge = 1.0;
-    bool isCutFace = own.a < 0.9;
-    if (isCutFace && (texelFetch(colours, a, 0).a == 0.0 || texelFetch(colours, b, 0).a == 0.0))
+    if (isCut && (texelFetch(colours, a, 0).a == 0.0 || texelFetch(colours, b, 0).a == 0.0))
       edge = 1.0;
-    if (isCutFace || !hasA || !hasB) continue;
+    if (isCut || !hasA || !hasB) continue;
     // Only the nearer side of a jump is an edge, and no slope is one.
-    float za = distanceAt(a), zb = distanceAt(b);
-    if (max(za, zb) - z - abs(z - min(za, zb)) > 0.004 * z) edge = 1.0;
+    if (max(za, zb) - z - abs(z - min(za, zb)) > same) edge = 1.0;
   }
   return mix(shown, edgeColour, 0.8 * edge);
 }
@@ -239,18 +299,19 @@ class Renderer {
     return { program, at };
   }
 
-  buffer(array) {
+  buffer(array, kind = this.gl.ARRAY_BUFFER) {
     const gl = this.gl, buffer = gl.createBuffer();
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, array, gl.STATIC_DRAW);
+    gl.bindBuffer(kind, buffer);
+    gl.bufferData(kind, array, gl.STATIC_DRAW);
     this.uploaded += array.byteLength;
     return buffer;
   }
 
-  // Returns a mesh to draw. `corners`: nine numbers a triangle; `lines` and `life`: per triangle.
-  mesh({ corners, normals, lines = null, life = null, matrix = Matrix.unit() }) {
+  // Returns a mesh to draw. `corners`: three numbers a corner; `index`: the corners of triangles, if
+  // not each three in turn; `lines`, `life`, `deviation`: one, two, one number a corner.
+  mesh({ corners, normals, index = null, lines = null, life = null, deviation = null,
+    matrix = Matrix.unit() }) {
     const gl = this.gl, vao = gl.createVertexArray();
-    const count = corners.length / 3;
     gl.bindVertexArray(vao);
     this.buffer(corners);
     gl.enableVertexAttribArray(0);
@@ -260,24 +321,24 @@ class Renderer {
     gl.enableVertexAttribArray(1);
     gl.vertexAttribPointer(1, 3, gl.SHORT, true, 0, 0);
     if (lines) {
-      const all = new Uint32Array(count);
-      for (let i = 0; i < count; i += 1) all[i] = lines[(i / 3) | 0];
-      this.buffer(all);
+      this.buffer(lines);
       gl.enableVertexAttribArray(2);
       gl.vertexAttribIPointer(2, 1, gl.UNSIGNED_INT, 0, 0);
     }
     if (life) {
-      const all = new Uint16Array(2 * count);
-      for (let i = 0; i < count; i += 1) {
-        all[2 * i] = life[2 * ((i / 3) | 0)];
-        all[2 * i + 1] = life[2 * ((i / 3) | 0) + 1];
-      }
-      this.buffer(all);
+      this.buffer(life);
       gl.enableVertexAttribArray(3);
       gl.vertexAttribIPointer(3, 2, gl.UNSIGNED_SHORT, 0, 0);
     }
+    if (deviation) {
+      this.buffer(deviation);
+      gl.enableVertexAttribArray(4);
+      gl.vertexAttribPointer(4, 1, gl.FLOAT, false, 0, 0);
+    }
+    if (index) this.buffer(index, gl.ELEMENT_ARRAY_BUFFER);
     gl.bindVertexArray(null);
-    return { vao, count, matrix, hasLines: lines !== null, hasLife: life !== null };
+    return { vao, count: (index || corners).length / (index ? 1 : 3), matrix, isIndexed: index !== null,
+      hasLines: lines !== null, hasLife: life !== null };
   }
 
   // Returns lines to draw: two points a line.
@@ -358,9 +419,16 @@ class Renderer {
     gl.useProgram(program);
     gl.uniformMatrix4fv(at.camera, false, scene.view.camera);
     gl.uniform3fv(at.eye, scene.view.eye);
-    gl.uniform3fv(at.stockColour, scene.colours.stock);
-    gl.uniform3fv(at.cutColour, scene.colours.cut);
     gl.uniform3fv(at.faceColour, scene.colours.face);
+    gl.uniform3fv(at.chosenColour, scene.colours.chosen);
+    gl.uniform3fv(at.errorColour, scene.colours.error);
+    gl.uniform3fv(at["tools[0]"], scene.paint.tools);
+    gl.uniform3fv(at["scale[0]"], scene.paint.scale);
+    gl.uniform3fv(at["deviations[0]"], scene.paint.deviations);
+    gl.uniform1i(at.colouring, scene.paint.colouring);
+    gl.uniform1f(at.lastLine, scene.paint.lastLine);
+    gl.uniform2fv(at.depths, scene.paint.depths);
+    gl.uniform2fv(at.limits, scene.paint.limits);
     gl.uniform4fv(at.section, scene.section || [0, 0, 1, 0]);
     gl.uniform1ui(at.chosen, scene.chosen);
     gl.uniform1ui(at.state, scene.state);
@@ -378,7 +446,8 @@ class Renderer {
       gl.bindVertexArray(mesh.vao);
       if (!mesh.hasLines) gl.vertexAttribI4ui(2, 0, 0, 0, 0);
       if (!mesh.hasLife) gl.vertexAttribI4ui(3, 0, 0xffffffff, 0, 0);
-      gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
+      if (mesh.isIndexed) gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+      else gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
     }
   }
 
@@ -404,7 +473,7 @@ class Renderer {
     }
   }
 
-  // Returns kind and triangle of the body at a pixel of the picture; null: background.
+  // Returns kind and a corner of the polygon at a pixel of the picture; null: background.
   pick(x, y) {
     const gl = this.gl, { samples, height } = this.target, pixel = new Uint32Array(4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.frame);
@@ -413,6 +482,6 @@ class Renderer {
       gl.RGBA_INTEGER, gl.UNSIGNED_INT, pixel);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     if (pixel[0] === 0) return null;
-    return { kind: pixel[0] >>> 28, triangle: (pixel[0] & 0xfffffff) - 1 };
+    return { kind: pixel[0] >>> 28, corner: (pixel[0] & 0xfffffff) - 1 };
   }
 }

@@ -36,6 +36,9 @@ extern const std::string_view kPageStyle;
 extern const std::string_view kPageScript;
 extern const std::string_view kPageArrays;
 extern const std::string_view kPageRenderer;
+extern const std::string_view kPagePaint;
+extern const std::string_view kPageMarks;
+extern const std::string_view kPageLink;
 
 namespace {
 
@@ -106,6 +109,17 @@ Json part_json(const PageData& page_data) {
         json["forms"].push_back(Json::array(
             {form.name, form.dimensions, list(form.axis), list(form.origin), form.is_hollow}));
     }
+    return json;
+}
+
+// Returns the surface with its distances from the design in steps of kPageUnit.
+Json deviation_json(const DeviationMesh& deviation) {
+    Json json = mesh_json(deviation.mesh);
+    Numbers values;
+    for (const double mm : deviation.deviation_mm)
+        values.push_back(static_cast<std::uint32_t>(std::llround(mm / kPageUnit)));
+    json["deviation"] = packed(values);
+    json["tolerance"] = deviation.tolerance_mm;
     return json;
 }
 
@@ -266,10 +280,12 @@ Json data_json(const Checked& checked, const PageData& page_data) {
     for (const Finding& f : checked.verdict.findings) {
         Json place = Json::array();
         if (f.point) place = {f.point->x, f.point->y, f.point->z};
-        data["findings"].push_back(
-            {f.place.file == 0 ? f.place.span.line : 0, verify::name_of(f.severity), place});
+        data["findings"].push_back({f.place.file == 0 ? f.place.span.line : 0,
+                                    verify::name_of(f.severity), place,
+                                    f.category == verify::Category::Collision});
     }
     if (!page_data.mesh.triangles.empty()) data["mesh"] = part_json(page_data);
+    if (page_data.deviation) data["deviation"] = deviation_json(*page_data.deviation);
     data["fixtures"] = Json::array();
     for (const ColouredMesh& body : page_data.fixtures)
         data["fixtures"].push_back(body_json(body));
@@ -295,7 +311,7 @@ std::string finding_html(const Checked& checked, std::size_t number, LengthUnit 
     const Finding& f = checked.verdict.findings[number];
     const std::string& line = checked.lines[number];
     std::string text = fmt::format(
-        "<div class=\"finding {}{}\" role=\"button\" tabindex=\"0\" "
+        "<li><div class=\"finding {}{}\" role=\"button\" tabindex=\"0\" "
         "data-finding=\"{}\"{}>",
         verify::name_of(f.severity), f.counts() ? "" : " suppressed", number,
         f.place.file == 0 && f.place.span.line > 0
@@ -313,13 +329,13 @@ std::string finding_html(const Checked& checked, std::size_t number, LengthUnit 
     for (const std::string& assumption : f.assumptions)
         append(text, "<small>assumed {}</small>", escaped(in_unit(assumption, unit)));
     if (f.last_motion > 0) append(text, "<small>{}</small>", escaped(in_unit(f.hint, unit)));
-    return text + "</div>\n";
+    return text + "</div></li>\n";
 }
 
 std::string findings_html(const Checked& checked, LengthUnit unit) {
     const auto& findings = checked.verdict.findings;
-    std::string text = "<section><h2>Findings</h2>\n";
-    if (findings.empty()) text += "<p>Nothing was found.</p>\n";
+    if (findings.empty()) return "<h2>Findings</h2>\n<p>Nothing was found.</p>\n";
+    std::string text = fmt::format("<h2>Findings ({})</h2>\n<ul>\n", findings.size());
     // Errors first, accepted and suppressed findings last.
     std::vector<std::size_t> order(findings.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -328,28 +344,35 @@ std::string findings_html(const Checked& checked, LengthUnit unit) {
     });
     for (const std::size_t i : order)
         text += finding_html(checked, i, unit);
+    text += "</ul>\n";
     for (const auto& [rule, more] : checked.verdict.unlisted)
         text += fmt::format("<p>{} more findings of {} are not listed.</p>\n", more, rule);
-    return text + "</section>\n";
+    return text;
 }
 
 std::string doubts_html(const Checked& checked, LengthUnit unit) {
     if (checked.verdict.doubts.empty()) return {};
-    std::string text = "<section><h2>Doubts</h2>\n";
+    std::string text = fmt::format("<h2>Doubts ({})</h2>\n<ul>\n", checked.verdict.doubts.size());
     for (const verify::Doubt& d : checked.verdict.doubts) {
         std::string where = file_of(checked, d.place);
         if (d.place.span.line > 0) where += fmt::format(":{}", d.place.span.line);
-        append(text,
-               "<div class=\"finding {}\"{}><b>{}</b> {} <small>{} · {}</small>"
-               "<small>fix: {}</small></div>\n",
-               d.accepted ? "note suppressed" : "warning",
-               d.place.file == 0 && d.place.span.line > 0
-                   ? fmt::format(" data-line=\"{}\"", d.place.span.line)
-                   : "",
-               d.accepted ? "accepted" : "doubt", escaped(in_unit(d.message, unit)), escaped(where),
-               d.reason, escaped(std::string(verify::find_reason(d.reason)->fix)));
+        append(
+            text,
+            "<li><div class=\"finding {}\"{}><b>{}</b> {} <small>{} · {}</small>"
+            "<small>fix: {}</small></div></li>\n",
+            d.accepted ? "note suppressed" : "warning",
+            d.place.file == 0 && d.place.span.line > 0
+                ? fmt::format(" role=\"button\" tabindex=\"0\" data-line=\"{}\"", d.place.span.line)
+                : "",
+            d.accepted ? "accepted" : "doubt", escaped(in_unit(d.message, unit)), escaped(where),
+            d.reason, escaped(std::string(verify::find_reason(d.reason)->fix)));
     }
-    return text + "</section>\n";
+    return text + "</ul>\n";
+}
+
+std::string reasons_html(const Checked& checked, LengthUnit unit) {
+    return "<section id=\"reasons\">" + findings_html(checked, unit) + doubts_html(checked, unit) +
+           "</section>\n";
 }
 
 std::string skipped_html(const Checked& checked) {
@@ -362,14 +385,15 @@ std::string skipped_html(const Checked& checked) {
 }
 
 std::string pictures_html(const PageData& page_data) {
-    std::string text = "<section><h2>Pictures</h2>\n";
+    std::string text =
+        "<section><details id=\"pictures\" open><summary><h2>Pictures</h2></summary>\n";
     for (const auto& [name, png] : page_data.pictures) {
         text += fmt::format(
             "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}"
             "</figcaption></figure>\n",
             name, base64(png));
     }
-    return text + "</section>\n";
+    return text + "</details></section>\n";
 }
 
 std::string title_of(const Checked& checked) {
@@ -400,15 +424,18 @@ std::string header_html(const Checked& checked, LengthUnit unit) {
 
 namespace {
 
-// Returns the part of a page in which the script draws the part, and the program.
-std::string viewer_html(const PageData& page_data) {
-    std::string text = "<section id=\"part\"><h2>Part</h2>";
-    if (!page_data.mesh.triangles.empty() || page_data.play)
-        text += "<div id=\"view\"></div><div id=\"controls\"></div>";
-    return text +
-           "<p id=\"picked\" aria-live=\"polite\"></p></section>\n"
+// Returns the section in which the script draws the part, and a column with `reasons` and the
+// program.
+std::string viewer_html(const PageData& page_data, const std::string& reasons) {
+    const bool has_part = !page_data.mesh.triangles.empty() || page_data.play;
+    std::string text = has_part ? "<section id=\"part\"><h2>Part</h2><div id=\"view\"></div>"
+                                  "<div id=\"controls\"></div>"
+                                : "<section id=\"part\" class=\"none\"><h2>Part</h2>"
+                                  "<p>The program was not simulated.</p>";
+    return text + "<p id=\"picked\" aria-live=\"polite\"></p></section>\n<div id=\"side\">" +
+           reasons +
            "<section id=\"program\"><h2>Program</h2><div id=\"source\" tabindex=\"0\" "
-           "aria-label=\"program\"></div></section>\n";
+           "role=\"region\" aria-label=\"program\"></div></section></div>\n";
 }
 
 void write_document(std::ostream& out, const std::string& title, const std::string& body,
@@ -420,10 +447,10 @@ void write_document(std::ostream& out, const std::string& title, const std::stri
         << valid_utf8(body);
     if (page_data) {
         out << "<script id=\"data\" type=\"application/json\">"
-            << for_script(data_json(checked, *page_data)) << "</script>\n<script>\n"
-            << kPageArrays << "</script>\n<script>\n"
-            << kPageRenderer << "</script>\n<script>\n"
-            << kPageScript << "</script>\n";
+            << for_script(data_json(checked, *page_data)) << "</script>\n";
+        for (const std::string_view script :
+             {kPageArrays, kPageRenderer, kPagePaint, kPageMarks, kPageLink, kPageScript})
+            out << "<script>\n" << script << "</script>\n";
     }
     out << "</body></html>\n";
 }
@@ -435,8 +462,7 @@ void write_page(std::ostream& out, const Checked& checked) {
     const LengthUnit unit = verified ? checked.page_data->unit : LengthUnit::Millimetre;
     std::string body = header_html(checked, unit);
     if (verified) {
-        body += "<main>\n" + viewer_html(*checked.page_data);
-        body += findings_html(checked, unit) + doubts_html(checked, unit);
+        body += "<main>\n" + viewer_html(*checked.page_data, reasons_html(checked, unit));
         body += ledger_html(checked, unit);
         if (!checked.page_data->pictures.empty()) body += pictures_html(*checked.page_data);
         body += skipped_html(checked) + "</main>\n";
@@ -451,7 +477,7 @@ void write_run_page(std::ostream& out, const std::string& path, const std::strin
     checked.path = path;
     std::string body = fmt::format("<header class=\"run\"><h1>{}</h1><p>ncsim {}</p></header>\n",
                                    escaped(title_of(checked)), kVersion);
-    body += "<main>\n" + viewer_html(page_data);
+    body += "<main>\n" + viewer_html(page_data, {});
     body += "<section><h2>Summary</h2><pre>" + escaped(summary) + "</pre></section>\n</main>\n";
     write_document(out, title_of(checked) + " · ncsim run", body, checked, &page_data);
 }

@@ -5,7 +5,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace ncsim::report {
@@ -13,17 +15,34 @@ namespace ncsim::report {
 namespace {
 
 constexpr double kUnitVector = 32767.0;
-// Level of zlib. Level 6 takes three times the time, and saves a tenth of the bytes.
-constexpr int kLevel = 3;
+// Level of zlib for texts. Level 6 takes three times the time, and saves a tenth of the bytes.
+constexpr int kTextLevel = 3;
 
-std::string compressed(const std::string& bytes) {
-    uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-    std::string result(size, '\0');
-    const int status = compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                                 reinterpret_cast<const Bytef*>(bytes.data()),
-                                 static_cast<uLong>(bytes.size()), kLevel);
-    if (status != Z_OK) throw std::runtime_error("the page cannot be compressed: zlib failed");
-    result.resize(size);
+// `strategy`: of zlib.
+std::string compressed(const std::string& bytes, int level, int strategy) {
+    z_stream stream{};
+    if (deflateInit2(&stream, level, Z_DEFLATED, MAX_WBITS, MAX_MEM_LEVEL, strategy) != Z_OK)
+        throw std::runtime_error("the page cannot be compressed: zlib failed");
+    std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+    // Counts of zlib have 32 bits.
+    constexpr std::size_t kMost = std::size_t{1} << 30U;
+    std::size_t read = 0, written = 0;
+    int status = Z_OK;
+    while (status == Z_OK) {
+        const std::size_t in = std::min(kMost, bytes.size() - read);
+        const std::size_t out = std::min(kMost, result.size() - written);
+        stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())) + read;
+        stream.avail_in = static_cast<uInt>(in);
+        stream.next_out = reinterpret_cast<Bytef*>(result.data()) + written;
+        stream.avail_out = static_cast<uInt>(out);
+        status = deflate(&stream, read + in == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
+        read += in - stream.avail_in;
+        written += out - stream.avail_out;
+    }
+    deflateEnd(&stream);
+    if (status != Z_STREAM_END)
+        throw std::runtime_error("the page cannot be compressed: zlib failed");
+    result.resize(written);
     return result;
 }
 
@@ -67,11 +86,13 @@ std::string packed(std::span<const std::uint32_t> numbers, std::size_t stride) {
                 bytes[byte * count + at] = static_cast<char>(word >> (8 * byte) & 0xffU);
         }
     }
-    return base64(compressed(bytes));
+    // Differences repeat as runs of zeros alone; a search for other repetitions takes twice the
+    // time and saves no bytes.
+    return base64(compressed(bytes, 1, Z_RLE));
 }
 
 std::string packed_text(const std::string& text) {
-    return base64(compressed(text));
+    return base64(compressed(text, kTextLevel, Z_DEFAULT_STRATEGY));
 }
 
 void append_position(std::vector<std::uint32_t>& numbers, const cda::Vec3& position) {

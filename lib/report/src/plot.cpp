@@ -15,7 +15,7 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr double kWidth = 560, kHeight = 170, kLeft = 62, kBottom = 30, kTop = 10, kRight = 12;
+constexpr double kWidth = 560, kHeight = 184, kLeft = 62, kBottom = 30, kTop = 24, kRight = 12;
 constexpr std::size_t kBins = 400;  // bins of about one pixel
 
 // A row of the ledger: its interval on the x axis and the removed volume.
@@ -77,7 +77,8 @@ std::string frame(double x_max, double y_max, const std::string& x_name,
         const double y = i * tick_for(y_max);
         const double at = kTop + h * (1 - y / y_max);
         append(svg,
-               "<path d=\"M{} {:.1f}h{:.1f}\" stroke=\"#e3e7eb\"/><text x=\"{}\" "
+               "<path d=\"M{} {:.1f}h{:.1f}\" stroke=\"#808890\" stroke-opacity=\".3\"/><text "
+               "x=\"{}\" "
                "y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>",
                kLeft, at, w, kLeft - 5, at + 4, y);
     }
@@ -88,7 +89,7 @@ std::string frame(double x_max, double y_max, const std::string& x_name,
     }
     append(svg, "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight,
            kHeight - 2, x_name);
-    append(svg, "<text x=\"{}\" y=\"{}\">{}</text>", kLeft + 4, kTop + 8, y_name);
+    append(svg, "<text x=\"{}\" y=\"{}\">{}</text>", kLeft + 4, kTop - 10, y_name);
     return svg;
 }
 

@@ -20,9 +20,11 @@ namespace ncsim::simulation {
 namespace {
 
 // Number of states of a long program. Twice as many states take nearly twice the bytes.
-constexpr std::uint64_t kStates = 24;
-// Most polygons of a page. If states need more, half of the states are dropped.
+constexpr std::uint64_t kStates = 20;
+// Most polygons of a page. If states need more, half of the states are dropped, unless the last
+// state alone has nearly as many polygons: then its part of the page is the largest.
 constexpr std::size_t kMostPolygons = 900'000;
+constexpr double kMostPerLastState = 1.25;
 // The drawn path deviates from the simulated path by at most this distance, mm.
 constexpr double kPathTolerance = 0.02;
 // Largest change of a unit vector for a drawn tool.
@@ -161,7 +163,16 @@ void PlayRecorder::end_move(bool has_cut, const cda::WorkpieceModel& part) {
     ++moves_since_state_;
     if (!has_changed_ || moves_since_state_ < every_) return;
     record_state(part);
-    if (data_.surface.pieces().size() > kMostPolygons) drop_states(false);
+    if (is_too_large()) drop_states(false);
+}
+
+// True if the states have more polygons than a page should.
+bool PlayRecorder::is_too_large() const {
+    const auto pieces = data_.surface.pieces();
+    if (pieces.size() <= kMostPolygons) return false;
+    const auto lasting =
+        std::ranges::count(pieces, cda::SurfaceRecorder::kNever, &cda::SurfacePiece::end_state);
+    return static_cast<double>(pieces.size()) > kMostPerLastState * static_cast<double>(lasting);
 }
 
 // Drops every second state. `keeps_last`: the last state stays.
@@ -182,7 +193,7 @@ void PlayRecorder::drop_states(bool keeps_last) {
 report::PlayData PlayRecorder::finish(const cda::WorkpieceModel& part,
                                       std::vector<std::uint32_t> line_of_origin) {
     if (has_changed_ || data_.states.size() == 1) record_state(part);
-    while (data_.surface.pieces().size() > kMostPolygons && data_.states.size() > 2)
+    while (is_too_large() && data_.states.size() > 2)
         drop_states(true);
     data_.line_of_origin = std::move(line_of_origin);
     return std::move(data_);

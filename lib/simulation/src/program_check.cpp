@@ -19,6 +19,7 @@
 
 #include "alternatives.h"
 #include "detached_pieces.h"
+#include "deviation_mesh.h"
 #include "machine_page_data.h"
 #include "place_kinematics.h"
 #include "refine.h"
@@ -556,6 +557,10 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
             checked.page_data = page_data(plan, survey, simulation, simulation.part->boundary(),
                                           all.setup.machine.fixtures, true);
             if (play) checked.page_data->play = finish_play(*play, simulation);
+            if (checked.design && !checked.page_data->mesh.triangles.empty()) {
+                checked.page_data->deviation =
+                    deviation_mesh(checked.page_data->mesh, *verification_options.design);
+            }
             checked.page_data->machine =
                 machine_page_data(plan, survey, verification_options.machine);
         }

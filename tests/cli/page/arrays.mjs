@@ -30,7 +30,7 @@ try {
   expect(!/(src|href)=["']?(https?:)?\/\//.test(text), "the page loads something");
 
   const scripts = [...text.matchAll(/<script>\n([^]*?)<\/script>/g)].map((match) => match[1]);
-  expect(scripts.length === 3, `${scripts.length} scripts`);
+  expect(scripts.length === 6, `${scripts.length} scripts`);
   for (const script of scripts) new Script(script);  // throws where the syntax is wrong
   const context = createContext({ atob, Blob, Response, DecompressionStream, Math, Uint8Array,
     Int32Array, Uint32Array, Float32Array, Int16Array, Uint16Array, Promise });
@@ -41,7 +41,7 @@ try {
   const play = await context.reader.readPlay(data.play);
   const { states } = play;
   const last = states.stateMoves.length - 1;
-  expect(last >= 24, `${last + 1} states`);
+  expect(last >= 20, `${last + 1} states`);
   for (const state of [0, Math.floor(last / 3), Math.floor(2 * last / 3), last]) {
     run(program, "--report", "report.json", ...(state > 0 ?
       ["--at-line", String(states.stateLines[state])] : []));

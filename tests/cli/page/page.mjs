@@ -14,11 +14,13 @@ const { folder } = reader;
 const expect = (...words) => reader.expect(...words), near = (...words) => reader.near(...words);
 const call = (...words) => reader.call(...words);
 async function open(file, options = {}) {
-  const page = await reader.open(file, options);
+  // A small window: the tests draw without a graphics card.
+  const page = await reader.open(file, { viewport: { width: 1000, height: 720 }, ...options });
   await page.evaluate(() => window.ncsim.ready);
   return page;
 }
 async function picture(page, name) {
+  if (!pictures) return;
   await page.evaluate(() => window.ncsim.view.draw());
   await reader.picture(page, name, {});
 }
@@ -89,7 +91,7 @@ await reader.run(async () => {
       return at.x > frame.left && at.x < frame.right && at.y > frame.top && at.y < frame.bottom;
     })));
   });
-  for (const size of [[1280, 900], [500, 900], [2000, 700], [1280, 900]]) {
+  for (const size of [[1280, 900], [500, 900], [2000, 700], [1000, 720]]) {
     await page.setViewportSize({ width: size[0], height: size[1] });
     // The browser reports the new size with the next picture.
     await page.evaluate(() => new Promise((done) => {
@@ -127,7 +129,7 @@ await reader.run(async () => {
   await picture(page, "finding");
   await page.locator(".finding.error").first().focus();
   await page.keyboard.press("Enter");
-  expect(await page.locator("svg").count() === 2, "two plots");
+  expect(await page.locator("main svg[role=img]").count() === 2, "two plots");
   expect(await page.locator("img").evaluateAll((all) => all.every((i) => i.naturalWidth > 0)),
     "a picture is broken");
 
@@ -163,7 +165,11 @@ await reader.run(async () => {
   await page.locator("select[aria-label=section]").evaluate((s) => s.dispatchEvent(new Event("input")));
   await page.evaluate(() => { window.ncsim.view.setView("right"); window.ncsim.view.draw(); });
   const cut = await click(page, 0, -20, -10);
-  expect(/^sectionX 0.000 Y -20.0\d\d Z -9.99\d/.test(cut), cut);
+  const cutAt = /^sectionX 0.000 Y (\S+) Z (\S+)/.exec(cut) || [];
+  const pixel = await page.evaluate(() => 1 / Math.abs(window.ncsim.view.project(0, 1, 0).x -
+    window.ncsim.view.project(0, 0, 0).x));
+  near(Number(cutAt[1]), -20, pixel, `Y in ${cut}`);
+  near(Number(cutAt[2]), -10, pixel, `Z in ${cut}`);
   await picture(page, "section");
   await page.locator("select[aria-label=section]").selectOption({ label: "no section" });
   await page.locator("select[aria-label=section]").evaluate((s) => s.dispatchEvent(new Event("input")));
@@ -190,6 +196,27 @@ await reader.run(async () => {
   expect(!await page.evaluate(() => window.ncsim.view.shown.path), "key P hides the path");
   await picture(page, "turned");
 
+  // Colours: faces of the bore have the colour of the second tool, the legend names the tools.
+  const pixelAt = (...point) => page.evaluate((p) => {
+    const { view } = window.ncsim, at = view.project(...p), frame = view.canvas.getBoundingClientRect();
+    view.draw();
+    const copy = document.createElement("canvas").getContext("2d");
+    copy.drawImage(view.canvas, frame.left - at.x, frame.top - at.y, frame.width, frame.height);
+    return [...copy.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+  }, point);
+  await page.evaluate(() => { window.ncsim.view.setView("top"); });
+  let [red, , bluish] = await pixelAt(-30, 0, -4);
+  expect(bluish > red + 40, `the slot of T1 is ${red}, ${bluish}`);
+  expect((await page.locator(".legend").textContent()).includes("T2 flat end mill D8"), "a legend");
+  await page.locator("select[aria-label=colours]").selectOption("depth");
+  [red, , bluish] = await pixelAt(-30, -20, 0);
+  expect(Math.abs(red - bluish) < 30, `uncut faces stay grey: ${red}, ${bluish}`);
+  expect((await page.locator(".legend").textContent()).startsWith("Z 0Z -0.7874"), "a scale in inches");
+  await page.locator("#source").focus();
+  const below = await selected(page);
+  await page.keyboard.press("ArrowDown");
+  expect(await selected(page) === below + 1, "the key for the next line");
+
   // A phone, dark: nothing is wider than the screen.
   const phone = await open("run.html", { viewport: { width: 390, height: 844 }, colorScheme: "dark",
     deviceScaleFactor: 2 });
@@ -215,11 +242,44 @@ await reader.run(async () => {
     expect(away < 2e-3, `after line ${n} the tip is at ${tip}`);
   }
   await picture(page, "machine");
+  // The machine is at rest: a point of the bed stays in the picture while the table turns the part.
+  const placesAfter = (n) => page.evaluate((number) => {
+    window.ncsim.select(number);
+    const { view } = window.ncsim;
+    return [view.machine.place("base", 100, 50, 20), [30, 0, 0]].map((p) => {
+      const at = view.project(...p);
+      return [at.x, at.y];
+    });
+  }, n);
+  const moved = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  const [atFirst, turned] = [await placesAfter(17), await placesAfter(83)];
+  expect(moved(atFirst[0], turned[0]) < 0.1, `the base moves: ${atFirst[0]}, ${turned[0]}`);
+  expect(moved(atFirst[1], turned[1]) > 5, `the part is at rest: ${atFirst[1]}, ${turned[1]}`);
+  await page.locator("select[aria-label=frame]").selectOption("part");
+  const [partFirst, partTurned] = [await placesAfter(17), await placesAfter(83)];
+  expect(moved(partFirst[1], partTurned[1]) < 0.1, `the part moves: ${partFirst[1]}, ${partTurned[1]}`);
   // The cradle is between camera and part, so a face of the part is seen without the machine only.
   await page.locator("label", { hasText: "machine" }).locator("input").uncheck();
   await page.evaluate(() => window.ncsim.player.goTo(window.ncsim.player.count));
   await click(page, -38, -38, 0);
   expect(await selected(page) === 0, "the stock's corner is a face");
+
+  // Distances from the design: the finding is in the list for a screen reader, and the gouge of 1 mm
+  // in the picture. The address of the page says what the page shows.
+  call("check", join(samples, "..", "examples", "rules", "gouge", "fails.nc"), "--html", "design.html");
+  page = await open("design.html#line=7&colour=design&view=top");
+  expect(await selected(page) === 7 && (await page.evaluate(() => window.ncsim.player.line())) === 7,
+    "the line of the address");
+  const list = await page.locator("#reasons").ariaSnapshot();
+  expect(/heading "Findings \(1\)"[^]*- list:\s+- listitem:\s+- '?button "error the part is cut into the design: depth 1 mm/.test(list), list);
+  expect((await click(page, 0, -17.5, -3)).startsWith("1.000 mm inside of the design: gouge"),
+    "the depth of the gouge");
+  expect((await click(page, 0, 10, 0)).startsWith("on the design"), "a face on the design");
+  const legend = await page.locator(".legend").textContent();
+  expect(legend.includes("gouge 1, left 0 at most") && legend.includes("% beyond ±0.1"), legend);
+  const areas = await page.evaluate(() => [...areasByDeviation(window.ncsim.view.deviation, 1, 3)]);
+  near(areas.reduce((sum, area) => sum + area, 0), 11170, 1, "area of the part");
+  near(areas[0], 420, 20, "area of the floor and of the lowest millimetre of the wall");
 
   // Faces of an earlier set-up have tool and form, and no line of this program.
   call("run", "part.nc", "--save-stock", "part.ncstock", "-q");
@@ -229,6 +289,6 @@ await reader.run(async () => {
   const earlier = await click(page, -30, 3, -4);
   expect(earlier.startsWith("cut in an earlier set-up") && earlier.includes("T1"), earlier);
 
-  expect(reader.requests.filter((url) => url.startsWith("file:")).length === 5,
+  expect(reader.requests.filter((url) => url.startsWith("file:")).length === 6,
     `loaded: ${reader.requests}`);
 }, (url) => url.startsWith("file:") || url.startsWith("data:"));

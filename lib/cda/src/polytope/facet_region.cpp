@@ -68,19 +68,22 @@ FacetRegion::LinePosition FacetRegion::position(std::span<const Point> corners, 
         const double above = line.above(p);
         any_below |= above < 0.0;
         any_above |= above > 0.0;
+        if (any_below && any_above) return LinePosition::Cut;
     }
-    return !any_above ? LinePosition::Below : any_below ? LinePosition::Cut : LinePosition::Above;
+    return any_above ? LinePosition::Above : LinePosition::Below;
 }
 
 // Appends the part of a polygon on a side of a line that cuts the polygon.
 FacetRegion::Polygon FacetRegion::part(const Polygon& polygon, const Line& line, bool above) {
     const double sign = above ? -1.0 : 1.0;
     Polygon result{points_.size(), 0};
+    Point q = points_[polygon.first];
+    double at_q = sign * line.above(q);
     for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Point p = points_[polygon.first + i];
-        const Point q = points_[polygon.first + (i + 1 == polygon.count ? 0 : i + 1)];
-        const double at_p = sign * line.above(p);
-        const double at_q = sign * line.above(q);
+        const Point p = q;
+        const double at_p = at_q;
+        q = points_[polygon.first + (i + 1 == polygon.count ? 0 : i + 1)];
+        at_q = sign * line.above(q);
         if (at_p <= 0.0) points_.push_back(p);
         if ((at_p < 0.0 && at_q > 0.0) || (at_p > 0.0 && at_q < 0.0)) {
             const double t = at_p / (at_p - at_q);

@@ -61,6 +61,14 @@ struct FaceForm {
     bool is_hollow = false;          ///< The material surrounds the form, as around a bore.
 };
 
+/// Surface of a part with its distances from the design.
+struct DeviationMesh {
+    cda::TriangleMesh mesh;  ///< mm, W.
+    /// For each vertex, mm; positive: material is left, negative: the part is cut into the design.
+    std::vector<double> deviation_mm;
+    double tolerance_mm = 0.0;
+};
+
 /// Additional data for a page.
 struct PageData {
     LengthUnit unit = LengthUnit::Millimetre;  ///< Of texts, and at first of the viewer.
@@ -78,7 +86,8 @@ struct PageData {
     std::vector<ColouredMesh> fixtures;  ///< Frame of the part.
     std::optional<PlayData> play;        ///< Empty: the page shows the finished part only.
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
-    std::string thumbnail;  ///< Small picture for an index, PNG; empty: none.
+    std::optional<DeviationMesh> deviation;  ///< Only if the part was compared with a design.
+    std::string thumbnail;                   ///< Small picture for an index, PNG; empty: none.
     /// A specified machine with bodies and motion; otherwise nullopt.
     std::optional<MachinePageData> machine;
 };

@@ -38,6 +38,7 @@ public:
 
 private:
     void record_state(const cda::WorkpieceModel& part);
+    bool is_too_large() const;
     void drop_states(bool keeps_last);
     void simplify_move();
     std::uint32_t tool_index(int number);
