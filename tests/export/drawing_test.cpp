@@ -59,7 +59,7 @@ TEST(Dxf, HasALineAnArcAndACircleOnTheLayersOfTheirTools) {
     EXPECT_NE(text.find("1\nz=-4 of a&b.nc\n"), std::string::npos);
 }
 
-// FreeCAD skips the first group of a layer, so its name must not be the first.
+// FreeCAD skips the first group of a layer. If this is the name, the layer has no colour.
 TEST(Dxf, NamesALayerBehindAnotherGroup) {
     const Section section = half_disc();
     const Provenance from = provenance();

@@ -60,7 +60,9 @@ class Workshop:
         return self.versions[package]
 
     def chroot(self, command, quiet=False):
-        return run(["chroot", self.root, "sh", "-c", "mkdir -p /files && cd /files && " + command], quiet=quiet)
+        # The mount of /proc ends with the command.
+        return run(["unshare", "--mount", "sh", "-c", 'mount -t proc proc "$0/proc" && exec chroot "$0" sh -c "$1"', self.root,
+                    "mkdir -p /files && cd /files && " + command], quiet=quiet)
 
     def result(self, command, file):
         """Runs a script in the Debian that writes FILE.json, and returns its content."""

@@ -136,7 +136,7 @@ private:
         group(70, std::to_string(layers.size()));
         for (const Layer& layer : layers) {
             group(0, "LAYER");
-            // FreeCAD finds the name only behind another group.
+            // FreeCAD skips the first group of a layer.
             group(70, "0");
             group(2, layer.name);
             group(62, std::to_string(layer.colour));
