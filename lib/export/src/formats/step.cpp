@@ -132,7 +132,7 @@ public:
         } else {
             std::vector<Entity> items{origin};
             for (const brep::Solid& solid : part_.solids)
-                items.push_back(solid_brep(solid, "SOLID_1"));
+                items.push_back(solid_brep(solid, name_of_solid(0)));
             parts = {represented(whole, items)};
         }
         if (!styled_.empty()) {
@@ -234,34 +234,42 @@ private:
         return product;
     }
 
+    static std::string name_of_solid(std::size_t number) {
+        return "SOLID_" + std::to_string(number + 1);
+    }
+
     // Writes each solid as a product of its own in the assembly `whole`, because readers show names
     // of products, not of solids. Returns the products of the solids.
     std::vector<Product> assembly(const Product& whole, Entity origin) {
         std::vector<Product> parts;
         std::vector<Entity> places{origin};
         for (std::size_t i = 0; i < part_.solids.size(); ++i) {
-            const std::string name = "SOLID_" + std::to_string(i + 1);
+            const std::string name = name_of_solid(i);
             const Entity solid = solid_brep(part_.solids[i], name);
             const Entity place = placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
             parts.push_back(represented(product(quoted(name)), {place, solid}));
             parts.back().place = place;
             places.push_back(placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0}));
         }
-        const Entity representation = represented(whole, places, false).representation;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const std::string name = quoted("SOLID_" + std::to_string(i + 1));
-            const Entity use = add("NEXT_ASSEMBLY_USAGE_OCCURRENCE(" + name + "," + name + ",''," +
-                                   ref(whole.definition) + "," + ref(parts[i].definition) + ",$)");
-            const Entity shape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(use) + ")");
-            const Entity same = add("ITEM_DEFINED_TRANSFORMATION('',''," + ref(parts[i].place) +
-                                    "," + ref(places[i + 1]) + ")");
-            const Entity relation =
-                add("(REPRESENTATION_RELATIONSHIP('',''," + ref(parts[i].representation) + "," +
-                    ref(representation) + ")REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(" +
-                    ref(same) + ")SHAPE_REPRESENTATION_RELATIONSHIP())");
-            add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(" + ref(relation) + "," + ref(shape) + ")");
-        }
+        const Product all = represented(whole, places, false);
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            place_part(all, parts[i], quoted(name_of_solid(i)), places[i + 1]);
         return parts;
+    }
+
+    // Writes the use of `part` in the assembly `whole`, at the placement `place` there.
+    void place_part(const Product& whole, const Product& part, const std::string& name,
+                    Entity place) {
+        const Entity use = add("NEXT_ASSEMBLY_USAGE_OCCURRENCE(" + name + "," + name + ",''," +
+                               ref(whole.definition) + "," + ref(part.definition) + ",$)");
+        const Entity shape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(use) + ")");
+        const Entity same =
+            add("ITEM_DEFINED_TRANSFORMATION('',''," + ref(part.place) + "," + ref(place) + ")");
+        const Entity relation =
+            add("(REPRESENTATION_RELATIONSHIP('',''," + ref(part.representation) + "," +
+                ref(whole.representation) + ")REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(" +
+                ref(same) + ")SHAPE_REPRESENTATION_RELATIONSHIP())");
+        add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(" + ref(relation) + "," + ref(shape) + ")");
     }
 
     static std::string triple(Vec3 v) {
