@@ -2,58 +2,62 @@ include(CMakePackageConfigHelpers)
 set(NCSIM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ncsim)
 configure_package_config_file(cmake/ncsimConfig.cmake.in ncsimConfig.cmake
   INSTALL_DESTINATION ${NCSIM_CMAKE_DIR})
-# Before 1.0 a new minor version may change the headers (docs/compatibility.md).
-set(ncsim_compatibility SameMajorVersion)
-if(PROJECT_VERSION_MAJOR EQUAL 0)
-  set(ncsim_compatibility SameMinorVersion)
-endif()
-write_basic_package_version_file(ncsimConfigVersion.cmake COMPATIBILITY ${ncsim_compatibility})
-install(EXPORT ncsimTargets NAMESPACE ncsim:: DESTINATION ${NCSIM_CMAKE_DIR})
+write_basic_package_version_file(ncsimConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(EXPORT ncsimTargets NAMESPACE ncsim:: DESTINATION ${NCSIM_CMAKE_DIR} COMPONENT development)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ncsimConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/ncsimConfigVersion.cmake
-        DESTINATION ${NCSIM_CMAKE_DIR})
+        DESTINATION ${NCSIM_CMAKE_DIR} COMPONENT development)
 
-# A package of the program for Debian 12, by `./dev package`: what it links to, and what it loads when
-# it draws. With it come the documents and the samples.
-install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+# Packages for Debian 12, by `./dev package`: the program with what it loads when it draws, documents and samples; the
+# reader of STEP, because OpenCASCADE comes with it; the Python package; libraries and headers.
 install(FILES README.md CHANGELOG.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs samples examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_COMPONENTS_ALL program)
-# What reads STEP is a package of its own, where it was built: OpenCASCADE comes with it.
-if(TARGET ncsim_step)
-  list(APPEND CPACK_COMPONENTS_ALL step)
-  set(CPACK_DEBIAN_STEP_PACKAGE_NAME ncsim-step)
-  set(CPACK_DEBIAN_STEP_FILE_NAME DEB-DEFAULT)
-  set(CPACK_DEBIAN_STEP_DESCRIPTION "reads STEP for ncsim
- With it ncsim takes designs, stock and fixtures as STEP.")
-  set(CPACK_DEBIAN_STEP_PACKAGE_SECTION science)
-  set(CPACK_DEBIAN_STEP_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_STEP_PACKAGE_DEPENDS ncsim)
-endif()
-# The Python package, for the Python that it was built for.
-if(TARGET ncsim_python)
-  list(APPEND CPACK_COMPONENTS_ALL python)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ncsim)
-  set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
-  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "simulates and verifies NC milling programs (Python 3)
- With it Python scripts have the part of a program as NumPy arrays, and its verdict as objects.")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${NCSIM_PYTHON_DEPENDS}")
-endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_CONTACT "The ncsim project <ncsim@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulates NC milling programs and verifies them")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ncsim)
-set(CPACK_DEBIAN_PROGRAM_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
-  "ncsim reads G-code, moves the cutter, takes what it sweeps away from the stock exactly, and
-says what is left and whether the program is safe: pictures, meshes, solids, reports, exit codes
-for CI.")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libosmesa6)
+set(CPACK_COMPONENTS_ALL)
+
+# ncsim_debian_package(<component> <package> <section> <depends> <description>)
+function(ncsim_debian_package component package section depends description)
+  string(TOUPPER ${component} upper)
+  foreach(value PACKAGE_NAME=${package} FILE_NAME=DEB-DEFAULT PACKAGE_SECTION=${section} PACKAGE_SHLIBDEPS=ON)
+    string(REPLACE "=" ";" value ${value})
+    list(POP_FRONT value key)
+    set(CPACK_DEBIAN_${upper}_${key} ${value} PARENT_SCOPE)
+  endforeach()
+  set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
+  set(CPACK_DEBIAN_${upper}_DESCRIPTION "${description}" PARENT_SCOPE)
+  set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
+  # What Debian requires in each package.
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/debian/${package})
+  configure_file(cmake/debian/changelog.in ${folder}/changelog @ONLY)
+  execute_process(COMMAND gzip -9nfk ${folder}/changelog COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES ${folder}/changelog.gz cmake/debian/copyright
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+endfunction()
+
+# Its first line is CPACK_PACKAGE_DESCRIPTION_SUMMARY.
+ncsim_debian_package(program ncsim science libosmesa6
+  "ncsim reads G-code, Klartext and SINUMERIK programs, cuts the stock exactly,
+and writes the part that is left as pictures, meshes, solids and drawings.
+It says whether the program is safe, with exit codes for CI.")
+if(TARGET ncsim_step)
+  ncsim_debian_package(step ncsim-step science ncsim "reads STEP for ncsim
+ With it ncsim takes designs, stock and fixtures as STEP.")
+endif()
+if(TARGET ncsim_python)
+  ncsim_debian_package(python python3-ncsim python "${NCSIM_PYTHON_DEPENDS}"
+    "simulates and verifies NC milling programs (Python 3)
+ With it Python scripts have the part of a program as NumPy arrays,
+ and its verdict as objects.")
+endif()
+ncsim_debian_package(development libncsim-dev libdevel
+  "libqhull-dev, libfmt-dev, libgif-dev, libpng-dev, zlib1g-dev, libtinygltf-dev, libtinyxml2-dev, libtomlplusplus-dev, \
+libgmp-dev, libmpfr-dev, nettle-dev, libzip-dev"
+  "libraries and headers of ncsim
+ C++ libraries that read NC programs, simulate and verify them, and export
+ the part, with a CMake package.")
 include(CPack)

@@ -21,8 +21,8 @@ function(ncsim_add_library name)
     VERIFY_INTERFACE_HEADER_SETS ON)
   ncsim_join_sources(ncsim_${name})
   install(TARGETS ncsim_${name} EXPORT ncsimTargets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 endfunction()
 
 # Has sources compiled several at a time, if NCSIM_UNITY says so: half of the time goes into headers

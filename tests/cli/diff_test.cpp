@@ -55,7 +55,7 @@ TEST(Diff, OfPartsOnAMachineThatTurns) {
     };
     EXPECT_EQ(ends("a.nc", "b.nc"), 0);
     EXPECT_EQ(ends("a.nc", "c.nc"), 1);  // the tip moves along X of the part
-    EXPECT_EQ(folder.run({"diff", "a.nc", "c.nc"}).exit_code, 1);  // M428 is unknown
+    EXPECT_EQ(folder.run({"diff", "a.nc", "c.nc"}).exit_code, 2);  // M428 is unknown
 }
 
 TEST(Diff, TellsVolumesPlacesAndLines) {
@@ -167,12 +167,16 @@ TEST(Diff, OfDifferentBlocksIsADifference) {
     EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--stock", "40x30x10"}).exit_code, 0);
 }
 
+// Code 1 is a difference, as for diff: scripts distinguish a difference from a failed comparison.
 TEST(Diff, OfWhatCannotBeCutFails) {
     Folder folder;
     folder.write("a.nc", kSlot);
     folder.write("b.nc", "G21 G90\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F10\nM30\n");
+    folder.write("fault.nc", replaced("G1 X30. F500.", "G1 X3O. F500."));
+    EXPECT_EQ(folder.run({"diff", "a.nc", "fault.nc"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"diff", "fault.nc", "a.nc"}).exit_code, 2);
     const Ran ran = folder.run({"diff", "a.nc", "b.nc"});
-    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_EQ(ran.exit_code, 2);
     EXPECT_NE(ran.err.find("tool 7 is not described"), std::string::npos) << ran.err;
     EXPECT_EQ(folder.run({"diff", "a.nc", "missing.nc"}).exit_code, 2);
     EXPECT_EQ(folder.run({"diff", "a.nc"}).exit_code, 2);

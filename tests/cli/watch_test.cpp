@@ -65,6 +65,21 @@ TEST(Watch, RunsAgainWhenASettingAppearsInAFile) {
               (std::vector<std::string>{"a.nc", "a.stl", "first.stl", "ncsim.toml"}));
 }
 
+TEST(Watch, NoticesANewProjectFile) {
+    const Watched folder;
+    folder.write("parts/a.nc", at_rapid());
+    folder.write("b.nc", kSlot);
+    const std::string script =
+        "printf 'version = 1\n' > ncsim.toml; runs 2\n"
+        "printf 'version = 1\nstock = \"40x30x12\"\n' > parts/ncsim.toml; runs 3\n"
+        "rm ncsim.toml parts/ncsim.toml";
+    for (const std::string command : {"check parts/a.nc", "run parts/a.nc"}) {
+        const Ran ran = folder.watch(command, script);
+        EXPECT_TRUE(contains(ran.err, "run 2: ncsim.toml changed")) << command << ran.err;
+        EXPECT_TRUE(contains(ran.err, "run 3: parts/ncsim.toml changed")) << command << ran.err;
+    }
+}
+
 TEST(Watch, NoticesProgramsOfAFolderAndSubprogramsThatAppear) {
     const Watched folder;
     folder.write("parts/a.ngc",

@@ -3,6 +3,8 @@
 // Tests sections as DXF and SVG.
 #include "ncsim/export/drawing.h"
 
+#include "support/count.h"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -57,6 +59,15 @@ TEST(Dxf, HasALineAnArcAndACircleOnTheLayersOfTheirTools) {
     EXPECT_NE(text.find("1\nz=-4 of a&b.nc\n"), std::string::npos);
 }
 
+// FreeCAD skips the first group of a layer. If this is the name, the layer has no colour.
+TEST(Dxf, NamesALayerBehindAnotherGroup) {
+    const Section section = half_disc();
+    const Provenance from = provenance();
+    const std::string text = dxf({{&section, &from}});
+    for (const std::string name : {"0", "NOTES", "STOCK", "T3"})
+        EXPECT_NE(text.find("0\nLAYER\n70\n0\n2\n" + name + "\n62\n"), std::string::npos) << name;
+}
+
 TEST(Dxf, NamesOtherAlphabetsByNumber) {
     const Section section = half_disc();
     const Provenance from = provenance();
@@ -105,6 +116,29 @@ TEST(Svg, HasArcsWithUpDown) {
     EXPECT_NE(text.find("a&amp;b.nc"), std::string::npos);
 }
 
+// OpenSCAD moves a drawing whose view box does not begin at 0, fills all outlines that it finds,
+// and ignores definitions.
+TEST(Svg, HasOneFilledPathOutsideOfDefinitions) {
+    const Section section = half_disc();
+    const Provenance from = provenance();
+    std::string text = svg({{&section, &from}, {&section, &from}});
+    EXPECT_NE(text.find(" width=\"50mm\" height=\"22mm\" viewBox=\"0 0 50 22\">\n"
+                        "<g transform=\"translate(10 10)\">\n"),
+              std::string::npos)
+        << text;
+    for (const std::string name : {"outlines-1", "outlines-2"}) {
+        const std::size_t begin = text.find("<defs><g id=\"" + name + "\">");
+        const std::size_t end = text.find("</g></defs>", begin);
+        ASSERT_LT(begin, end);
+        EXPECT_EQ(
+            ncsim::test::count(text.substr(begin, end - begin), "<path fill=\"none\" stroke="), 2U);
+        EXPECT_EQ(text.find("<use xlink:href=\"#" + name + "\"/>"), end + 12);
+        text.erase(begin, end - begin);
+    }
+    EXPECT_EQ(ncsim::test::count(text, "<path"), 2U);
+    EXPECT_EQ(ncsim::test::count(text, "<path fill=\"#e4e4e4\" fill-rule=\"evenodd\""), 2U);
+}
+
 TEST(Svg, AnEllipseIsOneAndLinesInDxf) {
     Section section;
     section.outlines = {{{{0, 2}, {0, -2}, FlatEllipse{{0, 0}, {0, 4}, 2.0, true}, cda::Origin{1}},
@@ -115,7 +149,13 @@ TEST(Svg, AnEllipseIsOneAndLinesInDxf) {
     section.outlines[0][1].to = {0, 4};
     const Provenance from = provenance();
     EXPECT_NE(svg({{&section, &from}}).find("A4 2 -90 0 0 0 4"), std::string::npos);
-    EXPECT_NE(dxf({{&section, &from}}).find("0\nPOLYLINE\n"), std::string::npos);
+    // OpenSCAD leaves out POLYLINE.
+    const std::string text = dxf({{&section, &from}});
+    EXPECT_EQ(text.find("POLYLINE"), std::string::npos);
+    EXPECT_GT(ncsim::test::count(text, "0\nLINE\n8\nT3\n"), 20U);
+    EXPECT_NE(text.find("0\nLINE\n8\nT3\n10\n0\n20\n4\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("11\n0\n21\n-4\n31\n0\n0\nLINE\n8\nT3\n10\n0\n20\n-4\n"),
+              std::string::npos);
 }
 
 TEST(Drawing, OfNothingIsThere) {

@@ -24,9 +24,6 @@ def pieces(drawing):
             yield [(centre[0] + radius * math.cos(math.radians(begin + turn * i / steps)),
                     centre[1] + radius * math.sin(math.radians(begin + turn * i / steps)))
                    for i in range(steps + 1)]
-        elif kind == "POLYLINE":
-            points = [vertex.dxf.location for vertex in entity.vertices]
-            yield points + points[:1] if entity.is_closed else points
         elif kind != "TEXT":
             raise SystemExit(f"a {kind}")
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_step_properties <solid.step> <schema> <face name> …: reads the file as a document of
-// OpenCASCADE. The document must have the volume, the area and the centroid that OpenCASCADE
-// measures, a name for the part, colours on the faces, and a face of each specified name.
+// read_step_properties <solid.step> <schema> <pieces> <face name> …: reads the file as a document
+// of OpenCASCADE. The document must have the volume, the area and the centroid that OpenCASCADE
+// measures, a name for the part, colours on the faces, and a face of each specified name. If there
+// are several pieces, each has the name SOLID_1 … and its volume.
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
@@ -38,7 +39,7 @@ std::string name_of(const TDF_Label& label) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) return EXIT_FAILURE;
+    if (argc < 4) return EXIT_FAILURE;
     bool good = true;
     const auto expect = [&](bool condition, const std::string& message) {
         if (!condition) std::cerr << argv[1] << ": " << message << '\n';
@@ -82,20 +83,42 @@ int main(int argc, char** argv) {
     const double off = centre.Distance(volume.CentreOfMass());
     expect(off < 1e-6, "its centroid is " + std::to_string(off) + " mm off");
 
-    std::set<std::string> names;
-    int faces = 0, coloured = 0;
-    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-        ++faces;
-        Quantity_Color colour;
-        if (colours->GetColor(face.Current(), XCAFDoc_ColorSurf, colour)) ++coloured;
-        TDF_Label label;
-        if (shapes->FindSubShape(part, face.Current(), label)) names.insert(name_of(label));
+    TDF_LabelSequence pieces, components;
+    XCAFDoc_ShapeTool::GetComponents(part, components);
+    if (components.IsEmpty()) pieces.Append(part);
+    for (int i = 1; i <= components.Length(); ++i) {
+        TDF_Label piece;
+        expect(XCAFDoc_ShapeTool::GetReferredShape(components(i), piece), "a piece has no shape");
+        pieces.Append(piece);
+        const std::string name = "SOLID_" + std::to_string(i);
+        expect(name_of(piece) == name, name + " has the name " + name_of(piece));
+        GProp_GProps own;
+        BRepGProp::VolumeProperties(XCAFDoc_ShapeTool::GetShape(piece), own, 1e-9);
+        expect(XCAFDoc_Volume::Get(piece, specified) &&
+                   std::abs(specified - own.Mass()) < kSame * specified,
+               name + " has no volume, or a wrong one");
     }
-    // If all faces have the same colour, the part may have the colour.
-    Quantity_Color all;
-    expect(coloured == faces || colours->GetColor(shape, XCAFDoc_ColorSurf, all),
-           std::to_string(coloured) + " of " + std::to_string(faces) + " faces have a colour");
-    for (int i = 3; i < argc; ++i)
+    expect(pieces.Length() == std::atoi(argv[3]), std::to_string(pieces.Length()) + " pieces");
+
+    std::set<std::string> names;
+    int faces = 0;
+    for (const TDF_Label& piece : pieces) {
+        const TopoDS_Shape body = XCAFDoc_ShapeTool::GetShape(piece);
+        int all = 0, coloured = 0;
+        for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next()) {
+            ++all;
+            Quantity_Color colour;
+            if (colours->GetColor(face.Current(), XCAFDoc_ColorSurf, colour)) ++coloured;
+            TDF_Label label;
+            if (shapes->FindSubShape(piece, face.Current(), label)) names.insert(name_of(label));
+        }
+        // If all faces have the same colour, the piece may have the colour.
+        Quantity_Color same;
+        expect(coloured == all || colours->GetColor(body, XCAFDoc_ColorSurf, same),
+               std::to_string(coloured) + " of " + std::to_string(all) + " faces have a colour");
+        faces += all;
+    }
+    for (int i = 4; i < argc; ++i)
         expect(names.count(argv[i]) == 1, std::string("no face is called ") + argv[i]);
     std::cout << argv[1] << ": " << name_of(part) << ", " << faces << " faces, " << volume.Mass()
               << " mm3\n";

@@ -44,6 +44,25 @@ TEST(WriteStep, NamesFacesAfterTheirLines) {
     EXPECT_GT(ncsim::test::count(text, "ADVANCED_FACE('LINE_40'"), 0U);
 }
 
+// gmsh and FreeCAD show the names of products, and solids of one product have none.
+TEST(WriteStep, SeveralSolidsAreProductsOfAnAssembly) {
+    test::BoxPart box;
+    box.stock = {{0, 0, 0}, {6, 2, 2}};
+    box.cuts = {{{2, -1, -1}, {3, 3, 3}}};
+    const std::string text = written(test::boundary_of(box), test::provenance_of(box));
+    EXPECT_EQ(ncsim::test::count(text, "=PRODUCT("), 3U) << text;
+    EXPECT_EQ(ncsim::test::count(text, "=PRODUCT('SOLID_1','SOLID_1'"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "=PRODUCT('SOLID_2','SOLID_2'"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "=NEXT_ASSEMBLY_USAGE_OCCURRENCE("), 2U);
+    EXPECT_EQ(ncsim::test::count(text, "=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION("), 2U);
+    EXPECT_EQ(ncsim::test::count(text, "=ADVANCED_BREP_SHAPE_REPRESENTATION("), 2U);
+    EXPECT_EQ(ncsim::test::count(text, "VOLUME_MEASURE(24.)"), 0U);
+    EXPECT_EQ(ncsim::test::count(text, "VOLUME_MEASURE(20.)"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "VOLUME_MEASURE(8.)"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "VOLUME_MEASURE(12.)"), 1U);
+    EXPECT_EQ(ncsim::test::count(box_text(), "NEXT_ASSEMBLY_USAGE_OCCURRENCE("), 0U);
+}
+
 TEST(WriteStep, WritesOtherAlphabetsByNumber) {
     Provenance provenance;
     provenance.program = "M\xC3\xBC'ller\\\xF0\x9F\x94\xA7.nc";

@@ -136,16 +136,20 @@ if(TARGET ncsim)
   foreach(schema ap242 ap214)
     string(REPLACE "ap214" "AUTOMOTIVE_DESIGN" name ${schema})
     string(REPLACE "ap242" "AP242" name ${name})
-    set(solid ${CMAKE_CURRENT_BINARY_DIR}/export/properties_${schema}.step)
-    add_test(NAME export.write_step_properties_${schema}
-      COMMAND ncsim run ${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip/plate.nc -q --step ${solid}
-        --step-schema ${schema} --step-attributes)
-    set_tests_properties(export.write_step_properties_${schema} PROPERTIES
-      FIXTURES_SETUP step_properties_${schema})
-    # The bore, a drilled hole, what nobody cut.
-    add_test(NAME export.step_properties_are_read_by_opencascade_${schema}
-      COMMAND ncsim_read_step_properties ${solid} ${name} LINE_26_27 LINE_31 STOCK)
-    set_tests_properties(export.step_properties_are_read_by_opencascade_${schema} PROPERTIES
-      FIXTURES_REQUIRED step_properties_${schema})
+    # The bore, a drilled hole, what nobody cut; a block that a slot divides, and its bore.
+    foreach(part plate:brep/round_trip/plate.nc:1:LINE_26_27:LINE_31:STOCK pieces:readers/pieces.nc:2:LINE_6:LINE_9:STOCK)
+      string(REPLACE ":" ";" part "${part}")
+      list(POP_FRONT part of program)
+      set(solid ${CMAKE_CURRENT_BINARY_DIR}/export/properties_${of}_${schema}.step)
+      add_test(NAME export.write_step_properties_of_${of}_${schema}
+        COMMAND ncsim run ${CMAKE_CURRENT_SOURCE_DIR}/${program} -q --step ${solid}
+          --step-schema ${schema} --step-attributes)
+      set_tests_properties(export.write_step_properties_of_${of}_${schema} PROPERTIES
+        FIXTURES_SETUP step_properties_of_${of}_${schema})
+      add_test(NAME export.step_properties_of_${of}_are_read_by_opencascade_${schema}
+        COMMAND ncsim_read_step_properties ${solid} ${name} ${part})
+      set_tests_properties(export.step_properties_of_${of}_are_read_by_opencascade_${schema} PROPERTIES
+        FIXTURES_REQUIRED step_properties_of_${of}_${schema})
+    endforeach()
   endforeach()
 endif()

@@ -47,7 +47,7 @@ WorldInfo { title "pyramid.nc" info [ "made by ncsim" "unit: mm, z up" ] }
 DEF STOCK Group { children [
 Shape {
 appearance DEF STOCK_LOOK Appearance { material Material { diffuseColor 0.588 0.611 0.643 specularColor 0.2 0.2 0.2 } }
-geometry IndexedFaceSet { convex FALSE coord Coordinate { point [
+geometry IndexedFaceSet { coord Coordinate { point [
 0 2 0
 2 2 0
 2 0 0
@@ -60,7 +60,7 @@ coordIndex [
 DEF LINE_7 Group { children [
 Shape {
 appearance DEF TOOL_4 Appearance { material Material { diffuseColor 0.494 0.713 0.886 specularColor 0.2 0.2 0.2 } }
-geometry IndexedFaceSet { convex FALSE coord Coordinate { point [
+geometry IndexedFaceSet { coord Coordinate { point [
 2 0 0
 2 2 0
 1 1 1.5
@@ -75,7 +75,7 @@ coordIndex [
 DEF LINE_9 Group { children [
 Shape {
 appearance USE TOOL_4
-geometry IndexedFaceSet { convex FALSE coord Coordinate { point [
+geometry IndexedFaceSet { coord Coordinate { point [
 0 0 0
 2 0 0
 1 1 1.5
@@ -141,9 +141,10 @@ cda::Boundary prism(const std::vector<std::array<double, 2>>& outline) {
     return b;
 }
 
-TEST(WriteVrml, KeepsConcaveFaces) {
+// three.js draws a polygon as a fan from its first corner.
+TEST(WriteVrml, CutsConcaveFacesIntoTriangles) {
     const auto ell = prism({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}});
-    EXPECT_EQ(polygons(written(ell, {})), 2U + 6U);
+    EXPECT_EQ(polygons(written(ell, {})), 2U * 4U + 6U);
 }
 
 TEST(WriteVrml, CutsFacesThatTouchThemselvesIntoTriangles) {

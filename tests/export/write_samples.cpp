@@ -47,7 +47,7 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     auto wrl = file(".wrl");
     write_vrml(wrl, boundary, provenance);
     auto ply = file(".ply");
-    write_ply(ply, boundary, provenance);
+    write_ply(ply, boundary, cda::triangulate(boundary), provenance);
     auto threemf = file(".3mf");
     write_3mf(threemf, boundary, provenance);
     auto stl = file(".stl");

@@ -10,8 +10,13 @@ function(run)
 endfunction()
 
 get_filename_component(cmake ${CMAKE_COMMAND} DIRECTORY)
+set(ENV{SOURCE_DATE_EPOCH} 1700000000)
 run(${cmake}/cpack --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK})
 file(GLOB package ${WORK}/ncsim_${VERSION}_*.deb)
+# The same bytes twice: times and order of files do not depend on the run.
+run(${cmake}/cpack --config ${BUILD}/CPackConfig.cmake -G DEB -D CPACK_COMPONENTS_ALL=program -B ${WORK}/again)
+cmake_path(GET package FILENAME name)
+run(${CMAKE_COMMAND} -E compare_files ${package} ${WORK}/again/${name})
 run(dpkg-deb -f ${package} Package Depends)
 foreach(word "Package: ncsim" libosmesa6 libqhull libstdc++6)
   string(FIND "${output}" "${word}" at)
@@ -20,6 +25,19 @@ foreach(word "Package: ncsim" libosmesa6 libqhull libstdc++6)
   endif()
 endforeach()
 run(dpkg-deb -x ${package} ${WORK}/root)
+file(GLOB package ${WORK}/libncsim-dev_${VERSION}_*.deb)
+run(dpkg-deb -f ${package} Package Depends)
+if(NOT output MATCHES "libncsim-dev.*libqhull-dev")
+  message(FATAL_ERROR "libncsim-dev: ${output}")
+endif()
+run(dpkg-deb -c ${package})
+foreach(file include/ncsim/simulation/simulate.h lib/cmake/ncsim/ncsimConfig.cmake lib/libncsim_simulation.a
+    share/doc/libncsim-dev/copyright share/doc/libncsim-dev/changelog.gz)
+  string(FIND "${output}" "./usr/${file}\n" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "libncsim-dev has no ${file}:\n${output}")
+  endif()
+endforeach()
 # The Python package, if it was built. The Python that it is for finds its NumPy.
 file(GLOB package ${WORK}/python3-ncsim_${VERSION}_*.deb)
 if(package)
@@ -43,7 +61,7 @@ run(${WORK}/root/usr/bin/ncsim --version)
 if(NOT output STREQUAL "ncsim ${VERSION}\n")
   message(FATAL_ERROR "it says: ${output}")
 endif()
-foreach(file doc/ncsim/copyright doc/ncsim/samples/simple.nc doc/ncsim/docs/ci.md
+foreach(file doc/ncsim/copyright doc/ncsim/changelog.gz doc/ncsim/samples/simple.nc doc/ncsim/docs/ci.md
     doc/ncsim/examples/python/own_rule.py doc/ncsim/examples/cpp/own_rule.cpp
     doc/ncsim/examples/rules/plunge/fails.nc doc/ncsim/docs/reference/cli.md doc/ncsim/SECURITY.md
     man/man1/ncsim.1.gz man/man1/ncsim-check.1.gz bash-completion/completions/ncsim

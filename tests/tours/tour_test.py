@@ -6,9 +6,10 @@ Usage: tour_test.py NCSIM PAGE
 
 A block "```nc FILE" (or toml, python, yaml …) is a file, "```toml FILE +" is appended to a file. "```sh" has
 commands; "# exit code 4" at the end of a line is the code, otherwise 0. Each line of "```text" is part of the
-output of the commands above, in this order. A picture of the page is a file that a command writes. Exits with 77 if
+output of the commands above, in this order. A picture of the page is a file that a command writes, byte by byte. Exits with 77 if
 the page needs the Python package and there is none.
 """
+import filecmp
 import os
 import re
 import subprocess
@@ -41,7 +42,7 @@ def compare(shown, output):
             fail(f"the page shows '{line}', the output is\n{output}")
 
 
-def run_page(text, folder, environment):
+def run_page(text, folder, environment, pictures):
     output, commands, shown = "", 0, 0
     for language, name, mode, content in BLOCK.findall(text):
         if name:
@@ -59,8 +60,11 @@ def run_page(text, folder, environment):
         else:
             fail(f"a block of {language} without a name")
     for picture in PICTURE.findall(text):
-        if not os.path.exists(os.path.join(folder, picture)):
+        made = os.path.join(folder, picture)
+        if not os.path.exists(made):
             fail(f"no command of the page writes {picture}")
+        if not filecmp.cmp(made, os.path.join(pictures, picture), shallow=False):
+            fail(f"a command of the page writes another {picture} than the page shows")
     if commands < LEAST or shown < LEAST:
         fail(f"{commands} commands, {shown} lines of output")
     print(f"{commands} commands, {shown} lines of output")
@@ -80,7 +84,7 @@ def main():
         if "import ncsim" in text and subprocess.run([sys.executable, "-c", "import ncsim"], check=False).returncode:
             print("skipped: there is no Python package")
             sys.exit(77)
-        run_page(text, folder, environment)
+        run_page(text, folder, environment, os.path.dirname(page))
 
 
 if __name__ == "__main__":

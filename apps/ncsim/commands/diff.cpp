@@ -190,7 +190,7 @@ int run(const DiffOptions& options) {
     std::vector<report::Difference> differences;
     for (std::size_t i = 0; i < a.size(); ++i) {
         std::optional<report::Review> review = review_of(a[i], b[i], inputs);
-        if (!review) return kFindings;
+        if (!review) return kEnvironment;  // 1 is a difference
         if (!options.quiet) {
             put_text(report::text_of(review->difference, options.report_unit),
                      outputs.takes_standard_output());

@@ -30,7 +30,7 @@ cli::App* add_diff(cli::App& app, DiffOptions& options);
 void complete(DiffOptions& options);
 
 /// Compares two programs, or the programs of two jobs in each set-up. Returns 0 if the parts (and
-/// with `process`, the processes) are equal; 1 if they differ or a program has faults.
+/// with `process`, the processes) are equal; 1 if they differ; 2 if a program cannot be cut.
 /// Throws: std::runtime_error on an environment failure.
 int run(const DiffOptions& options);
 

@@ -136,7 +136,8 @@ The command line comes first, then the job file, then ncsim.toml, then comments 
 constexpr std::string_view kExits = R"(
   0  clean, or accepted; for other commands than check: the work is done, without errors
   1  the NC program has faults (check: failed); diff: the parts differ
-  2  wrong usage, a file cannot be read, or an output cannot be written
+  2  wrong usage, a file cannot be read, or an output cannot be written;
+     diff: a program cannot be cut
   3  a bug in ncsim
   4  not proven: no fault was found, but information is missing (check)
 
@@ -157,7 +158,8 @@ has the ending of another format. A program or mesh has at most 1 GB, a set-up f
 
 constexpr std::string_view kWatch = R"(
 ncsim run and ncsim check with --watch run again when a file changes that the last run read: the
-program, subprograms, job, ncsim.toml, tool tables, machine, stock, design.
+program, subprograms, job, ncsim.toml, tool tables, machine, stock, design. So does a file that
+appears where the last run searched: a subprogram, or a nearer ncsim.toml.
 
   ncsim check part.nc --watch
   ncsim run part.nc --png part.png --watch

@@ -155,8 +155,9 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         exporter::write_stl(out, cda::triangulate(*mesh, outcome.plan.threads),
                             outcome.plan.threads, s.provenance.assumed);
     });
-    outputs.write(o.ply,
-                  [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });
+    outputs.write(o.ply, [&](std::ostream& out) {
+        exporter::write_ply(out, polygons(), simplified().mesh, s.provenance);
+    });
     outputs.write(o.threemf, [&](std::ostream& out) {
         exporter::write_3mf(out, polygons(), simplified().mesh, s.provenance);
     });

@@ -136,8 +136,9 @@ private:
         group(70, std::to_string(layers.size()));
         for (const Layer& layer : layers) {
             group(0, "LAYER");
-            group(2, layer.name);
+            // FreeCAD skips the first group of a layer.
             group(70, "0");
+            group(2, layer.name);
             group(62, std::to_string(layer.colour));
             group(6, "CONTINUOUS");
         }
@@ -169,13 +170,6 @@ private:
 
     void draw(const brep::SectionPiece& piece) {
         const std::string on = layer(piece, number_).name;
-        const FlatPoint from = moved(piece.from), to = moved(piece.to);
-        if (std::holds_alternative<brep::FlatLine>(piece.curve)) {
-            entity("LINE", on);
-            point(10, from);
-            point(11, to);
-            return;
-        }
         if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
             const bool is_whole = piece.from == piece.to;
             entity(is_whole ? "CIRCLE" : "ARC", on);
@@ -187,21 +181,14 @@ private:
             group(51, drawn(angle_about(arc->centre, arc->is_ccw ? piece.to : piece.from)));
             return;
         }
-        const bool is_whole = piece.from == piece.to;
-        entity("POLYLINE", on);
-        group(66, "1");
-        point(10, {});
-        group(70, is_whole ? "1" : "0");
-        const auto corner = [&](FlatPoint p) {
-            entity("VERTEX", on);
-            point(10, p);
-        };
-        corner(from);
-        std::vector<FlatPoint> points = chords_of(piece);
-        if (is_whole) points.pop_back();
-        for (const FlatPoint& p : points)
-            corner(moved(p));
-        entity("SEQEND", on);
+        // R12 has neither ellipses nor splines, and OpenSCAD leaves out POLYLINE.
+        FlatPoint from = piece.from;
+        for (const FlatPoint& to : chords_of(piece)) {
+            entity("LINE", on);
+            point(10, moved(from));
+            point(11, moved(to));
+            from = to;
+        }
     }
 
     const std::vector<DrawnSection>& sections_;

@@ -3,8 +3,9 @@
 // The part as binary PLY.
 #include "ncsim/export/ply.h"
 
+#include "ncsim/cda/mesh.h"
+
 #include "formats/file_text.h"
-#include "mesh/pieces.h"
 #include "render/palette.h"
 
 #include <bit>
@@ -39,7 +40,7 @@ std::string header(const Provenance& provenance, std::size_t vertices, std::size
            "\nproperty double x\nproperty double y\nproperty double z\n"
            "element face " +
            std::to_string(faces) +
-           "\nproperty list uint uint vertex_indices\n"
+           "\nproperty list uchar int vertex_indices\n"
            "property uint nc_line\nproperty uint tool\n"
            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
            "end_header\n";
@@ -47,38 +48,31 @@ std::string header(const Provenance& provenance, std::size_t vertices, std::size
 
 }  // namespace
 
-void write_ply(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
+               const Provenance& provenance) {
     const Palette palette(provenance);
-    const Pieces pieces(boundary, Polygons::Convex);
-    std::size_t polygons = 0;
-    for (std::uint32_t f = 0; f < boundary.faces.size(); ++f)
-        polygons += pieces.count(f);
-
-    std::string bytes = header(provenance, pieces.vertices().size(), polygons);
+    std::string bytes = header(provenance, mesh.vertices.size(), mesh.triangles.size());
     const auto flush = [&](std::size_t limit) {
         if (bytes.size() < limit) return;
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         bytes.clear();
     };
-    for (const cda::Vec3& p : pieces.vertices()) {
+    for (const cda::Vec3& p : mesh.vertices) {
         append(bytes, p.x);
         append(bytes, p.y);
         append(bytes, p.z);
         flush(kFlushSize);
     }
-    for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-        const Provenance::Entry entry = provenance.of(boundary.faces[f].origin);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Provenance::Entry entry = provenance.of(boundary.faces[mesh.face[t]].origin);
         const Rgba8 colour = palette.colour(entry);
-        for (std::size_t i = 0; i < pieces.count(f); ++i) {
-            const auto corners = pieces.corners(f, i);
-            append(bytes, static_cast<std::uint32_t>(corners.size()));
-            for (const std::uint32_t vertex : corners)
-                append(bytes, vertex);
-            append(bytes, entry.nc_line);
-            append(bytes, entry.tool);
-            for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
-                append(bytes, channel);
-            }
+        append(bytes, std::uint8_t{3});
+        for (const std::uint32_t vertex : mesh.triangles[t])
+            append(bytes, vertex);
+        append(bytes, entry.nc_line);
+        append(bytes, entry.tool);
+        for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
+            append(bytes, channel);
         }
         flush(kFlushSize);
     }

@@ -133,21 +133,26 @@ public:
 
     void write() {
         header();
-        const Entity context = units();
-        const Entity shape = product();
-        std::vector<Entity> items{placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0})};
-        for (std::size_t i = 0; i < part_.solids.size(); ++i)
-            items.push_back(solid_brep(part_.solids[i], "SOLID_" + std::to_string(i + 1)));
-        const std::string kind =
-            items.size() > 1 ? "ADVANCED_BREP_SHAPE_REPRESENTATION" : "SHAPE_REPRESENTATION";
-        const Entity representation = add(kind + "(''," + list(items) + "," + ref(context) + ")");
-        add("SHAPE_DEFINITION_REPRESENTATION(" + ref(shape) + "," + ref(representation) + ")");
+        context_ = units();
+        products();
+        const Product whole = product(
+            quoted(provenance_.program.empty() ? std::string("part") : provenance_.program));
+        const Entity origin = placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+        std::vector<Product> parts;  // with solids
+        if (part_.solids.size() > 1) {
+            parts = assembly(whole, origin);
+        } else {
+            std::vector<Entity> items{origin};
+            for (const brep::Solid& solid : part_.solids)
+                items.push_back(solid_brep(solid, name_of_solid(0)));
+            parts = {represented(whole, items)};
+        }
         if (!styled_.empty()) {
             add("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION(''," + list(styled_) +
-                "," + ref(context) + ")");
+                "," + ref(context_) + ")");
         }
-        validate(shape, representation, context, items);
-        if (options_.has_attributes) attribute(shape, representation, context);
+        validate(whole, parts);
+        if (options_.has_attributes) attribute(parts);
         text_ += "ENDSEC;\nEND-ISO-10303-21;\n";
         flush();
         if (!out_) throw std::runtime_error("cannot write STEP: the stream failed");
@@ -195,10 +200,14 @@ private:
                    list(std::array{length, angle, solid}) + ") REPRESENTATION_CONTEXT('',''))");
     }
 
-    // Writes the product. Returns the definition of its shape.
-    Entity product() {
-        const std::string name =
-            quoted(provenance_.program.empty() ? std::string("part") : provenance_.program);
+    struct Product {
+        Entity definition = 0, shape = 0;  // shape: the definition of the shape
+        Entity representation = 0;
+        Entity place = 0;  // in the representation, for an assembly
+    };
+
+    // Writes the contexts of all products.
+    void products() {
         const Entity application =
             add(is_242() ? "APPLICATION_CONTEXT('managed model based 3d engineering')"
                          : "APPLICATION_CONTEXT('core data for automotive mechanical design "
@@ -207,15 +216,72 @@ private:
             std::string(is_242() ? "'ap242_managed_model_based_3d_engineering',2014,"
                                  : "'automotive_design',2000,") +
             ref(application) + ")");
-        const Entity context = add("PRODUCT_CONTEXT(''," + ref(application) + ",'mechanical')");
-        const Entity made = add("PRODUCT(" + name + "," + name + ",'',(" + ref(context) + "))");
+        product_context_ = add("PRODUCT_CONTEXT(''," + ref(application) + ",'mechanical')");
+        design_context_ =
+            add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(application) + ",'design')");
+    }
+
+    // Writes a product without a representation of its shape. `name` is quoted.
+    Product product(const std::string& name) {
+        const Entity made =
+            add("PRODUCT(" + name + "," + name + ",'',(" + ref(product_context_) + "))");
         add("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(" + ref(made) + "))");
         const Entity formation = add("PRODUCT_DEFINITION_FORMATION('',''," + ref(made) + ")");
-        const Entity design =
-            add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(application) + ",'design')");
-        const Entity definition =
-            add("PRODUCT_DEFINITION('design',''," + ref(formation) + "," + ref(design) + ")");
-        return add("PRODUCT_DEFINITION_SHAPE('',''," + ref(definition) + ")");
+        Product result;
+        result.definition = add("PRODUCT_DEFINITION('design',''," + ref(formation) + "," +
+                                ref(design_context_) + ")");
+        result.shape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(result.definition) + ")");
+        return result;
+    }
+
+    // Writes the representation of the shape of `product`: a placement, and solids or further
+    // placements. Returns the product with its representation.
+    Product represented(Product product, const std::vector<Entity>& items, bool has_solids = true) {
+        const std::string kind = has_solids && items.size() > 1
+                                     ? "ADVANCED_BREP_SHAPE_REPRESENTATION"
+                                     : "SHAPE_REPRESENTATION";
+        product.representation = add(kind + "(''," + list(items) + "," + ref(context_) + ")");
+        add("SHAPE_DEFINITION_REPRESENTATION(" + ref(product.shape) + "," +
+            ref(product.representation) + ")");
+        return product;
+    }
+
+    static std::string name_of_solid(std::size_t number) {
+        return "SOLID_" + std::to_string(number + 1);
+    }
+
+    // Writes each solid as a product of its own in the assembly `whole`, because readers show names
+    // of products, not of solids. Returns the products of the solids.
+    std::vector<Product> assembly(const Product& whole, Entity origin) {
+        std::vector<Product> parts;
+        std::vector<Entity> places{origin};
+        for (std::size_t i = 0; i < part_.solids.size(); ++i) {
+            const std::string name = name_of_solid(i);
+            const Entity solid = solid_brep(part_.solids[i], name);
+            const Entity place = placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+            parts.push_back(represented(product(quoted(name)), {place, solid}));
+            parts.back().place = place;
+            places.push_back(placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0}));
+        }
+        const Product all = represented(whole, places, false);
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            place_part(all, parts[i], quoted(name_of_solid(i)), places[i + 1]);
+        return parts;
+    }
+
+    // Writes the use of `part` in the assembly `whole`, at the placement `place` there.
+    void place_part(const Product& whole, const Product& part, const std::string& name,
+                    Entity place) {
+        const Entity use = add("NEXT_ASSEMBLY_USAGE_OCCURRENCE(" + name + "," + name + ",''," +
+                               ref(whole.definition) + "," + ref(part.definition) + ",$)");
+        const Entity shape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(use) + ")");
+        const Entity same =
+            add("ITEM_DEFINED_TRANSFORMATION('',''," + ref(part.place) + "," + ref(place) + ")");
+        const Entity relation =
+            add("(REPRESENTATION_RELATIONSHIP('',''," + ref(part.representation) + "," +
+                ref(whole.representation) + ")REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(" +
+                ref(same) + ")SHAPE_REPRESENTATION_RELATIONSHIP())");
+        add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(" + ref(relation) + "," + ref(shape) + ")");
     }
 
     static std::string triple(Vec3 v) {
@@ -386,26 +452,22 @@ private:
     }
 
     // Writes validation properties of the part, and of each solid if there are several.
-    void validate(Entity shape, Entity representation, Entity context,
-                  const std::vector<Entity>& items) {
+    void validate(const Product& whole, const std::vector<Product>& parts) {
         if (part_.solids.empty()) return;
         square_ = power_of_length(2);
         cube_ = power_of_length(3);
-        validate(shape, options_.mass ? *options_.mass : brep::mass_of(part_), context);
+        validate(whole.shape, options_.mass ? *options_.mass : brep::mass_of(part_));
         if (part_.solids.size() == 1) return;
-        for (std::size_t i = 0; i < part_.solids.size(); ++i) {
-            const Entity aspect = aspect_of("SOLID_" + std::to_string(i + 1), items[i + 1], shape,
-                                            representation, context);
-            validate(aspect, brep::mass_of(part_, part_.solids[i]), context);
-        }
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            validate(parts[i].shape, brep::mass_of(part_, part_.solids[i]));
     }
 
-    void validate(Entity of, const brep::Mass& mass, Entity context) {
+    void validate(Entity of, const brep::Mass& mass) {
         const auto property = [&](const std::string& name, Entity item) {
             const Entity definition = add("PROPERTY_DEFINITION('geometric validation property','" +
                                           name + "'," + ref(of) + ")");
             const Entity value =
-                add("REPRESENTATION('" + name + "',(" + ref(item) + ")," + ref(context) + ")");
+                add("REPRESENTATION('" + name + "',(" + ref(item) + ")," + ref(context_) + ")");
             add("PROPERTY_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(value) + ")");
         };
         property("volume", add("MEASURE_REPRESENTATION_ITEM('volume measure',VOLUME_MEASURE(" +
@@ -416,25 +478,37 @@ private:
         property("centroid", add("CARTESIAN_POINT('centre point'," + triple(mass.centroid) + ")"));
     }
 
-    // Writes a shape aspect of `item` that can carry properties of a face or solid. Returns the
-    // aspect.
-    Entity aspect_of(const std::string& name, Entity item, Entity shape, Entity representation,
-                     Entity context) {
-        const Entity aspect = add("SHAPE_ASPECT('" + name + "',''," + ref(shape) + ",.T.)");
+    // Writes a shape aspect of a face of `product` that can carry properties. Returns the aspect.
+    Entity aspect_of(const std::string& name, Entity face, const Product& product) {
+        const Entity aspect = add("SHAPE_ASPECT('" + name + "',''," + ref(product.shape) + ",.T.)");
         if (is_242()) {
-            add("GEOMETRIC_ITEM_SPECIFIC_USAGE('',''," + ref(aspect) + "," + ref(representation) +
-                "," + ref(item) + ")");
+            add("GEOMETRIC_ITEM_SPECIFIC_USAGE('',''," + ref(aspect) + "," +
+                ref(product.representation) + "," + ref(face) + ")");
         } else {
             const Entity definition =
                 add("PROPERTY_DEFINITION('shape with specific properties',''," + ref(aspect) + ")");
             const Entity only =
-                add("SHAPE_REPRESENTATION('',(" + ref(item) + ")," + ref(context) + ")");
+                add("SHAPE_REPRESENTATION('',(" + ref(face) + ")," + ref(context_) + ")");
             add("SHAPE_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(only) + ")");
         }
         return aspect;
     }
 
-    void attribute(Entity shape, Entity representation, Entity context) {
+    // Returns the number of the solid with each face.
+    std::vector<std::size_t> solids_of_faces() const {
+        std::vector<std::size_t> solids(part_.faces.size(), 0);
+        for (std::size_t i = 0; i < part_.solids.size(); ++i) {
+            for (const std::uint32_t f : part_.solids[i].outside)
+                solids[f] = i;
+            for (const brep::Shell& shell : part_.solids[i].voids) {
+                for (const std::uint32_t f : shell)
+                    solids[f] = i;
+            }
+        }
+        return solids;
+    }
+
+    void attribute(const std::vector<Product>& parts) {
         struct Attribute {
             std::string name;
             Entity general = 0;
@@ -443,11 +517,11 @@ private:
         std::array<Attribute, 3> attributes{{{"nc_lines"}, {"tools"}, {"kind"}}};
         for (Attribute& a : attributes)
             a.general = add("GENERAL_PROPERTY('','" + a.name + "','')");
+        const std::vector<std::size_t> solids = solids_of_faces();
         for (std::uint32_t f = 0; f < faces_.size(); ++f) {
             if (faces_[f] == 0) continue;
             const brep::Face& face = part_.faces[f];
-            const Entity aspect =
-                aspect_of(name_of(face), faces_[f], shape, representation, context);
+            const Entity aspect = aspect_of(name_of(face), faces_[f], parts[solids[f]]);
             const std::array<std::string, 3> words{numbers_of(face, &Provenance::Entry::nc_line),
                                                    numbers_of(face, &Provenance::Entry::tool),
                                                    kind_of(face)};
@@ -458,7 +532,7 @@ private:
                     const Entity item =
                         add("DESCRIPTIVE_REPRESENTATION_ITEM('" + a.name + "','" + words[i] + "')");
                     value = add("REPRESENTATION('" + a.name + "',(" + ref(item) + ")," +
-                                ref(context) + ")");
+                                ref(context_) + ")");
                 }
                 const Entity definition =
                     add("PROPERTY_DEFINITION('" + a.name + "',''," + ref(aspect) + ")");
@@ -680,6 +754,8 @@ private:
     Palette palette_;
     Entity last_ = 0;
     Entity length_ = 0, square_ = 0, cube_ = 0;  // units
+    Entity context_ = 0;                         // of all geometry
+    Entity product_context_ = 0, design_context_ = 0;
     std::string text_;
     std::vector<Vertex> vertices_;
     std::vector<Entity> edges_;                           // by edge; 0: not written

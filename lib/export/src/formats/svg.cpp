@@ -2,11 +2,15 @@
 //
 // Sections as SVG. The y axis of SVG points down, so counter-clockwise arcs of the drawing have the
 // sweep flag 0.
+//
+// The form suits OpenSCAD, too: the view box begins at 0, and the coloured outlines are used from
+// definitions, because OpenSCAD fills each closed outline and widens each line.
 #include "ncsim/trig/angles.h"
 
 #include "formats/drawing_parts.h"
 #include "formats/file_text.h"
 
+#include <cmath>
 #include <map>
 #include <ostream>
 #include <stdexcept>
@@ -37,17 +41,21 @@ public:
         DrawnBox box = box_of(sections_);
         if (box.is_empty()) box.add(FlatPoint{});
         constexpr double kMargin = 5.0, kBelow = 12.0;  // mm
-        const double width = box.right - box.left + 2.0 * kMargin;
-        const double height = box.top - box.bottom + kMargin + kBelow;
+        // Zero of the drawing in the page: whole mm, so that a shift by hand is simple.
+        const double zero_x = std::ceil(kMargin - box.left);
+        const double zero_y = std::ceil(kMargin + box.top);
+        const double width = std::ceil(zero_x + box.right + kMargin);
+        const double height = std::ceil(zero_y - box.bottom + kBelow);
         text_ =
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
-            drawn(width) + "mm\" height=\"" + drawn(height) + "mm\" viewBox=\"" +
-            drawn(box.left - kMargin) + " " + drawn(-box.top - kMargin) + " " + drawn(width) + " " +
-            drawn(height) + "\">\n";
-        for (std::size_t i = 0; i < sections_.size(); ++i)
-            draw(sections_[i], places_[i]);
-        return std::move(text_) + "</svg>\n";
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+            "xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" width=\"" +
+            drawn(width) + "mm\" height=\"" + drawn(height) + "mm\" viewBox=\"0 0 " + drawn(width) +
+            " " + drawn(height) + "\">\n<g transform=\"translate(" + drawn(zero_x) + " " +
+            drawn(zero_y) + ")\">\n";
+        for (number_ = 0; number_ < sections_.size(); ++number_)
+            draw(sections_[number_], places_[number_]);
+        return std::move(text_) + "</g>\n</svg>\n";
     }
 
 private:
@@ -78,6 +86,8 @@ private:
         }
         if (!filled.empty())
             text_ += "<path fill=\"#e4e4e4\" fill-rule=\"evenodd\" d=\"" + filled + "\"/>\n";
+        const std::string name = "outlines-" + std::to_string(number_ + 1);
+        text_ += "<defs><g id=\"" + name + "\">\n";
         for (const auto& [who, path] : lines) {
             const auto& [maker, is_facet] = who;
             text_ += "<path fill=\"none\" stroke=\"" + hex(palette.colour(maker)) +
@@ -86,6 +96,7 @@ private:
                      path + "\"><title>" + maker.name() + (is_facet ? ", facets" : "") +
                      "</title></path>\n";
         }
+        text_ += "</g></defs>\n<use xlink:href=\"#" + name + "\"/>\n";
         DrawnBox box = box_of(*section.section);
         if (box.is_empty()) box.add(FlatPoint{});
         constexpr double kBelow = 8.0;
@@ -131,6 +142,7 @@ private:
     const std::vector<DrawnSection>& sections_;
     std::vector<double> places_;
     const std::string& program_;
+    std::size_t number_ = 0;
     std::string text_;
 };
 

@@ -36,7 +36,7 @@ public:
           boundary_(boundary),
           provenance_(provenance),
           palette_(provenance),
-          pieces_(boundary, Polygons::Simple),
+          pieces_(boundary),
           is_defined_(palette_.face_sources().size(), false) {}
 
     void write() {
@@ -156,7 +156,7 @@ private:
     void shape(std::span<const FaceIndex> faces) {
         text_ += "Shape {\nappearance ";
         appearance(entry(faces.front()));
-        text_ += "\ngeometry IndexedFaceSet { convex FALSE coord Coordinate { point [\n";
+        text_ += "\ngeometry IndexedFaceSet { coord Coordinate { point [\n";
         local_.clear();
         std::string polygons;
         for (const FaceIndex face : faces) {

@@ -36,7 +36,7 @@ bool is_convex(const cda::Boundary& boundary, const cda::BoundaryFace& face) {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Distance in mm below which tessellators (Coin for VRML, assimp for PLY) identify two places of an
+// Distance in mm below which tessellators (such as Coin) identify two places of an
 // outline.
 constexpr double kTouching = 1e-3;
 
@@ -60,7 +60,7 @@ bool has_straight_corner(const std::vector<Vec3>& vertices,
 
 }  // namespace
 
-Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
+Pieces::Pieces(const cda::Boundary& boundary)
     : boundary_(boundary), first_(boundary.faces.size() + 1, 0) {
     // Triangulates all faces together, so no diagonal of a face is an edge of another face.
     cda::TriangleMesh mesh = cda::triangulate(boundary);
@@ -74,11 +74,7 @@ Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
         const bool touches = std::any_of(triangles[f].begin(), triangles[f].end(),
                                          [&](const Triangle& t) { return is_low(vertices_, t); });
         const auto& loops = boundary.faces[f].loops;
-        const bool is_whole =
-            polygons == Polygons::Convex
-                ? is_fan && !touches && !has_straight_corner(vertices_, loops.front())
-                : is_fan || (loops.size() == 1 && !touches);
-        if (is_whole) continue;
+        if (is_fan && !touches && !has_straight_corner(vertices_, loops.front())) continue;
         pieces_.insert(pieces_.end(), triangles[f].begin(), triangles[f].end());
         first_[f + 1] = static_cast<std::uint32_t>(triangles[f].size());
     }

@@ -13,21 +13,13 @@
 
 namespace ncsim::exporter {
 
-/// Kinds of polygons that the readers of a format can draw.
-enum class Polygons {
-    /// Readers split polygons into fans from a corner. A face that is not convex (except for
-    /// rounding), or that has a nearly straight corner, is given as triangles.
-    Convex,
-    /// Readers draw concave polygons, but not if the outline touches itself. Faces with an outline
-    /// that touches itself, and faces with holes, are given as triangles.
-    Simple
-};
-
-/// Each face of a boundary as polygons without holes.
+/// Each face of a boundary as convex polygons, because readers split polygons into fans from a
+/// corner. A face that is not convex (except for rounding), that has holes, or that has a nearly
+/// straight corner, is given as triangles.
 class Pieces {
 public:
     /// Requires: `boundary` outlives the pieces.
-    Pieces(const cda::Boundary& boundary, Polygons polygons);
+    explicit Pieces(const cda::Boundary& boundary);
 
     /// Returns the vertices of the boundary, followed by those that triangulate() added.
     const std::vector<cda::Vec3>& vertices() const { return vertices_; }

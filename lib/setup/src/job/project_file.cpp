@@ -3,6 +3,7 @@
 // Project files and the patterns in these files.
 #include "ncsim/setup/project_file.h"
 
+#include "ncsim/setup/input_observer.h"
 #include "ncsim/setup/program_folder.h"
 
 #include "files/toml_reader.h"
@@ -216,12 +217,12 @@ std::optional<std::string> find_project_file(const std::string& program) {
     const fs::path here = fs::current_path();
     while (true) {
         const fs::path file = folder / kProjectFileName;
+        const bool is_absolute = program != "-" && fs::path(program).is_absolute();
+        std::string path = is_absolute ? file.string() : file.lexically_relative(here).string();
+        note_input(path);
         std::error_code ignored;
         // A dangling link counts, too; reading it reports the error.
-        if (fs::symlink_status(file, ignored).type() != fs::file_type::not_found) {
-            const bool is_absolute = program != "-" && fs::path(program).is_absolute();
-            return is_absolute ? file.string() : file.lexically_relative(here).string();
-        }
+        if (fs::symlink_status(file, ignored).type() != fs::file_type::not_found) return path;
         if (fs::exists(folder / ".git", ignored) || folder == folder.parent_path())
             return std::nullopt;
         folder = folder.parent_path();

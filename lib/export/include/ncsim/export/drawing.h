@@ -26,7 +26,7 @@ struct DrawnSection {
 std::vector<double> places_of(const std::vector<DrawnSection>& sections);
 
 /// Writes `sections` as DXF of AutoCAD R12 (AC1009), the version that most programs read: LINE,
-/// ARC, CIRCLE; ellipses and other curves become a POLYLINE within brep::kChordsMm. The layers are
+/// ARC, CIRCLE; ellipses and other curves become LINEs within brep::kChordsMm. The layers are
 /// STOCK, T1, …; facets of round tools that were not recognised are on T1-FACETS, …. If there are
 /// several sections, the layers carry the number of the section: 1-T1. Layer NOTES has a title for
 /// each section.

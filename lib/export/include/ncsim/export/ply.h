@@ -5,18 +5,20 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/cda/mesh.h"
 #include "ncsim/export/provenance.h"
 
 #include <iosfwd>
 
 namespace ncsim::exporter {
 
-/// Writes `boundary` as binary little-endian PLY, in mm, with unrounded coordinates in doubles.
-/// Convex faces are polygons; all other faces are split into triangles. Each face has the
-/// properties nc_line and tool (0 for uncut stock) and red, green and blue.
+/// Writes `mesh`, the triangles of `boundary`, as binary little-endian PLY, in mm, with unrounded
+/// coordinates in doubles. Several readers lose or misread faces with more corners. Each face has
+/// the properties nc_line and tool (0 for uncut stock) and red, green and blue.
 ///
 /// Guarantees: an empty part gives a valid file. Equal input gives equal bytes.
 /// Throws: std::runtime_error if the stream fails.
-void write_ply(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
+               const Provenance& provenance);
 
 }  // namespace ncsim::exporter

@@ -50,8 +50,9 @@ inline constexpr const char* kUnsoundSolid =
 /// 64 times the tolerance instead, where the tolerance counts as at least kStepTolerance.
 brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm);
 
-/// Writes `boundary` as STEP, in mm, with a solid for each connected part and its voids. The solid
-/// is flat_solid(boundary, options.tolerance_mm): faces are flat with any number of holes, coplanar
+/// Writes `boundary` as STEP, in mm, with a solid for each connected part and its voids. Several
+/// solids are the products SOLID_1 … of an assembly. The solid is
+/// flat_solid(boundary, options.tolerance_mm): faces are flat with any number of holes, coplanar
 /// adjacent faces are joined whatever tool cut them, and no edge has a vertex in the middle.
 /// Points, edges and directions are shared. The name of a face lists the lines that cut the face
 /// (LINE_10, LINE_10_20; STOCK); the colour is that of the tool of the first line.

@@ -13,9 +13,9 @@
 namespace ncsim::exporter {
 
 /// Writes `boundary` as VRML97 text, in mm, z up: a Group for each program line named LINE_<n>
-/// (STOCK for uncut stock), with a Shape in the colour of the tool. Faces are polygons; faces with
-/// holes, or with an outline that touches itself, are split into triangles. Points have all digits,
-/// so the surface is closed if the boundary is.
+/// (STOCK for uncut stock), with a Shape in the colour of the tool. Convex faces are polygons;
+/// other faces are split into triangles, because three.js draws polygons as fans. Points have all
+/// digits, so the surface is closed if the boundary is.
 ///
 /// Guarantees: an empty part gives a valid file. Equal input gives equal bytes.
 /// Throws: std::runtime_error if the stream fails.

@@ -5,6 +5,6 @@
 
 namespace ncsim::report {
 
-extern const char* const kVersion;  ///< "0.1.0"
+extern const char* const kVersion;  ///< "1.0.0"
 
 }  // namespace ncsim::report

@@ -1,0 +1,11 @@
+(T1 D=10. CR=0. - flat end mill)
+(STOCK/BLOCK,80.,40.,20.,40.,20.,20.)
+G21 G90 G17 G94
+(FROM/0.,0.,50.)
+T1 M6 S8000 M3
+G0 X-50. Y0. Z5.
+G0 Z-2.
+G94
+G0 X50.
+G0 Z5.
+M30

@@ -1,0 +1,17 @@
+(T1 D=10. CR=0. - flat end mill)
+(T2 D=6. CR=3. - ball end mill)
+(STOCK/BLOCK,60.,50.,12.,0.,0.,12.)
+G21 G90 G17 G94
+T1 M6 S8000 M3
+G0 X45. Y33. Z5.
+G1 Z-12. F300.
+X48. F500.
+G3 X48. Y33. I-3. J0.
+G1 X45.
+G0 Z5.
+T2 M6 S9000 M3
+G0 X8. Y8. Z5.
+G1 Z-4. F300.
+X38. Y18. F500.
+G0 Z5.
+M30
