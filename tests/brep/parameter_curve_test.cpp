@@ -4,7 +4,11 @@
 // in the parameters of the surfaces.
 #include "ncsim/brep/parameter_curve.h"
 
+#include "ncsim/brep/long_windings.h"
+#include "ncsim/brep/measure.h"
+
 #include "brep/made_part.h"
+#include "query/part_check.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -125,6 +130,43 @@ TEST(ParameterCurves, AreInTheFileForBothSurfacesOfASpline) {
 TEST(ParameterCurves, AreNotWrittenForBores) {
     const auto made = test::make_part("bore", "T2 M6\nG0 X20 Y30 Z5\nG1 Z-15\nG0 Z5\n");
     EXPECT_EQ(made.step.find("PCURVE("), std::string::npos);
+}
+
+// A groove of a slot mill that goes three times round a bore.
+TEST(LongWindings, AreDividedInTheFileAlone) {
+    setup::JobOptions options;
+    for (const char* text : {"T1=flat:D10:L30", "T2=slot:D12:L1"}) {
+        std::string message;
+        options.tools.push_back(toolpath::parse_tool_option(text, message).value());
+    }
+    const auto made = test::make_part(
+        setup::job_of({"helix.nc",
+                       "(STOCK/BLOCK,44.,44.,18.,22.,22.,18.)\nG21 G90 G17\nT1 M6\nS3000 M3\n"
+                       "G0 X0 Y0 Z5\nG1 Z-19 F300\nG1 X5.5 F500\nG3 X5.5 Y0 I-5.5 J0\nG1 X0\n"
+                       "G0 Z50\nT2 M6\nG0 X0 Y0 Z5\nG0 Z-14\nG1 X6.2 F200\n"
+                       "G3 X6.2 Y0 Z-12.2 I-6.2 J0\nG3 X6.2 Y0 Z-10.4 I-6.2 J0\n"
+                       "G3 X6.2 Y0 Z-8.6 I-6.2 J0\nG1 X0\nG0 Z50\nM30\n"},
+                      options),
+        0.05);
+    const Part& whole = made.solid.part;
+    EXPECT_EQ(whole.faces.size(), 14U);
+    ASSERT_TRUE(has_long_windings(whole));
+    Part divided = whole;
+    split_long_windings(divided);
+    EXPECT_FALSE(has_long_windings(divided));
+    EXPECT_EQ(divided.faces.size(), 41U);
+    EXPECT_TRUE(check_part(divided, 1e-6).empty());
+    EXPECT_NEAR(mass_of(divided).volume, mass_of(whole).volume, 1e-6);
+    std::size_t in_file = 0;
+    for (std::size_t i = made.step.find("=ADVANCED_FACE("); i != std::string::npos;
+         i = made.step.find("=ADVANCED_FACE(", i + 1))
+        ++in_file;
+    EXPECT_EQ(in_file, divided.faces.size());
+}
+
+// A bore and a thread of one turn are not divided.
+TEST(LongWindings, AreMoreThanATurn) {
+    EXPECT_FALSE(has_long_windings(crossing_part().solid.part));
 }
 
 }  // namespace

@@ -375,6 +375,7 @@ TEST(Options, RefusesAnOutputWithTheEndingOfAnotherFormat) {
     EXPECT_NE(refused("--html", "a.png"), "");
     EXPECT_NE(refused("--stl", "a.PLY"), "");
     EXPECT_NE(refused("--svg", "a.dxf"), "");
+    EXPECT_NE(refused("--gif", "a.apng"), "");
     for (const char* path : {"a.png", "a.PNG", "-", "a", "a.out", "a.jpg.tmp", "/dev/full"})
         EXPECT_EQ(refused("--png", path), "") << path;
     EXPECT_EQ(refused("--step", "a.stp"), "");

@@ -113,7 +113,7 @@ TEST(Review, IsWrittenWholeOrNotAtAll) {
     Folder folder;
     folder.write("a.nc", kSlot);
     folder.write("b.nc", "G21 G90\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F10\nM30\n");
-    EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--html", "r.html"}).exit_code, 1);
+    EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--html", "r.html"}).exit_code, 2);
     EXPECT_FALSE(folder.has("r.html"));
     EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--html", "a.nc"}).exit_code, 2);
     EXPECT_EQ(folder.read("a.nc"), kSlot);

@@ -416,9 +416,9 @@ void refuse_foreign_endings(const Options& o) {
                               {"--report", &o.report, {".json"}},
                               {"--save-stock", &o.save_stock, {".ncstock"}}};
     static const std::set<std::string, std::less<>> formats{
-        ".png", ".jpg",  ".jpeg", ".webp", ".bmp",  ".tif", ".tiff", ".pdf",
-        ".gif", ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply",  ".3mf",
-        ".obj", ".step", ".stp",  ".iges", ".igs",  ".dxf", ".dwg",  ".svg"};
+        ".png",  ".apng", ".jpg",  ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".pdf",
+        ".gif",  ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply", ".3mf",  ".obj",
+        ".step", ".stp",  ".iges", ".igs",  ".dxf",  ".dwg", ".svg"};
     for (const Output& output : outputs) {
         const std::filesystem::path path(*output.path);
         std::string ending = path.extension().string();

@@ -6,6 +6,7 @@
 #include "ncsim/export/step.h"
 
 #include "ncsim/brep/frames.h"
+#include "ncsim/brep/long_windings.h"
 #include "ncsim/brep/parameter_curve.h"
 #include "ncsim/brep/patch.h"
 #include "ncsim/cda/shape.h"
@@ -778,7 +779,13 @@ void write_step_solid(std::ostream& out, const brep::Part& part, const Provenanc
                                  " faces, more than the " + std::to_string(options.max_faces) +
                                  " that a STEP file is to have (--step-max-faces, --simplify)");
     }
-    StepWriter(out, part, provenance, options).write();
+    if (!brep::has_long_windings(part)) {
+        StepWriter(out, part, provenance, options).write();
+        return;
+    }
+    brep::Part divided = part;
+    brep::split_long_windings(divided);
+    StepWriter(out, divided, provenance, options).write();
 }
 
 brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm) {
