@@ -25,6 +25,7 @@ using trig::kRadiansPerDegree;
 
 namespace {
 
+constexpr double kMostMiss = 2e-6;     // mm: readers project what is farther off in their own way
 constexpr double kOnSurface = 7e-8;    // mm
 constexpr double kLeastRadius = 1e-3;  // mm: nearer to an axis, angles are undetermined
 constexpr double kParallel = 1e-9;     // sine
@@ -154,6 +155,12 @@ std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) con
     double u = angle_rad(x, y);
     if (u < 0.0) u += kTurn;
     if (std::holds_alternative<Sphere>(form_)) return Place{u, angle_rad(radius, along)};
+    // The foot of the perpendicular: readers project so.
+    if (const auto* cone = std::get_if<Cone>(&form_)) {
+        const double height = dot(frame_.origin - cone->apex, cone->axis);
+        const double slope = cone->slope;
+        along = (height + along + slope * radius) / (1.0 + slope * slope) - height;
+    }
     if (const auto* torus = std::get_if<Torus>(&form_)) {
         const double v = angle_rad(radius - torus->major, along);
         return Place{u, v < 0.0 ? v + kTurn : v};
@@ -230,8 +237,9 @@ private:
     // Returns the node at `t`. In a corner where the parameter lines touch, the slope is that of
     // points towards `inside`.
     std::optional<Node> node_at(double t, double inside, Place nearby) const {
-        const auto at = surface_.place(curve_.at(t).at, nearby);
-        if (!at) return std::nullopt;
+        const Vec3 p = curve_.at(t).at;
+        const auto at = surface_.place(p, nearby);
+        if (!at || norm(surface_.point(*at).at - p) > kMostMiss) return std::nullopt;
         if (const auto slope = slope_at(t, *at)) return Node{t, *at, *slope};
         constexpr double kNear = 1e-3;
         std::array<Place, 2> slopes{};
@@ -277,6 +285,7 @@ private:
             const Vec3 p = curve_.at(from.t + s * width).at;
             const double away = norm(surface_.point(at).at - p);
             if (away <= kOnSurface) return true;
+            if (away > kMostMiss) return false;
             constexpr double kOfMiss = 1.5;
             const auto nearest = surface_.place(p, at);
             return nearest && away <= kOfMiss * norm(surface_.point(*nearest).at - p);

@@ -32,8 +32,8 @@ public:
 
     /// Returns the curve of an edge, within 7e-8 mm or 1.5 times the distance of the edge from the
     /// surface. Nothing if the edge is a parameter line that readers find without error (lines on
-    /// cylinders and cones, circles about the axis), if it touches a pole or an apex, or if no
-    /// curve is as near as that.
+    /// cylinders and cones, circles about the axis), if it touches a pole or an apex, if it
+    /// is off the surface by more than 2e-6 mm, or if no curve is as near as that.
     std::optional<ParameterCurve> curve_of(const Part& part, const Edge& edge) const;
 
 private:
