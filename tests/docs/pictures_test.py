@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the commands of docs/pictures.md and compares the pictures with those of the page.
+"""Runs the commands of docs/pictures.md and README.md, and compares the pictures with those of the pages.
 
 usage: pictures_test.py NCSIM SOURCE FOLDER [--update]
 
-FOLDER receives the pictures. --update replaces those of the page; look at them before a commit.
+FOLDER receives the pictures. --update replaces those of the pages; look at them before a commit.
 """
 import filecmp
 import os
@@ -14,26 +14,36 @@ import shutil
 import subprocess
 import sys
 
-FEWEST = 12
+FEWEST = {"docs/pictures.md": 12, "README.md": 2}
 
 
 def pictures_of(page):
     """Yields the file of each picture and the command below it."""
-    for match in re.finditer(r"(?m)^!\[[^\]]+\]\((pictures/\S+\.png)\)\n\n {4}ncsim (run .*)$", page):
-        yield match.group(1), shlex.split(match.group(2))
+    for match in re.finditer(r"(?m)^!\[[^\]]+\]\((\S+\.png)\)\n\n {4}(?:build/)?ncsim (run .*)$", page):
+        yield match.group(1), shlex.split(match.group(2), comments=True)
+
+
+def read_pages(source, faults):
+    """Returns the pictures of all pages, by their file in the source, with their commands."""
+    shown = []
+    for name, fewest in FEWEST.items():
+        with open(os.path.join(source, name), encoding="utf-8") as file:
+            page = file.read()
+        found = list(pictures_of(page))
+        count = len(re.findall(r"(?m)^!\[[^\]]+\]\(\S+\.png\)", page))
+        if len(found) < fewest or len(found) != count:
+            faults.append(f"{name}: {len(found)} pictures have a command, of {count}")
+        shown += [(os.path.join(os.path.dirname(name), picture), words) for picture, words in found]
+    return shown
 
 
 def main(ncsim, source, folder, update):
     os.makedirs(folder, exist_ok=True)
-    with open(os.path.join(source, "docs", "pictures.md"), encoding="utf-8") as file:
-        page = file.read()
-    shown = list(pictures_of(page))
     faults = []
-    if len(shown) < FEWEST or len(shown) != page.count("!["):
-        faults.append(f"docs/pictures.md: {len(shown)} pictures have a command, of {page.count('![')}")
+    shown = read_pages(source, faults)
     for picture, words in shown:
         name = os.path.basename(picture)
-        made, wanted = os.path.join(folder, name), os.path.join(source, "docs", picture)
+        made, wanted = os.path.join(folder, name), os.path.join(source, picture)
         if words.count(name) != 1:
             faults.append(f"{picture}: the command writes another file")
             continue
