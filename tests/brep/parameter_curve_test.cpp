@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What Boolean operations of readers need: edges near enough to their surfaces, and what they are
-// in the parameters of the surfaces.
+// Edges for Boolean operations of readers: near enough to their surfaces, and stored in the
+// parameters of the surfaces, too.
 #include "ncsim/brep/parameter_curve.h"
 
 #include "ncsim/brep/long_windings.h"
@@ -112,6 +112,20 @@ TEST(ParameterCurves, AreTheEdgesOnWallsOfBores) {
         }
     });
     EXPECT_GE(curves, 8U);
+}
+
+// Readers project such edges in their own way, and the places of adjacent edges must meet.
+TEST(ParameterCurves, AreLeftToReadersForEdgesOffTheirSurface) {
+    const Part& part = crossing_part().solid.part;
+    std::size_t refused = 0;
+    for_edges_of_faces(part, [&](Face face, const Edge& edge) {
+        auto* wall = std::get_if<Cylinder>(&face.surface.form);
+        if (!wall || !std::holds_alternative<Spline>(edge.curve)) return;
+        wall->radius += 1e-5;
+        EXPECT_FALSE(ParameterSurface::of(part, face, nullptr)->curve_of(part, edge));
+        ++refused;
+    });
+    EXPECT_GE(refused, 8U);
 }
 
 TEST(ParameterCurves, AreInTheFileForBothSurfacesOfASpline) {

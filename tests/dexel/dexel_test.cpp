@@ -160,6 +160,39 @@ TEST(Dexel, DeepWallsHaveNoMoreTrianglesThanShallowOnes) {
     EXPECT_EQ(triangles_of(2), triangles_of(5));
 }
 
+// A wall that bends little by little, within one row of cells: vertices at the bends are kept.
+TEST(Dexel, ABentWallKeepsItsBends) {
+    const auto part = block(0.25);
+    const std::vector<Vec3> outline{{5.02, 0, -1},  {5.02, 0, 1.6}, {5.03, 0, 2.4},
+                                    {5.07, 0, 3.2}, {5.14, 0, 4.0}, {5.24, 0, 4.8},
+                                    {5.7, 0, 7.2},  {11, 0, -1},    {11, 0, 7.2}};
+    std::vector<cda::LatticePoint> points;
+    for (const Vec3& p : outline) {
+        for (const double y : {-1.0, 11.0})
+            points.push_back(kLattice.round({p.x, y, p.z}));
+    }
+    part->subtract_unmeasured(*cda::convex_hull(points, kLattice, cda::Origin{7}));
+    const Boundary boundary = part->boundary();
+    expect_closed(boundary);
+    const auto wall_at = [&](double z) {
+        std::size_t i = 1;
+        while (outline[i].z < z)
+            ++i;
+        const Vec3 &from = outline[i - 1], &to = outline[i];
+        return from.x + (z - from.z) / (to.z - from.z) * (to.x - from.x);
+    };
+    std::size_t faces = 0;
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        if (face.origin != cda::Origin{7}) continue;
+        ++faces;
+        Vec3 middle;
+        for (const std::uint32_t v : face.loops[0])
+            middle = middle + (1.0 / 3.0) * boundary.vertices[v];
+        EXPECT_NEAR(middle.x, wall_at(middle.z), 0.004) << middle.z;
+    }
+    EXPECT_GT(faces, 0U);
+}
+
 // Compares with the exact model: the volume, and points farther than a pitch from places where both
 // models may differ.
 TEST(Dexel, HasWhatTheExactPartHas) {

@@ -91,7 +91,7 @@ TEST(SinumerikSlots, Slot2) {
     const std::string slot = "SLOT2(20,0,2,-10,,2,70,14,0,0,25,10,180,150,500,4,2,0.2,";
     const Distance slots = smallest({band(25.0, 14.0, 10.0, 70.0), band(25.0, 14.0, 190.0, 70.0)});
     expect_swept(cut(slot + "0,0,400)"), slots, -10.0, 36.0);
-    // From slot to slot along the circle, above the part.
+    // The tool moves from slot to slot along the circle, above the part.
     const Made arcs = cut(slot + "10,0,400,,600)");
     expect_swept(arcs, slots, -10.0, 36.0);
     EXPECT_TRUE(std::ranges::any_of(arcs.moves, [](const Motion& motion) {
@@ -411,7 +411,8 @@ TEST(KlartextPaths, ThreadsWithCountersinks) {
 }
 
 TEST(KlartextPaths, OutsideThread) {
-    // From the thread, the tool and the pitch away; climb milling goes clockwise and down.
+    // The helix starts away from the thread by tool and pitch; climb milling goes clockwise and
+    // down.
     const std::string thread =
         "CYCL DEF 267 THREAD Q335=20 Q239=+1.5 Q201=-6 Q253=750 Q200=2 Q358=0 Q359=0 Q203=+0 "
         "Q204=20 Q254=150 Q207=500 ";

@@ -113,7 +113,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         base = os.path.join(os.path.abspath(sys.argv[3]) if len(sys.argv) > 3 else folder, "clean")
         if not os.path.exists(os.path.join(base, "etc/debian_version")):
-            run(["debootstrap", "--variant=minbase", "bookworm", base, "http://deb.debian.org/debian"])
+            run(["debootstrap", "--variant=minbase", "bookworm", base])
         debian = Debian(base, os.path.join(folder, "debian"))
         three_commands(debian, packages)
         other_packages(debian, source)

@@ -38,10 +38,11 @@ class Workshop:
         self.root, self.npm = os.path.join(folder, "debian"), os.path.join(folder, "npm")
         self.versions = {}
         if not os.path.exists(os.path.join(self.root, "etc/debian_version")):
-            run(["debootstrap", "--variant=minbase", "bookworm", self.root, "http://deb.debian.org/debian"])
-        with open(os.path.join(self.root, "etc/apt/sources.list"), "w", encoding="utf-8") as file:
-            file.write("deb http://deb.debian.org/debian bookworm main\n"
-                       "deb http://deb.debian.org/debian-security bookworm-security main\n")
+            run(["debootstrap", "--variant=minbase", "bookworm", self.root])
+        # With the updates that this machine gets: some of the versions are updates.
+        shutil.copytree("/etc/apt/sources.list.d", os.path.join(self.root, "etc/apt/sources.list.d"), dirs_exist_ok=True)
+        if os.path.exists("/etc/apt/sources.list"):
+            shutil.copy("/etc/apt/sources.list", os.path.join(self.root, "etc/apt/sources.list"))
         missing = [name for name in packages if not self.version(name)]
         if missing:
             self.chroot("apt-get update -q")

@@ -232,7 +232,7 @@ vec3 sampleAt(ivec2 at, ivec2 most) {
     bool isOtherA = na.a > least && dot(n, directionOf(na)) < 0.90;
     bool isOtherB = nb.a > least && dot(n, directionOf(nb)) < 0.90;
     if (isOtherA || isOtherB) {
-      // What a plane shows through a gap of one sample is no face: neither here nor next to here.
+      // A plane seen through a gap of one sample is not a face, neither here nor in the next sample.
       if (distance(na, nb) < 0.02 && z > max(za, zb) && abs(za - zb) < same)
         return lit(texelFetch(colours, a, 0).rgb, directionOf(na));
       ivec2 c = clamp(isOtherA ? at - 2 * step : at + 2 * step, ivec2(0), most);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What readers print: volume, box, colours and names as a line of JSON.
+// Volume, box, colours and names of a file, which readers print as a line of JSON.
 
 // Collects triangles of a mesh, in mm, and their attributes.
 export class Measure {

@@ -225,7 +225,8 @@ bool cut_at_meridian(Part& part, std::uint32_t f, const Winding& winding, double
     if (!divide_edges(part, f, winding, degrees)) return false;
     const auto passages = passages_of(part, f, winding, degrees);
     if (passages.size() % 2 != 0) return false;
-    // What follows an arrival at a passage: the bridge to the other passage of the pair, and on.
+    // The loops are linked anew: an arrival at a passage continues along the bridge to the other
+    // passage of the pair, and from there.
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> leaving;  // use -> passage
     for (std::size_t i = 0; i < passages.size(); ++i)
         leaving[{passages[i].loop, passages[i].use}] = i;

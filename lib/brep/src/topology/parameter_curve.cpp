@@ -239,7 +239,7 @@ private:
     std::optional<Node> node_at(double t, double inside, Place nearby) const {
         const Vec3 p = curve_.at(t).at;
         const auto at = surface_.place(p, nearby);
-        if (!at || norm(surface_.point(*at).at - p) > kMostMiss) return std::nullopt;
+        if (!at || !(norm(surface_.point(*at).at - p) <= kMostMiss)) return std::nullopt;
         if (const auto slope = slope_at(t, *at)) return Node{t, *at, *slope};
         constexpr double kNear = 1e-3;
         std::array<Place, 2> slopes{};
