@@ -147,54 +147,58 @@ private:
     // the two edges belongs to the face.
     void trace() {
         by_owner_ = Groups<std::uint32_t>(names_.owners().size());
+        by_tail_ = Groups<std::uint32_t>(names_.points());
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
-            if (!is_outside(h)) by_owner_.count(half_edges_[h].owner);
+            if (is_outside(h)) continue;
+            by_owner_.count(half_edges_[h].owner);
+            by_tail_.count(half_edges_[h].tail);
         }
         by_owner_.reserve();
+        by_tail_.reserve();
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
             if (!is_outside(h)) by_owner_.add(half_edges_[h].owner, h);
         }
+        for (const std::uint32_t h : by_owner_.all())
+            by_tail_.add(half_edges_[h].tail, h);
         done_.assign(half_edges_.size(), false);
         std::atomic<std::size_t> loops = 0;
         const Runs runs(names_.owners().size(), kRun);
         in_parallel(threads_, runs.tasks(), [&](std::size_t task) {
             std::size_t here = 0;
             for (std::size_t owner = runs.begin(task); owner < runs.end(task); ++owner) {
-                trace(owner);
+                for (const std::uint32_t h : by_owner_.of(owner))
+                    half_edges_[h].next = next_of(half_edges_[h]);
                 here += count_loops(owner);
             }
             loops += here;
         });
         loops_ = loops;
+        by_tail_ = Groups<std::uint32_t>(0);
         done_.assign(half_edges_.size(), false);
     }
-    void trace(std::size_t owner) {
-        const std::span<std::uint32_t> here = by_owner_.of(owner);
-        const Plane& plane = names_.owners()[owner].first;
-        const auto tail = [&](std::uint32_t h) { return half_edges_[h].tail; };
-        std::sort(here.begin(), here.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair{tail(a), a} < std::pair{tail(b), b};
-        });
-        for (const std::uint32_t number : here) {
-            HalfEdge& h = half_edges_[number];
-            auto it = std::partition_point(here.begin(), here.end(),
-                                           [&](std::uint32_t e) { return tail(e) < h.head; });
-            if (it == here.end() || tail(*it) != h.head) continue;
-            h.next = *it;
-            const Direction back = -direction_of(h);
-            // Clockwise angle from `back`, in [0, 2π), as half turn and sign.
-            const auto half = [&](const Direction& v) {
-                const int s = turn_sign(back, v, plane);
-                return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
-            };
-            for (++it; it != here.end() && tail(*it) == h.head; ++it) {
-                const Direction best = direction_of(half_edges_[h.next]);
-                const Direction v = direction_of(half_edges_[*it]);
-                const int hv = half(v);
-                const int hb = half(best);
-                if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) h.next = *it;
+    // Returns the half-edge of the same owner that continues a half-edge, or kNone.
+    std::uint32_t next_of(const HalfEdge& h) const {
+        const Plane& plane = names_.owners()[h.owner].first;
+        const Direction back = -direction_of(h);
+        // Clockwise angle from `back`, in [0, 2π), as half turn and sign.
+        const auto half = [&](const Direction& v) {
+            const int s = turn_sign(back, v, plane);
+            return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
+        };
+        std::uint32_t next = kNone;
+        const auto owner_of = [&](std::uint32_t k) { return half_edges_[k].owner; };
+        for (const std::uint32_t candidate :
+             std::ranges::equal_range(by_tail_.of(h.head), h.owner, {}, owner_of)) {
+            if (next == kNone) {
+                next = candidate;
+                continue;
             }
+            const Direction best = direction_of(half_edges_[next]);
+            const Direction v = direction_of(half_edges_[candidate]);
+            const int hv = half(v), hb = half(best);
+            if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) next = candidate;
         }
+        return next;
     }
 
     std::size_t count_loops(std::size_t owner) {
@@ -393,8 +397,9 @@ private:
     Naming names_;
     Chunks<HalfEdge> half_edges_;
     Groups<std::uint32_t> by_owner_{0};
-    std::size_t loops_ = 0;           // number of faces, plus the number of holes
-    std::vector<std::uint8_t> done_;  // bytes, because threads write to adjacent elements
+    Groups<std::uint32_t> by_tail_{0};  // within trace()
+    std::size_t loops_ = 0;             // number of faces, plus the number of holes
+    std::vector<std::uint8_t> done_;    // bytes, because threads write to adjacent elements
     const LoopPoints loop_points_{[this](std::uint32_t p) { return names_.point(p); },
                                   [this](std::uint32_t p) { return names_.exact(p); }};
 };
