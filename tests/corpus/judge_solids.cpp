@@ -130,9 +130,7 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
         return made;
     }
     if (is_draft) simulation::coarsen(plan, survey, false, false);
-    gcode::InterpreterOptions silent = plan.job.interpreter;
-    silent.observe_frame = nullptr;
-    gcode::interpret(plan.job.program, silent, [&](const gcode::Motion& motion) {
+    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
         made.is_simple = made.is_simple && is_simple(motion);
     });
     simulation::Verification nothing;

@@ -90,14 +90,11 @@ int main(int argc, char** argv) {
         };
         std::vector<corpus::Event> events;
         const bool has_reference = !entry.reference.empty();
-        if (has_reference) {
-            options.observe_frame = [&](const gcode::Motion& motion,
-                                        const gcode::ProgramFrame& frame) {
-                events.push_back(corpus::to_event(motion, frame));
-            };
-        }
         const auto start = std::chrono::steady_clock::now();
-        const gcode::Interpretation result = gcode::interpret(file, options, {});
+        const gcode::Interpretation result =
+            gcode::interpret(file, options, [&](const gcode::Motion& motion) {
+                if (has_reference) events.push_back(corpus::to_event(motion, *motion.frame));
+            });
         corpus::put_into_machine(events, result.workpiece);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -283,11 +283,8 @@ TEST(Controls, G28CancelsTheToolLengthOnHaasAlone) {
         int last = -99;
         InterpreterOptions options;
         options.dialect = dialect;
-        options.observe_frame = [&](const Motion&, const ProgramFrame& frame) {
-            last = frame.length_register;
-        };
         (void)interpret({"t.nc", kHead + "G43 H1 G0 X0 Y0 Z50\nG28 Z60\nG0 Z50\nM30\n"}, options,
-                        [](const Motion&) {});
+                        [&](const Motion& motion) { last = motion.frame->length_register; });
         return last;
     };
     EXPECT_EQ(last_register(Dialect::Haas), kNoLength);

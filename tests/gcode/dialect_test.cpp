@@ -225,12 +225,9 @@ TEST(Interpreter, SkipsDeletedBlocksOnlyWhenAsked) {
 }
 
 TEST(Interpreter, TellsTheFrameAMotionWasProgrammedIn) {
-    InterpreterOptions options;
     std::vector<ProgramFrame> frames;
-    options.observe_frame = [&](const Motion&, const ProgramFrame& frame) {
-        frames.push_back(frame);
-    };
-    interpret({"t.nc", "G20 G55 G92 X1\nG18 G0 X2\nM2\n"}, options, {});
+    interpret({"t.nc", "G20 G55 G92 X1\nG18 G0 X2\nM2\n"}, {},
+              [&](const Motion& motion) { frames.push_back(*motion.frame); });
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_TRUE(frames[0].inches);
     EXPECT_EQ(frames[0].system, 2);

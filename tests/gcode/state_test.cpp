@@ -19,6 +19,7 @@ namespace {
 
 struct Made {
     std::string motions;
+    std::vector<ProgramFrame> frames;  // of the motions
     Interpretation result;
 };
 
@@ -31,6 +32,7 @@ Made run(const std::string& program, InterpreterOptions options = {}) {
     made.result = interpret({"t.nc", program}, options, [&](const Motion& motion) {
         print(made.motions, motion);
         made.motions += '\n';
+        made.frames.push_back(*motion.frame);
     });
     return made;
 }
@@ -479,15 +481,12 @@ TEST(StateObserver, SeesEachBlockOnce) {
 // --- Tool lengths and the spindle ---------------------------------------------------------------
 
 TEST(LengthRegister, IsTheOneThatIsActive) {
-    std::vector<int> registers;
-    InterpreterOptions options;
-    options.observe_frame = [&](const Motion&, const ProgramFrame& frame) {
-        registers.push_back(frame.length_register);
-    };
     const Made made =
         run("G21 G90\nG0 X0\nT1 M6\nG43 H3\nG0 X1\nT2 M6\nG0 X2\nG43 G0 X3\nG49\n"
-            "G0 X4\nG43.1 Z5\nG0 X5\nM2\n",
-            options);
+            "G0 X4\nG43.1 Z5\nG0 X5\nM2\n");
+    std::vector<int> registers;
+    for (const ProgramFrame& frame : made.frames)
+        registers.push_back(frame.length_register);
     EXPECT_TRUE(made.result.uses_length_offsets);
     EXPECT_EQ(registers, (std::vector<int>{0, 0, 3, 3, 3, 2, 0, kStatedLength}));
     EXPECT_FALSE(run("G0 X1\nG49\nG0 X2\nM2\n").result.uses_length_offsets);
@@ -496,11 +495,8 @@ TEST(LengthRegister, IsTheOneThatIsActive) {
 TEST(GaugeLength, IsThatOfTheTableBeforeWhatTheProgramWrites) {
     const auto lengths_of = [](const std::string& program) {
         std::vector<std::optional<double>> lengths;
-        InterpreterOptions options;
-        options.observe_frame = [&](const Motion&, const ProgramFrame& frame) {
+        for (const ProgramFrame& frame : run(program).frames)
             lengths.push_back(frame.tool_length);
-        };
-        run(program, options);
         return lengths;
     };
     using Lengths = std::vector<std::optional<double>>;

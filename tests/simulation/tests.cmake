@@ -3,6 +3,7 @@ ncsim_add_test(simulation
   SOURCES
     messages_test.cpp
     models_test.cpp
+    motions_test.cpp
     operations_test.cpp
     orientation_test.cpp
     shading_test.cpp

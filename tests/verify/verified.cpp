@@ -63,9 +63,6 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     setup.stock = kBlock;
     verify::Verifier verifier(std::move(setup), simulated ? kBlock : cda::Box{}, lattice);
     gcode::InterpreterOptions options;
-    options.observe_frame = [&](const gcode::Motion&, const gcode::ProgramFrame& frame) {
-        verifier.set_frame(frame);
-    };
     if (verifier.needs_account()) part.track_removal();
     std::uint32_t motions = 0;
     const auto result = gcode::interpret(source, options, [&](const gcode::Motion& motion) {

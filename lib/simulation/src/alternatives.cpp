@@ -133,7 +133,6 @@ std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control
     gcode::InterpreterOptions options = plan.job.interpreter;
     options.dialect = control;
     MotionHash hash;
-    options.observe_frame = nullptr;
     const gcode::Interpretation read = gcode::interpret(
         plan.job.program, options, [&](const gcode::Motion& motion) { hash.take(motion); });
     if (read.stopped || read.refused ||

@@ -11,6 +11,7 @@
 #include "ncsim/verify/verifier.h"
 
 #include "compare_processes.h"
+#include "motions.h"
 
 #include <algorithm>
 #include <memory>
@@ -45,12 +46,12 @@ bool moves_alike(const SurveyedPlan& a, const SurveyedPlan& b) {
     };
     if (!std::ranges::equal(a.survey.tools, b.survey.tools, same_tool)) return false;
     std::vector<Trace> traces;
-    gcode::interpret(a.plan.job.program, a.plan.job.interpreter, [&](const gcode::Motion& m) {
+    for_each_motion(a.plan, [&](const gcode::Motion& m) {
         if (gcode::start_of(m)) traces.emplace_back(m);
     });
     std::size_t next = 0;
     bool same = true;
-    gcode::interpret(b.plan.job.program, b.plan.job.interpreter, [&](const gcode::Motion& m) {
+    for_each_motion(b.plan, [&](const gcode::Motion& m) {
         if (!gcode::start_of(m) || !same) return;
         same = next < traces.size() && traces[next] == Trace(m);
         ++next;

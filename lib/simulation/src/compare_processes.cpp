@@ -3,7 +3,7 @@
 // Comparison of feed, spindle, coolant and dwells of two programs.
 #include "compare_processes.h"
 
-#include "ncsim/gcode/interpreter.h"
+#include "motions.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +63,7 @@ Condition condition_of(const gcode::Motion& m) {
 
 std::vector<Condition> conditions_of(const Plan& plan) {
     std::vector<Condition> all;
-    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& m) {
+    for_each_motion(plan, [&](const gcode::Motion& m) {
         const bool dwells = std::holds_alternative<gcode::Dwell>(m.action);
         if (!dwells && (!gcode::start_of(m) || m.kind == gcode::MoveKind::Rapid)) return;
         const Condition c = condition_of(m);

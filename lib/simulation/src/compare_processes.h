@@ -14,12 +14,12 @@ namespace ncsim::simulation {
 
 /// Compares feed, spindle, coolant and tool of the feed moves, and dwells, in their order.
 /// Successive moves under the same conditions count once, so a move in two halves is no difference.
-/// Cost: one interpretation of each program.
+/// Cost: one pass over the motions of each program.
 report::ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
                                             const Plan& new_plan, const Survey& new_survey);
 
 /// Returns the feeds, speeds and coolant of the feed moves of each tool.
-/// Cost: one interpretation of the program.
+/// Cost: one pass over the motions of the program.
 std::map<int, report::ToolProcess> processes_by_tool(const Plan& plan);
 
 }  // namespace ncsim::simulation

@@ -7,6 +7,7 @@
 #include "ncsim/toolpath/joint_path.h"
 #include "ncsim/verify/distances.h"
 
+#include "motions.h"
 #include "until_line.h"
 
 #include <algorithm>
@@ -192,7 +193,7 @@ JointCourse joint_course(const Plan& plan) {
     const std::uint64_t most = plan.at_line ? motions_until(plan, *plan.at_line)
                                             : std::numeric_limits<std::uint64_t>::max();
     std::uint64_t motions = 0;
-    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+    for_each_motion(plan, [&](const gcode::Motion& motion) {
         if (motions++ < most) writer.take(motion);
     });
     return writer.finish();

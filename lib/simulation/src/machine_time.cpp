@@ -6,6 +6,8 @@
 #include "ncsim/verify/rule.h"
 #include "ncsim/verify/verifier.h"
 
+#include "motions.h"
+
 #include <utility>
 
 namespace ncsim::simulation {
@@ -19,7 +21,7 @@ verify::Ledger machining_times(const Plan& plan, const Survey& survey,
     for (const auto& [number, used] : survey.tools)
         setup.tools[number].tool = used.tool;
     verify::Verifier verifier(std::move(setup), {}, {});
-    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+    for_each_motion(plan, [&](const gcode::Motion& motion) {
         verifier.begin(motion);
         verifier.end();
     });

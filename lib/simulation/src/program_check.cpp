@@ -21,6 +21,7 @@
 #include "detached_pieces.h"
 #include "deviation_mesh.h"
 #include "machine_page_data.h"
+#include "motions.h"
 #include "place_kinematics.h"
 #include "refine.h"
 
@@ -350,13 +351,6 @@ PreparedCheck prepared(Plan specified, const VerificationOptions& verification_o
     return all;
 }
 
-void observe_frames(Plan& plan, verify::Verifier& verifier) {
-    plan.job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
-                                                     const gcode::ProgramFrame& frame) {
-        verifier.set_frame(frame);
-    };
-}
-
 }  // namespace
 
 namespace {
@@ -460,8 +454,7 @@ std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
     verify::Verifier verifier(all.setup, all.stock(), all.lattice(), {});
     verifier.add(survey.diagnostics);
     add_doubts_of_inputs(plan, survey, verification_options, verifier);
-    observe_frames(all.plan, verifier);
-    gcode::interpret(plan.job.program, all.plan.job.interpreter, [&](const gcode::Motion& motion) {
+    for_each_motion(plan, [&](const gcode::Motion& motion) {
         verifier.begin(motion);
         verifier.end();
     });
@@ -529,7 +522,6 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     for (std::string& what : all.not_used)
         verifier.add_doubt("setting-not-used", std::move(what));
     note_blend(verification_options, survey, specified, verifier);
-    observe_frames(plan, verifier);
     if (checked.simulated) {
         Verification verification = all.verification();
         verification.verifier = &verifier;
@@ -568,7 +560,7 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         // The program is known not to end, so the rules need not examine each iteration of its
         // loop.
         if (survey.never_ends) plan.job.interpreter.limits.repeated_blocks /= 4;
-        gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+        for_each_motion(plan, [&](const gcode::Motion& motion) {
             verifier.begin(motion);
             verifier.end();
         });
@@ -642,7 +634,6 @@ TileResult check_tile(Plan specified_plan, const VerificationOptions& verificati
     TileResult seen;
     if (!all.is_simulated()) return seen;
     verify::Verifier verifier(all.setup, all.stock(), all.lattice(), {all.plan.tile, nullptr});
-    observe_frames(all.plan, verifier);
     Verification verification = all.verification();
     verification.verifier = &verifier;
     const Simulation simulation = simulate(all.plan, all.survey, verification, {});

@@ -67,7 +67,6 @@ std::optional<Certainty> Refiner::refine_once(const verify::OpenContact& contact
         return std::max(mm / factor, kFinest);
     };
     Plan plan = *plan_;
-    plan.job.interpreter.observe_frame = nullptr;
     plan.tiles = nullptr;  // the box is cut here
     plan.tool_tolerance = finer(plan.tool_tolerance);
     plan.tolerance = finer(plan.tolerance);

@@ -13,6 +13,7 @@
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
+#include "motions.h"
 #include "operation_course.h"
 #include "simulation_messages.h"
 #include "until_line.h"
@@ -455,7 +456,7 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
     MoveJoiner joiner(
         verification.verifier ? 0.0 : plan.join_tolerance,
         [&](const gcode::Motion& motion) { mill.take(motion); }, plan.job.operations);
-    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+    for_each_motion(plan, [&](const gcode::Motion& motion) {
         joiner.take(motion);
         ++motions;
         if (!start_of(motion)) return;

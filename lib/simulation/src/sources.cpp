@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sources of the faces of a part, by a second interpretation of the program.
+// Sources of the faces of a part, by a second pass over its motions.
 #include "sources.h"
 
 #include "ncsim/simulation/stock_history.h"
@@ -8,6 +8,7 @@
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
+#include "motions.h"
 #include "upright_runs.h"
 
 #include <algorithm>
@@ -116,10 +117,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
             runs.take(motion);
         },
         plan.job.operations);
-    gcode::InterpreterOptions silent = plan.job.interpreter;
-    silent.observe_frame = nullptr;
-    gcode::interpret(plan.job.program, silent,
-                     [&](const gcode::Motion& motion) { joiner.take(motion); });
+    for_each_motion(plan, [&](const gcode::Motion& motion) { joiner.take(motion); });
     joiner.flush();
     runs.flush();
 }

@@ -17,7 +17,7 @@ using SourceSink = std::function<void(cda::Origin, brep::SweptSurfaces)>;
 
 /// Passes on the source of the stock, and the sources of the motions that `boundary` names, in
 /// their order. Facets were joined within `tolerance_mm`. Requires: `simulation` kept its cuts.
-/// Cost: one interpretation of the program.
+/// Cost: one pass over the motions of the program.
 void for_each_source(const Plan& plan, const Survey& survey, const Simulation& simulation,
                      const cda::Boundary& boundary, double tolerance_mm, const SourceSink& sink);
 

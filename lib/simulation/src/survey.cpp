@@ -11,6 +11,7 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/trace.h"
 
+#include "motions.h"
 #include "operation_course.h"
 #include "place_kinematics.h"
 #include "simulation_messages.h"
@@ -541,6 +542,7 @@ void report_unspecified(Survey& result) {
 struct BlockEstimate {
     Survey survey;
     std::array<bool, 3> specified;  // X, Y, Z, specified by a move or by the start
+    std::shared_ptr<const std::vector<gcode::Motion>> motions;
 };
 
 // Returns how A, B and C rotate the tool, with the assumptions.
@@ -561,8 +563,13 @@ BlockEstimate estimate_block(const Plan& plan, const std::array<bool, 3>& unspec
     Survey& result = look.survey;
     result.unspecified = unspecified;
     MotionSurvey motions(result, plan.placed.get(), plan.job.operations);
-    result.interpretation = gcode::interpret(plan.job.program, plan.job.interpreter,
-                                             [&](const gcode::Motion& m) { motions.take(m); });
+    MotionRecorder recorder;
+    result.interpretation =
+        gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& m) {
+            motions.take(m);
+            recorder.take(m);
+        });
+    look.motions = std::move(recorder).result();
     motions.finish();
     look.specified = motions.specified();
     result.units_assumed = !result.interpretation.units_stated && plan.job.units_assumed;
@@ -616,18 +623,26 @@ BlockEstimate estimate_block(const Plan& plan, const std::array<bool, 3>& unspec
 }  // namespace
 
 Survey survey(Plan& plan) {
+    plan.motions = nullptr;
+    auto& of_file = plan.job.interpreter.of_file;
+    if (!of_file)
+        of_file = std::make_shared<const gcode::DialectFindings>(
+            gcode::detect_dialect(plan.job.program));
     place_kinematics(plan);
     BlockEstimate look = estimate_block(plan, {});
     const Survey& first = look.survey;
     const bool drawn = first.feed_moves > 0 || (first.only_rapid && plan.draft);
-    if (first.interpretation.refused || !drawn) return std::move(look.survey);
-    std::array<bool, 3> unspecified{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        unspecified[axis] = !look.specified[axis];
-        if (unspecified[axis]) plan.job.interpreter.start[axis] = gcode::Length();
+    if (!first.interpretation.refused && drawn) {
+        std::array<bool, 3> unspecified{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            unspecified[axis] = !look.specified[axis];
+            if (unspecified[axis]) plan.job.interpreter.start[axis] = gcode::Length();
+        }
+        if (unspecified != std::array<bool, 3>{}) look = estimate_block(plan, unspecified);
+        report_unspecified(look.survey);
     }
-    if (unspecified != std::array<bool, 3>{}) look = estimate_block(plan, unspecified);
-    report_unspecified(look.survey);
+    // The rules look at fewer iterations of a program that does not end.
+    if (!look.survey.never_ends) plan.motions = std::move(look.motions);
     return std::move(look.survey);
 }
 

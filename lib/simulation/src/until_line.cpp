@@ -3,7 +3,7 @@
 // Number of motions up to a line.
 #include "until_line.h"
 
-#include "ncsim/gcode/interpreter.h"
+#include "motions.h"
 
 namespace ncsim::simulation {
 
@@ -12,7 +12,7 @@ std::uint64_t motions_until(const Plan& plan, std::uint32_t line) {
     std::uint64_t until = 0;
     std::uint32_t nearest = 0;
     bool is_running = false;  // whether the nearest line is being run
-    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+    for_each_motion(plan, [&](const gcode::Motion& motion) {
         ++count;
         const std::uint32_t at = motion.file == 0 ? motion.span.line : 0;
         if (at > nearest && at <= line) {

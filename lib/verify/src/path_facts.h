@@ -20,7 +20,7 @@ public:
     /// Requires: `setup` outlives the object.
     PathFacts(const Setup& setup, const cda::Box& stock);
 
-    /// Sets the frame that is active when the next motion begins.
+    /// Sets the frame of the next motion, which includes the tool length offset.
     void set_frame(const gcode::ProgramFrame& frame);
     /// Enters positions and lengths of the motion, from `from` to `to`, into `move`.
     void take(Move& move, const gcode::Position& from, const gcode::Position& to, FindingLog& log);

@@ -127,13 +127,12 @@ public:
                a.flat_tip == b.flat_tip;
     }
 
-    void set_frame(const gcode::ProgramFrame& frame) { path_facts_.set_frame(frame); }
-
     void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part) {
         move_ = {};
         ledger_book_.begin();
         move_.motion = &motion;
         move_.number = ++motions_;
+        if (motion.frame) path_facts_.set_frame(*motion.frame);
         const auto* from = gcode::start_of(motion);
         const auto* to = gcode::end_of(motion);
         move_.is_move = from && to;
@@ -606,10 +605,6 @@ private:
 Verifier::Verifier(Setup setup, const Box& stock, const cda::Lattice& lattice, Share share)
     : impl_(std::make_unique<Impl>(std::move(setup), stock, lattice, std::move(share))) {}
 Verifier::~Verifier() = default;
-
-void Verifier::set_frame(const gcode::ProgramFrame& frame) {
-    impl_->set_frame(frame);
-}
 
 void Verifier::begin(const gcode::Motion& motion, const cda::WorkpieceModel* part) {
     impl_->begin(motion, part);

@@ -102,7 +102,6 @@ Dialect language_of(const DialectFindings& findings, bool strict) {
 /// Returns: true if more arcs fit absolute than incremental centres.
 bool has_absolute_centres(const SourceFile& program, InterpreterOptions options,
                           const Rules& rules) {
-    options.observe_frame = nullptr;
     options.observe_state = nullptr;
     Interpretation result;
     result.files.push_back(program.name);

@@ -36,9 +36,6 @@ struct ToolTableEntry {
     bool operator==(const ToolTableEntry&) const = default;
 };
 
-/// Callback that receives each motion and the frame of the program, just before the sink.
-using FrameObserver = std::function<void(const Motion&, const ProgramFrame&)>;
-
 /// Callback that receives the state of the control after each block, and before the first one, with
 /// line 0. `file`: index into Interpretation::files. Moves that cutter compensation or a corner
 /// holds back are in the state already.
@@ -163,7 +160,6 @@ struct InterpreterOptions {
     std::vector<RotaryClamp> clamps;
     TableOffsets fixture_offsets, setting_errors;  ///< For G54.2; for G54.4.
     FileReader read_file;
-    FrameObserver observe_frame;
     StateObserver observe_state;
     Limits limits;
 };

@@ -19,11 +19,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
 namespace ncsim::gcode {
+
+struct ProgramFrame;
 
 /// Position of all axes. Rotary axes are not wrapped.
 struct Position {
@@ -157,6 +160,8 @@ struct Motion {
     bool spindle_oriented = false;
     /// In such a cycle: true if the tool steps aside (Q), which is not part of the motion.
     std::optional<bool> steps_aside;
+    /// The frame in which the motion was programmed; never null for motions of interpret().
+    std::shared_ptr<const ProgramFrame> frame;
 };
 
 /// Returns the start or the end of a move (Linear, Arc, Spline); nullptr for dwells and tool

@@ -319,10 +319,7 @@ void Path::emit(const MachineState& state, const Place& from, const Place& to,
     if (bound_) {
         if (cuts && !compared_.contains(state.system))
             compare_offset(frame_of(state), state.frame, state.is_zero_by_hand);
-        ProgramFrame frame;
-        frame.system = state.system;
-        if (options_.observe_frame) frame = frame_of(state);
-        emit_motion(motion_, frame, from, to, centre, plane_origin);
+        emit_motion(motion_, frame_of(state), from, to, centre, plane_origin);
         return;
     }
     held_.push_back({motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92,
@@ -391,8 +388,11 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
     last_end_machine_ = to.machine;
     last_end_workpiece_ = to_W;
     if (ends_elsewhere && start_of(motion)) warn_of_frame(motion, to, frame.system);
-    if (options_.observe_frame) options_.observe_frame(motion, frame);
-    if (sink_) sink_(motion);
+    if (!sink_) return;
+    if (!last_frame_ || !(*last_frame_ == frame))
+        last_frame_ = std::make_shared<const ProgramFrame>(frame);
+    motion.frame = last_frame_;
+    sink_(motion);
 }
 
 /// `system`: the active system.

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -147,6 +148,7 @@ private:
     std::uint32_t length_changes_ = 0;  // Value of MachineState::length_changes for `at_`.
     // End of the last motion passed to the sink.
     std::optional<Position> last_end_machine_, last_end_workpiece_;
+    std::shared_ptr<const ProgramFrame> last_frame_;  // of the last motion
     bool bound_ = false;
     OriginFrame frame_W_{};  // Reference of W. Valid if bound_.
     std::vector<HeldMotion> held_;

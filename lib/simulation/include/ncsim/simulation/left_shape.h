@@ -17,7 +17,7 @@ namespace ncsim::simulation {
 /// read_stock_history(), and with the assumptions of the run. Moves the removed cells out of
 /// `simulation`.
 /// Requires: `simulation` kept its cuts and its removed cells.
-/// Cost: that of the boundary, and one interpretation of the program.
+/// Cost: that of the boundary, and one pass over the motions of the program.
 cda::Shape take_left_shape(const Plan& plan, const Survey& survey, Simulation& simulation,
                            const std::vector<std::string>& assumed);
 

@@ -12,7 +12,7 @@ namespace ncsim::simulation {
 
 /// Sums the times that `check` gives for the program on this machine: feed, rapid, the rest. Times
 /// that depend on an unknown rate of the machine are empty. Rows of blocks are empty.
-/// Cost: one interpretation of the program.
+/// Cost: one pass over the motions of the program.
 verify::Ledger machining_times(const Plan& plan, const Survey& survey,
                                const verify::MachineDescription& machine);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/tiles.h"
+#include "ncsim/gcode/motion.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/setup/budget.h"
 #include "ncsim/setup/job.h"
@@ -56,6 +57,8 @@ struct Plan {
     std::optional<setup::SpecifiedKinematics> kinematics;
     /// Kinematics with the program zero; set by the survey.
     std::shared_ptr<const toolpath::Kinematics> placed;
+    /// All motions of the program, unless they are very many; set by the survey.
+    std::shared_ptr<const std::vector<gcode::Motion>> motions;
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
     unsigned threads = 0;  ///< Number of threads; 0: as many as the computer has.

@@ -41,7 +41,7 @@ void check(Plan plan, const VerificationOptions& verification_options, report::C
 /// Returns, a text each, the doubts that a verdict on the plan would have about tools, stock and
 /// motions, and the errors of its blocks, for files that the plan's run writes.
 /// Requires: `survey` belongs to `plan`; apply_machine() has applied `machine`.
-/// Cost: one interpretation of the program; nothing is cut.
+/// Cost: one pass over the motions of the program; nothing is cut.
 std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
                                         const setup::MachineFile& machine);
 /// Returns the reasons before the colons of `assumptions`, each once: "stock-guess, tool-guess".

@@ -13,7 +13,7 @@ namespace ncsim::simulation {
 
 /// Returns the solid of the boundary of `simulation`. Facets are first joined within
 /// `tolerance_mm`, as by simplify(). Requires: `simulation` kept its boundary and its cuts.
-/// Cost: one interpretation of the program, for the motions that left faces.
+/// Cost: one pass over the motions of the program, for the motions that left faces.
 brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                           double tolerance_mm);
 

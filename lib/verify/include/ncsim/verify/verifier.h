@@ -39,8 +39,6 @@ public:
     Verifier(const Verifier&) = delete;
     Verifier& operator=(const Verifier&) = delete;
 
-    /// Sets the frame of the next motion, which includes the tool length offset.
-    void set_frame(const gcode::ProgramFrame& frame);
     /// Begins a motion. `part` is the part before the motion; null if nothing is simulated.
     void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part = nullptr);
     /// Observes `step` before the cells are removed from `part`.
