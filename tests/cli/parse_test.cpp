@@ -13,31 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-TEST(Parse, ShowsBlocksInOneSpelling) {
-    Folder folder;
-    folder.write("a.nc", "n10 g21 g90 ( go )\n#1=4 g0 x#1 y-.5\n\ng0 z 1 . 5\n/m2\n");
-    const Ran ran = folder.run({"parse", "a.nc"});
-    EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_EQ(ran.err, "");
-    EXPECT_EQ(ran.out,
-              "L1 N10 G21 G90 ( go )\n"
-              "L2 #1=4 G0 X#1 Y-0.5\n"
-              "L4 G0 Z1.5\n"
-              "L5 / M2\n");
-}
-
-TEST(Parse, ShowsMotionsInMillimetres) {
-    Folder folder;
-    folder.write("a.nc", "G20 G90 G0 X0 Y0 Z1\nG1 X1 F10\nG91 G2 X1 Y1 J1\nG4 P2\nM2\n");
-    const Ran ran = folder.run({"parse", "a.nc", "--canonical"});
-    EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_EQ(ran.out,
-              "L1 rapid X0 Y0 Z25.4 from-unknown-xyz\n"
-              "L2 feed X25.4 Y0 Z25.4 F254\n"
-              "L3 arc XY X50.8 Y25.4 Z25.4 centre 25.4 25.4 turns -1 F254\n"
-              "L4 dwell 2\n");
-}
-
 TEST(Parse, ListsWhatAControlDoesNotHave) {
     Folder folder;
     folder.write("a.nc", "G21 G90\nG0 X0 Y0\nG81 X1 Z-1 R1 F100\nX2\nG81 X3\nM7\nM2\n");

@@ -654,16 +654,6 @@ TEST(Run, AToolWhoseLengthIsUnknownLeavesNothingStandingAboveIt) {
     EXPECT_TRUE(contains(ran.out, "36.000 cm3 removed")) << ran.out << ran.err;
 }
 
-TEST(Run, InchesAreInches) {
-    Folder folder;
-    folder.write("part.nc",
-                 "(T1 D=.5 CR=0. - flat end mill)\n(STOCK/BLOCK,2,1,1,1,.5,1)\nT1 M6\nG20 G90\n"
-                 "G0 X-2 Y0 Z1\nZ-.5\nG1 X2 F10\nM30\n");
-    folder.run({"run", "part.nc", "-q", "--report", "a.json"});
-    const json report = json::parse(folder.read("a.json"));
-    EXPECT_NEAR(report["volume_mm3"]["removed"].get<double>(), 0.5 * 16387.064, 1e-3);
-}
-
 TEST(Run, WithoutG20OrG21TheUnitsAreWhatTheUserSays) {
     Folder folder;
     folder.write("part.nc", "T1 M6\nG90\nG0 X-2 Y0 Z1\nZ-.5\nG1 X2 F10\nM30\n");

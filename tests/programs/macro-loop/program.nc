@@ -1,0 +1,19 @@
+(Macro B: holes on a circle in a WHILE loop)
+(T1 D=5. - drill A118.)
+(STOCK/BLOCK,50.,50.,10.,25.,25.,10.)
+O1
+G21 G90 G17 G94 G54
+T1 M6
+S2000 M3
+G0 X0 Y0 Z5.
+#1=0
+WHILE[#1LT6]DO1
+G0 X[16.*COS[#1*60.]] Y[16.*SIN[#1*60.]]
+G0 Z1.
+G1 Z-5. F150.
+G0 Z5.
+#1=#1+1
+END1
+G0 Z20.
+M5
+M30
