@@ -189,6 +189,12 @@ std::vector<Golden> goldens() {
          "T2 M6\nG0 X40 Y30 Z5\nG1 Z-10\nG0 Z5\n",
          {6, 1, 1, 0, 0},
          kBlock - 9.0 * kPi * (10.0 - tip + tip / 3.0)},
+        // A spiral of ten turns about X leaves a cylinder of radius 50 mm, with its axis along an
+        // edge of the block.
+        {"spiral_about_an_edge",
+         "T1 M6\nG0 X-8 Y0 Z80 A0\nG1 Z50\nG1 X88 A3600\nG0 Z80\n",
+         {5, 1, 0, 0, 0},
+         40.0 * (20.0 * std::sqrt(2100.0) + 2500.0 * std::asin(0.4))},
         {"bar",
          "T1 M6\nG0 X-40 Y0 Z5\nG1 Z-4\nG1 X40\nG0 Z5\n",
          {6, 1, 0, 0, 0},

@@ -213,13 +213,43 @@ std::vector<SplinePath> spline_paths(const gcode::Spline& spline, const toolpath
     return paths;
 }
 
-std::optional<RotaryPath> rotary_path(const gcode::Motion& motion, const toolpath::Poses& poses) {
+std::vector<RotaryPath> rotary_paths(const gcode::Motion& motion, const toolpath::Poses& poses) {
+    constexpr int kMostPieces = 360;
+    // Degrees. Planes at the ends of a piece separate its sides. Beyond three quarters of a turn, a
+    // path that is continued at its ends meets itself.
+    constexpr double kPiece = 120.0, kMostOfOne = 270.0;
     const auto* line = std::get_if<gcode::Linear>(&motion.action);
-    if (!line) return std::nullopt;
-    return fit_rotary_path([&](double t) {
-        const Pose pose = poses.at(in_step(line->from, line->to, t));
-        return TipAndAxis{pose.translation, axis_of(pose)};
-    });
+    if (!line) return {};
+    const auto in_pieces = [&](int pieces) {
+        std::vector<RotaryPath> paths;
+        for (int i = 0; i < pieces; ++i) {
+            const auto path = fit_rotary_path([&](double t) {
+                const Pose pose = poses.at(in_step(line->from, line->to, (i + t) / pieces));
+                return TipAndAxis{pose.translation, axis_of(pose)};
+            });
+            if (!path) return std::vector<RotaryPath>{};
+            paths.push_back(*path);
+        }
+        return paths;
+    };
+    const Position &from = line->from, &to = line->to;
+    double largest = 0.0;
+    for (const auto& [a, b] : {std::pair(from.a, to.a), {from.b, to.b}, {from.c, to.c}})
+        largest = std::max(largest, std::abs(b.degrees() - a.degrees()));
+    const double pieces = largest <= kMostOfOne ? 1.0 : std::ceil(largest / kPiece);
+    if (pieces > kMostPieces) return {};
+    return in_pieces(static_cast<int>(pieces));
+}
+
+std::array<Plane, 2> ends_of(const std::vector<RotaryPath>& paths, std::size_t i) {
+    // Before the first and after the last piece, the surface goes on by what the tool is wide.
+    constexpr double kBeyond = 0.9 * kPathExtension;
+    const auto plane_at = [&](double t) {
+        const ToolFrame frame = tool_frame(paths[i], t);
+        return Plane{frame.tip, normalized(norm(frame.speed) > 0.0 ? frame.speed : frame.turn)};
+    };
+    return {plane_at(i == 0 ? -kBeyond : 0.0),
+            plane_at(i + 1 == paths.size() ? 1.0 + kBeyond : 1.0)};
 }
 
 }  // namespace ncsim::brep

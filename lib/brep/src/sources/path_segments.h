@@ -56,8 +56,12 @@ bool are_rotary_axes_fixed(const gcode::Position& from, const gcode::Position& t
 std::optional<ArcPath> arc_path(const gcode::Arc& arc, const toolpath::Poses& poses);
 /// Returns the pieces of `spline`; empty in the same cases.
 std::vector<SplinePath> spline_paths(const gcode::Spline& spline, const toolpath::Poses& poses);
-/// Returns the path of a linear motion on which rotary axes turn. All axes move in proportion, as
-/// in the simulation; no value for all other motions.
-std::optional<RotaryPath> rotary_path(const gcode::Motion& motion, const toolpath::Poses& poses);
+/// Returns the path of a linear motion on which rotary axes turn, in equal pieces if it turns too
+/// far for one polynomial. All axes move in proportion, as in the simulation. Empty for all other
+/// motions, and beyond 120 turns.
+std::vector<RotaryPath> rotary_paths(const gcode::Motion& motion, const toolpath::Poses& poses);
+/// Returns the planes between which the surfaces of the i-th of several pieces are. The normals
+/// point along the path.
+std::array<Plane, 2> ends_of(const std::vector<RotaryPath>& paths, std::size_t i);
 
 }  // namespace ncsim::brep

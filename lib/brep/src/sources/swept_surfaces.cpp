@@ -287,6 +287,64 @@ public:
         add(Envelope{std::move(sweep)});
     }
 
+    // True if a flat end touches the whole floor that it leaves. Its plane touches the cylinder in
+    // a line, `off` from its middle. If the end slides along the line, by `slide` mm per radian,
+    // the walls of the groove are farther apart than the line is long; the rim leaves the rest
+    // higher.
+    static bool is_touched(double end_radius, double radius, double slide, double off) {
+        constexpr double kMostHigher = 2e-3;  // mm; less than programs round
+        if (std::abs(off) >= end_radius || radius <= end_radius * kFlattest) return false;
+        if (slide <= kEqual) return true;
+        const double half = std::sqrt(end_radius * end_radius - off * off);
+        const double angle =
+            (end_radius * std::sqrt(1.0 + slide * slide / (radius * radius)) - half) / slide;
+        return 0.5 * radius * angle * angle <= kMostHigher;
+    }
+
+    // Adds the cylinder that a flat end leaves if it turns about a fixed line at a fixed distance:
+    // the floor of a groove around a bar. The plane of the end with normal n(φ) is tangent to the
+    // cylinder if n·p(φ) = n·o + radius for a point o of the line.
+    void floor_around(const Element& e, const RotaryPath& path) {
+        if (std::abs(e.rise()) > kEqual || e.widening() <= 0.0) return;
+        constexpr double kOff = 1e-6;        // mm; path and solution are as accurate
+        constexpr double kLeastTurn = 1e-4;  // of the determinant, about 3 degrees
+        const ToolFrame start = tool_frame(path, 0.0);
+        const Vec3 about = normalized(cross(start.axis, start.turn));
+        const Vec3 ahead = cross(about, start.axis);
+        struct Level {
+            double cosine, sine, height;
+        };
+        const auto level_at = [&](double t) {
+            const ToolFrame at = tool_frame(path, t);
+            return Level{dot(at.axis, start.axis), dot(at.axis, ahead),
+                         dot(at.tip, at.axis) + e.height};
+        };
+        const Level a = level_at(0.0), b = level_at(0.5), c = level_at(1.0);
+        const double determinant = (b.cosine - 1.0) * c.sine - (c.cosine - 1.0) * b.sine;
+        if (std::abs(determinant) <= kLeastTurn) return;
+        const double u =
+            ((b.height - a.height) * c.sine - (c.height - a.height) * b.sine) / determinant;
+        const double w =
+            ((b.cosine - 1.0) * (c.height - a.height) - (c.cosine - 1.0) * (b.height - a.height)) /
+            determinant;
+        const double radius = a.height - u;
+        for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0}) {
+            const Level at = level_at(t);
+            const bool is_upright =
+                std::abs(dot(tool_frame(path, t).axis, about)) * std::abs(radius) <= kOff;
+            if (!is_upright || std::abs(u * at.cosine + w * at.sine + radius - at.height) > kOff)
+                return;
+        }
+        const Vec3 centre = u * start.axis + w * ahead;
+        const double slide = std::abs(dot(start.speed, about)) / norm(start.turn);  // mm per radian
+        if (!is_touched(e.end_radius, std::abs(radius), slide, dot(start.tip - centre, ahead)))
+            return;
+        add(Cylinder{centre, about, std::abs(radius)}, radius < 0.0);
+        // Hulls of tools that turn may gain as many tolerances (toolpath::SamplingOptions).
+        constexpr double kGain = 10.0;
+        chords_ = std::max(chords_, kGain);
+    }
+
     // Adds the walls of an arc whose ends have different radii. `left` is half of the angle that is
     // missing to a full turn, radians.
     void spiral(const Element& e, const Spiral& path, double left, Vec3 axis, bool is_level) {
@@ -523,8 +581,8 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
     const auto* arc = std::get_if<gcode::Arc>(&motion.action);
     std::optional<ArcPath> path;
     if (arc) path = arc_path(*arc, poses);
-    std::optional<RotaryPath> turning;
-    if (turns) turning = rotary_path(motion, poses);
+    std::vector<RotaryPath> turning;
+    if (turns) turning = rotary_paths(motion, poses);
     std::vector<SplinePath> spline;
     if (const auto* curve = std::get_if<gcode::Spline>(&motion.action); curve && !turns)
         spline = spline_paths(*curve, poses);
@@ -541,9 +599,19 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
                 sweep_arc(sweeps, e, is_corner, *path, axis);
             } else if (!spline.empty()) {
                 sweep_spline(sweeps, e, is_corner, spline, axis);
-            } else if (turning) {
-                sweeps.envelope(e, *turning);
-                if (is_corner) sweeps.rim(e, *turning);
+            } else if (!turning.empty()) {
+                sweeps.floor_around(e, turning.front());
+                // On many turns, the walls between the ends usually vanish.
+                constexpr std::size_t kMostPieces = 12, kEnds = 4;
+                if (turning.size() > kMostPieces) sweeps.note_unlisted_surfaces();
+                for (std::size_t k = 0; k < turning.size(); ++k) {
+                    if (turning.size() > kMostPieces && k >= kEnds && k + kEnds < turning.size())
+                        continue;
+                    if (turning.size() > 1) sweeps.set_place({}, ends_of(turning, k));
+                    sweeps.envelope(e, turning[k]);
+                    if (is_corner) sweeps.rim(e, turning[k]);
+                }
+                sweeps.set_place({}, {});
             } else if (turns || !std::holds_alternative<gcode::Linear>(motion.action)) {
                 sweeps.note_unlisted_surfaces();
             } else if (start.translation != end.translation) {
