@@ -290,12 +290,15 @@ public:
     // True if a flat end touches the whole floor that it leaves. Its plane touches the cylinder in
     // a line, `off` from its middle. If the end slides along the line, by `slide` mm per radian,
     // the walls of the groove are farther apart than the line is long; the rim leaves the rest
-    // higher.
-    static bool is_touched(double end_radius, double radius, double slide, double off) {
+    // higher. On a spiral, the next turn touches the rest if its line begins before the last one
+    // ends.
+    static bool is_touched(double end_radius, double radius, double slide, double off,
+                           bool is_spiral) {
         constexpr double kMostHigher = 2e-3;  // mm; less than programs round
         if (std::abs(off) >= end_radius || radius <= end_radius * kFlattest) return false;
         if (slide <= kEqual) return true;
         const double half = std::sqrt(end_radius * end_radius - off * off);
+        if (is_spiral && std::numbers::pi * slide <= half) return true;
         const double angle =
             (end_radius * std::sqrt(1.0 + slide * slide / (radius * radius)) - half) / slide;
         return 0.5 * radius * angle * angle <= kMostHigher;
@@ -304,7 +307,7 @@ public:
     // Adds the cylinder that a flat end leaves if it turns about a fixed line at a fixed distance:
     // the floor of a groove around a bar. The plane of the end with normal n(φ) is tangent to the
     // cylinder if n·p(φ) = n·o + radius for a point o of the line.
-    void floor_around(const Element& e, const RotaryPath& path) {
+    void floor_around(const Element& e, const RotaryPath& path, bool is_spiral) {
         if (std::abs(e.rise()) > kEqual || e.widening() <= 0.0) return;
         constexpr double kOff = 1e-6;        // mm; path and solution are as accurate
         constexpr double kLeastTurn = 1e-4;  // of the determinant, about 3 degrees
@@ -337,8 +340,8 @@ public:
         }
         const Vec3 centre = u * start.axis + w * ahead;
         const double slide = std::abs(dot(start.speed, about)) / norm(start.turn);  // mm per radian
-        if (!is_touched(e.end_radius, std::abs(radius), slide, dot(start.tip - centre, ahead)))
-            return;
+        const double off = dot(start.tip - centre, ahead);
+        if (!is_touched(e.end_radius, std::abs(radius), slide, off, is_spiral)) return;
         add(Cylinder{centre, about, std::abs(radius)}, radius < 0.0);
         // Hulls of tools that turn may gain as many tolerances (toolpath::SamplingOptions).
         constexpr double kGain = 10.0;
@@ -600,9 +603,11 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
             } else if (!spline.empty()) {
                 sweep_spline(sweeps, e, is_corner, spline, axis);
             } else if (!turning.empty()) {
-                sweeps.floor_around(e, turning.front());
+                constexpr std::size_t kTwoTurns = 6;
+                sweeps.floor_around(e, turning.front(), turning.size() >= kTwoTurns);
                 // On many turns, the walls between the ends usually vanish.
-                constexpr std::size_t kMostPieces = 12, kEnds = 4;
+                const std::size_t kMostPieces = e.fillet > 0.0 ? 48 : 12;
+                constexpr std::size_t kEnds = 4;
                 if (turning.size() > kMostPieces) sweeps.note_unlisted_surfaces();
                 for (std::size_t k = 0; k < turning.size(); ++k) {
                     if (turning.size() > kMostPieces && k >= kEnds && k + kEnds < turning.size())
