@@ -74,4 +74,17 @@ for y in (0.5, 0.999, 1.0):
 PY
 /usr/bin/python3 -W ignore check.py | tee seen
 diff seen - <<'EXPECTED' || { echo 'behaviour changed' >&2; exit 1; }
+90 about x, 0,1,0: quaternion 0,0,1, of Euler angles 0,0,1
+  matrix of axis 0,0,1, of x rotation 0,0,-1, of quaternion 0,0,-1, of Euler angles 0,0,-1
+90 about y, 0,0,1: quaternion 1,0,0, of Euler angles 1,0,0
+  matrix of axis 1,0,0, of y rotation -1,0,0, of quaternion -1,0,0, of Euler angles 0,0,1
+90 about z, 1,0,0: quaternion 0,1,0, of Euler angles 0,1,0
+  matrix of axis 0,1,0, of z rotation 0,-1,0, of quaternion 0,-1,0, of Euler angles 0,0,1
+length 1: times its inverse 0,0,0,1
+length 2: times its inverse 0,0,0,2
+identity, power 2: AssertionError
+nearest point of the ray to -5,3,0: -5,0,0
+ray at y 0.5 meets the box: 0,0.5,0.5
+ray at y 0.999 meets the box: 0,0.999,0.5
+ray at y 1 meets the box: no
 EXPECTED
