@@ -55,4 +55,15 @@ print("the box of the circle includes its centre:", Circle(10).bounds().includes
 PY
 /usr/bin/python3 check.py | tee seen
 diff seen - <<'EXPECTED' || { echo 'behaviour changed' >&2; exit 1; }
+squares, in a corner: union [162.5], intersection [12.5], difference [62.5]
+squares, along a side: union [115.0], intersection [35.0], difference [45.0]
+squares, apart: union [-25.0, 75.0], intersection [], difference [75.0]
+squares, hole: union [75.0], intersection [12.0], difference [75.0, -12.0]
+intersection: M 5 5 L 0 5  L 0 0  L 5 0  Z
+curve with 0,10: top 7.50, bounds 0.00, 0 points at y = 5
+curve with 0,12: top 8.27, bounds 8.27, 2 points at y = 5
+circle of radius 1: 0.637 of its area
+circle of radius 10: 0.895 of its area
+circle of radius 100: 0.999 of its area
+the box of the circle includes its centre: False
 EXPECTED
