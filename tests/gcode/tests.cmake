@@ -31,6 +31,7 @@ ncsim_add_test(gcode
     refused_block_test.cpp
     rs274_test.cpp
     state_test.cpp
+    symmetry_test.cpp
     tilted_plane_test.cpp
     tip_control_test.cpp)
 # The table of codes is private to the library.
