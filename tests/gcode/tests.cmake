@@ -5,6 +5,7 @@ ncsim_add_test(gcode
     codes_test.cpp
     control_codes_test.cpp
     control_table_test.cpp
+    compensation_corners_test.cpp
     controls_test.cpp
     corpus_test.cpp
     dialect_test.cpp
@@ -21,6 +22,7 @@ ncsim_add_test(gcode
     sinumerik_frames_test.cpp
     sinumerik_test.cpp
     language_changes_test.cpp
+    limits_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp
     modes_left_on_test.cpp
