@@ -22,6 +22,7 @@ ncsim_add_test(gcode
     sinumerik_frames_test.cpp
     sinumerik_test.cpp
     language_changes_test.cpp
+    language_limits_test.cpp
     limits_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp

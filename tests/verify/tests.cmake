@@ -6,6 +6,7 @@ ncsim_add_test(verify
     cycle_time_test.cpp
     design_test.cpp
     evidence_test.cpp
+    finding_fields_test.cpp
     machine_test.cpp
     passes_test.cpp
     process_test.cpp
