@@ -136,6 +136,14 @@ TEST(KlartextLimits, PlaneByVectors) {
     EXPECT_EQ(errors("BX0.5 BY0.5 BZ0 NX0 NY-1 NZ0"), "");
     EXPECT_NE(errors("BX0 BY1 BZ0 NX0 NY-1 NZ0").find("a base that is not the normal"),
               std::string::npos);
+    // Nothing moves after the error.
+    EXPECT_EQ(language_test::run("BEGIN PGM T MM\nTOOL CALL 1 Z S1000\nL X+0 Y+0 Z+50 FMAX\n"
+                                 "PLANE VECTOR BX0 BY1 BZ0 NX0 NY-1 NZ0 STAY\nL X+9 FMAX\nM30\n"
+                                 "END PGM T MM\n",
+                                 {}, Dialect::Auto, false, "t.h",
+                                 std::make_shared<language_test::Cradle>())
+                  .moves.size(),
+              1U);
     EXPECT_NE(errors("BX1 BY0 BZ0 NX0 NY0 NZ0").find("NX NY NZ"), std::string::npos);
 }
 
@@ -224,10 +232,10 @@ TEST(SinumerikLimits, TheWayOutOfACompensatedContourMayBeAnArc) {
 }
 
 TEST(SinumerikLimits, AFinishingFeedBelowOne) {
-    // _FFS is a feed if it is above 0, else the feed of the surface counts.
+    // FFP2 is the feed of finishing if it is above 0; else FFP1 counts.
     const auto feeds = [](const std::string& feed) {
         const Made made = sinumerik_test::run(
-            sinumerik("SLOT1(20,0,2,-4,,1,20,14,2,1,8,20,120,150,500,4,0,0.3,12,0," + feed + ")"));
+            sinumerik("POCKET2(20,0,2,-4,,20,0,0,150,500,4,3,0.2,2,2," + feed + ")"));
         EXPECT_EQ(made.errors(), "");
         std::vector<double> found;
         for (const Motion& move : made.moves) {

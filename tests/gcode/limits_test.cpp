@@ -220,6 +220,30 @@ TEST(ModesInPairs, UnitsChangeInATiltedPlane) {
     }
 }
 
+TEST(ModesInPairs, UnitsChangeBeforeTheWordThatTurnsTheTool) {
+    // LinuxCNC keeps the plane until G53.6; its origin was given in mm.
+    const auto joints = std::make_shared<language_test::Cradle>();
+    const auto end = [&](const std::string& units) {
+        const Made made =
+            language_test::run("G21 G90 G17 G94 F100\nG0 X0 Y0 Z0\nG68.2 X25.4 Y12.7 Z5 J90\n" +
+                                   units + "\nG53.6\nG0 X0 Y0 Z0\nM2\n",
+                               {}, Dialect::Rs274, false, "t.nc", joints);
+        EXPECT_EQ(made.errors(), "");
+        return made.end();
+    };
+    const Position mm = end("G21"), inches = end("G20");
+    EXPECT_NEAR(mm.x.mm(), 25.4, 1e-6);
+    EXPECT_NEAR(inches.x.mm(), 25.4, 1e-6);
+    EXPECT_NEAR(inches.y.mm(), mm.y.mm(), 1e-6);
+    EXPECT_NEAR(inches.z.mm(), mm.z.mm(), 1e-6);
+}
+
+TEST(ModesInPairs, FeedOfARefusedDwellIsNotKept) {
+    const Made made = run("G1 X1\nG4 P-1 F500\nG1 X2");
+    EXPECT_NE(made.errors(), "");
+    EXPECT_EQ(made.moves.back().feed, 100.0);
+}
+
 TEST(ModesInPairs, ZeroThatTurnsWithTheTableInInches) {
     const auto joints = std::make_shared<language_test::Cradle>();
     const auto end = [&](const std::string& blocks) {

@@ -5,7 +5,8 @@
     tests/mutants/run.py LIBRARY [--count 100] [--seed 20261201]
 
 A mutant is the library with one operator or constant changed (sites.py lists the operators). It is
-killed if a test fails, crashes, or takes many times its usual time. The mutants are drawn from all
+killed if a test fails, crashes, or takes many times its usual time; an index out of range is a crash
+(_GLIBCXX_ASSERTIONS). The mutants are drawn from all
 sources lib/LIBRARY/src/*.cpp, compiled into one library, and chosen at run time. Each test first
 runs without a mutant, to record the mutants whose places it evaluates; a mutant then runs only
 these tests. The same sources, tests and seed give the same table.
@@ -175,7 +176,7 @@ class Mutants:
         if is_newer(stem + '.o', [usual, *texts, os.path.join(HERE, 'runtime.h')]):
             return stem + '.o', ''
         own = [word.replace(self.build.source, self.build.copy) for word in flags(words)]
-        command = ['c++', *own, '-O1', '-DNDEBUG', '-fPIC', '-ffp-contract=off', '-w', '-include',
+        command = ['c++', *own, '-O1', '-DNDEBUG', '-D_GLIBCXX_ASSERTIONS', '-fPIC', '-ffp-contract=off', '-w', '-include',
                    os.path.join(HERE, 'runtime.h'), '-c', stem + '.cpp', '-o', stem + '.o']
         result = subprocess.run(command, text=True, stderr=subprocess.PIPE)
         return stem + '.o', result.stderr if result.returncode else ''
