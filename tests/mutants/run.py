@@ -374,6 +374,8 @@ def main():
     parser.add_argument('--seed', type=int, default=20261201)
     parser.add_argument('--build', default=os.path.join(ROOT, 'build/release'))
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
+    parser.add_argument('--least', type=int, default=0,
+                        help='exit with 1 if fewer mutants are killed, or more than 5 are equivalent')
     parser.add_argument('--numbers', help='run these mutants alone, as in 3,17')
     options = parser.parse_args()
     build = Build(options.build, options.library, options.seed)
@@ -385,7 +387,9 @@ def main():
     judge.record()
     numbers = ([int(n) for n in options.numbers.split(',')] if options.numbers else
                range(len(mutants.chosen())))
-    report(build, mutants, judge.all(list(numbers)), options.seed)
+    tally = report(build, mutants, judge.all(list(numbers)), options.seed)
+    if tally['killed'] < options.least or (options.least and tally['equivalent'] > 5):
+        sys.exit(1)
 
 
 if __name__ == '__main__':

@@ -205,7 +205,8 @@ class Finder:
         (first, middle), (right, last) = map(self.extent, children)
         if not first < middle <= right < last or (first, last) != self.extent(cursor):
             return None
-        return span(first, middle), self.text(middle, right).strip(), span(right, last)
+        between = re.sub(r'//[^\n]*|/\*.*?\*/', '', self.text(middle, right), flags=re.DOTALL)
+        return span(first, middle), between.strip(), span(right, last)
 
     def binary(self, cursor):
         found = self.operands(cursor)
