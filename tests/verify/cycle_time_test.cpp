@@ -47,7 +47,7 @@ TEST(CycleTime, OfNoWayAndOfNoSpeedIsNothing) {
     EXPECT_EQ(verify::trapezoid_seconds(0.0, 5.0, 9.0, 50.0, 500.0), 0.0);
     EXPECT_EQ(verify::trapezoid_seconds(100.0, 0.0, 0.0, 0.0, 500.0), 0.0);
     EXPECT_EQ(verify::trapezoid_seconds(100.0, 0.0, 0.0, 0.0, 0.0), 0.0);
-    // From 10 to 30 mm/s over 8 mm at 50 mm/s2, exactly.
+    // Acceleration from 10 to 30 mm/s over 8 mm at 50 mm/s2.
     EXPECT_NEAR(verify::trapezoid_seconds(8.0, 10.0, 30.0, 30.0, 50.0), 0.4, 1e-12);
 }
 

@@ -131,8 +131,8 @@ TEST(FindingFields, AnyChangeInARowChangesItsHash) {
 }
 
 TEST(FindingFields, AirCutsInManyPlaces) {
-    // Nine times: down beside the block, through it, and back. The first way down is line 2; the
-    // way back and the next way down are one place, and the last way back is alone.
+    // Nine times: down next to the block, through the block, and back. The first way down is line
+    // 2; the way back and the next way down are one place, and the last way back is alone.
     verify::Setup setup = plain_setup();
     setup.air_cuts = true;
     std::string program = kStart;
@@ -188,7 +188,7 @@ TEST(FindingFields, ACertainContactWithinAMoveIsCertain) {
     EXPECT_EQ(certainty("G2 X0 Y10.5 R200"), verify::Certainty::Certain);
 }
 
-TEST(FindingFields, ASpindleNoseBesideTheBlockMeetsNothing) {
+TEST(FindingFields, ASpindleNoseNextToTheBlockMeetsNothing) {
     // The length of T1 is not specified: at the nose, 5 mm above the block, it may be 80 mm long.
     verify::Setup setup = plain_setup();
     setup.machine.work_zero = cda::Vec3{0, 0, -100};
@@ -205,8 +205,8 @@ TEST(FindingFields, ASpindleNoseBesideTheBlockMeetsNothing) {
     EXPECT_TRUE(meets("X0 Y0"));
     EXPECT_TRUE(meets("X24 Y0"));
     EXPECT_TRUE(meets("X0 Y-19"));
-    for (const char* beside : {"X26 Y0", "X-26 Y0", "X0 Y21", "X0 Y-21"})
-        EXPECT_FALSE(meets(beside)) << beside;
+    for (const char* aside : {"X26 Y0", "X-26 Y0", "X0 Y21", "X0 Y-21"})
+        EXPECT_FALSE(meets(aside)) << aside;
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ public:
     void spin(SpindleTurning spindle) { motion_.spindle = spindle; }
     void change_tool(int tool) { motion_.tool = tool; }
 
-    double radius = 0.0;          ///< Of the next moves, as if they were arcs.
-    std::optional<double> mouth;  ///< Of the next moves.
+    double radius = 0.0;          ///< Radius of the next moves, as if they were arcs.
+    std::optional<double> mouth;  ///< Mouth of the next moves.
 
 private:
     gcode::Motion motion_;
