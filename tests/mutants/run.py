@@ -173,7 +173,7 @@ class Mutants:
         put(stem + '.cpp', joined.replace(self.build.source, self.build.copy).encode())
         texts = [stem + '.cpp'] + [os.path.join(self.build.copy, name)
                                    for name, user in self.unit_of.items() if user == path]
-        if is_newer(stem + '.o', [usual, *texts, os.path.join(HERE, 'runtime.h')]):
+        if is_newer(stem + '.o', [usual, *texts, __file__, os.path.join(HERE, 'runtime.h')]):
             return stem + '.o', ''
         own = [word.replace(self.build.source, self.build.copy) for word in flags(words)]
         command = ['c++', *own, '-O1', '-DNDEBUG', '-D_GLIBCXX_ASSERTIONS', '-fPIC', '-ffp-contract=off', '-w', '-include',

@@ -13,6 +13,7 @@ ncsim_add_test(verify
     process_test.cpp
     rapid_test.cpp
     rigid_body_test.cpp
+    rule_limits_test.cpp
     selection_test.cpp
     solids_test.cpp
     totals_test.cpp
