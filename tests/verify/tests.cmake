@@ -2,6 +2,7 @@ ncsim_add_test(verify
   LIBRARIES
     ncsim::verify
   SOURCES
+    body_test.cpp
     contact_test.cpp
     cycle_time_test.cpp
     design_test.cpp
