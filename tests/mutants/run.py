@@ -285,8 +285,8 @@ class Judge:
     def record(self):
         """Runs each test without a mutant: time, and the mutants that it reaches."""
         def one(job):
-            program, test = job
-            path = os.path.join(program.build.work, f'reached-{abs(hash(job))}')
+            place, (program, test) = job
+            path = os.path.join(program.build.work, f'reached-{place}')
             with open(path, 'wb') as file:
                 file.write(bytes(len(self.mutants)))
             outcome, seconds = program.run([test], -1, 600, path)
@@ -297,7 +297,7 @@ class Judge:
 
         tests = [(program, test) for program in self.programs for test in program.tests]
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            for program, test, outcome, seconds, numbers in pool.map(one, tests):
+            for program, test, outcome, seconds, numbers in pool.map(one, enumerate(tests)):
                 if outcome != 'passed':
                     fail(f'{program.name} --gtest_filter={test}: {outcome} without a mutant')
                 for number in numbers:
