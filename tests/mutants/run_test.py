@@ -35,6 +35,9 @@ double clamped(double value, bool negate) {
     Area area;
     if (negate) value = -value;
     area.add(value * 2.0);
+    int left = 2;
+    while (left > 0) --left;
+    if (negate && left == 0) left = 1;
     switch (twice(1)) {
         case 2: break;
     }
@@ -76,7 +79,9 @@ class Places(unittest.TestCase):
         self.assertEqual(places['condition', 'negate'], ['negated'])
         self.assertEqual(places['number', '1'], ['1 to 2', '1 to 0', '1 to 10'])
         logical = [text for operator, text in places if operator == 'logical']
-        self.assertEqual(len(logical), 1)
+        self.assertEqual(len(logical), 2)
+        # A decrement is no sign.
+        self.assertFalse([p for p in places if p[0] == 'sign' and p[1].startswith('--')])
         # Nothing of constant expressions: kLimit = 0.5, n + n, twice(2) < 5, case 2, [3].
         for text in ('0.5', 'n + n', 'twice(2) < 5', '5', '3'):
             self.assertFalse([p for p in places if p[1] == text], text)
@@ -102,10 +107,11 @@ class Runs(unittest.TestCase):
                             text[s.begin:s.end].decode() == part)
                 return number, site, next(c for c in site.changes if c[0] == change)
 
-            logical = next(s for s in found if s.operator == 'logical')
             mutants = [mutant(0, 'comparison', 'value < kLimit', '< to <='),
                        mutant(1, 'arithmetic', 'value * 2.0', '* to /'),
-                       (2, logical, logical.changes[0])]
+                       # Two mutants of the same place.
+                       mutant(2, 'logical', 'negate && left == 0', '&& to ||'),
+                       mutant(3, 'condition', 'negate && left == 0', 'negated')]
             with open(path, 'wb') as file:
                 file.write(schemata.Source(text, mutants).render())
             program = os.path.join(folder, 'small')
@@ -114,15 +120,15 @@ class Runs(unittest.TestCase):
                             os.path.join(HERE, 'runtime.cpp'), '-o', program], check=True)
             reached = os.path.join(folder, 'reached')
             with open(reached, 'wb') as file:
-                file.write(bytes(3))
+                file.write(bytes(4))
 
             def status(number):
                 return subprocess.run([program], env=dict(
                     os.environ, NCSIM_MUTANT=str(number), NCSIM_MUTANTS_REACHED=reached)).returncode
 
-            self.assertEqual([status(n) for n in (-1, 0, 1, 2)], [0, 0, 1, 0])
+            self.assertEqual([status(n) for n in (-1, 0, 1, 2, 3)], [0, 0, 1, 0, 0])
             with open(reached, 'rb') as file:
-                self.assertEqual(file.read(), b'\1\1\1')
+                self.assertEqual(file.read(), b'\1\1\1\1')
 
 
 if __name__ == '__main__':

@@ -29,7 +29,9 @@ class Source:
 
     def __init__(self, text, mutants):
         self.text = text
-        self.mutants = sorted(mutants, key=lambda m: (m[1].begin, -m[1].end, m[0]))
+        # Among mutants of the same place, one that keeps the whole text comes first, with the others in it.
+        self.mutants = sorted(mutants, key=lambda m: (
+            m[1].begin, -m[1].end, '{%d:%d}' % (m[1].begin, m[1].end) not in m[2][1], m[0]))
         self.newlines = [at for at, byte in enumerate(text) if byte == 10]
 
     def line(self, at):

@@ -260,7 +260,8 @@ class Finder:
         operand = self.whole(children[0])
         if symbol == '!':
             self.add(cursor, 'sign', [('! removed', f'(MUTANT != !({operand}))')])
-        elif symbol == '-' and cursor.type.get_canonical().kind in NUMBERS:
+        elif symbol == '-' and self.text(begin, begin + 2) != '--' and (
+                cursor.type.get_canonical().kind in NUMBERS):
             self.add(cursor, 'sign', [('- removed', either(f'+{operand}', f'-{operand}'))])
 
     def number(self, cursor, parents):
