@@ -7,6 +7,7 @@ ncsim_add_test(brep
     envelope_test.cpp
     features_test.cpp
     flat_part_test.cpp
+    geometry_test.cpp
     golden_test.cpp
     made_part.cpp
     mass_test.cpp

@@ -46,14 +46,15 @@ using Files = std::map<std::string, std::string, std::less<>>;
 
 inline Made run(const std::string& text, const Files& files = {}, Dialect dialect = Dialect::Auto,
                 bool block_delete = false, const std::string& name = "test.h",
-                const std::shared_ptr<const JointSolver>& joints = nullptr) {
+                const std::shared_ptr<const JointSolver>& joints = nullptr,
+                double peck_clearance = 0.2) {
     InterpreterOptions options;
     options.dialect = dialect;
     options.block_delete = block_delete;
     options.tools = {
         {.number = 1, .offset = {}, .length_specified = false, .diameter = Length::from_mm(10.0)}};
     options.limits.repeated_blocks = 20'000;
-    options.peck_clearance = 0.2;
+    options.peck_clearance = peck_clearance;
     options.joints = joints;
     options.read_file = [&](std::string_view path) -> std::optional<SourceFile> {
         const auto found = files.find(path);

@@ -96,7 +96,18 @@ TEST(SinumerikCycles, RigidTapping) {
     EXPECT_EQ(run(sinumerik("CYCLE84(16,10,5,1,,0,3,8,,0,100)")).moves[2].feed, 125.0);
     EXPECT_EQ(run(sinumerik("CYCLE84(16,10,5,1,,0,3,,-2,0,100)")).moves[2].spindle,
               SpindleTurning::Counterclockwise);
-    EXPECT_NEAR(run(sinumerik("CYCLE84(16,10,5,1,,0,3,,20,0,100,,,2)")).moves[2].feed, 127.0, 1e-9);
+    // _PTAB: unit of the pitch. 0: as the program, 1: mm, 2: turns per inch, 3: inches.
+    const auto feed = [](const std::string& unit, const std::string& pitch) {
+        return run(sinumerik(unit + "\nCYCLE84(16,10,5,1,,0,3,," + pitch)).moves[2].feed;
+    };
+    EXPECT_NEAR(feed("G710", "2,0,100,,,0)"), 200.0, 1e-9);
+    EXPECT_NEAR(feed("G710", "2,0,100,,,1)"), 200.0, 1e-9);
+    EXPECT_NEAR(feed("G710", "20,0,100,,,2)"), 127.0, 1e-9);
+    EXPECT_NEAR(feed("G710", "0.1,0,100,,,3)"), 254.0, 1e-9);
+    EXPECT_NEAR(feed("G700", "0.1,0,100)"), 254.0, 1e-9);
+    EXPECT_NEAR(feed("G700", "2,0,100,,,1)"), 200.0, 1e-9);
+    EXPECT_NEAR(feed("G700", "20,0,100,,,2)"), 127.0, 1e-9);
+    EXPECT_NEAR(feed("G700", "0.1,0,100,,,3)"), 254.0, 1e-9);
     expect_refused(
         "CYCLE84(16,10,5,1)",
         "5:1: CYCLE84 needs a pitch (MPIT or PIT); the program is stopped here [word-missing]");

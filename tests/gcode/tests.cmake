@@ -5,6 +5,7 @@ ncsim_add_test(gcode
     codes_test.cpp
     control_codes_test.cpp
     control_table_test.cpp
+    compensation_corners_test.cpp
     controls_test.cpp
     corpus_test.cpp
     dialect_test.cpp
@@ -21,6 +22,8 @@ ncsim_add_test(gcode
     sinumerik_frames_test.cpp
     sinumerik_test.cpp
     language_changes_test.cpp
+    language_limits_test.cpp
+    limits_test.cpp
     messages_test.cpp
     mode_pairs_test.cpp
     modes_left_on_test.cpp
@@ -31,6 +34,7 @@ ncsim_add_test(gcode
     refused_block_test.cpp
     rs274_test.cpp
     state_test.cpp
+    symmetry_test.cpp
     tilted_plane_test.cpp
     tip_control_test.cpp)
 # The table of codes is private to the library.

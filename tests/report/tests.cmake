@@ -10,5 +10,6 @@ ncsim_add_test(report
     program_diff_test.cpp
     review_page_test.cpp
     shard_test.cpp
+    text_parts_test.cpp
     tile_file_test.cpp)
 target_include_directories(ncsim_report_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/report/src)

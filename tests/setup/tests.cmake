@@ -7,6 +7,7 @@ ncsim_add_test(setup
     fusion_machine_test.cpp
     job_test.cpp
     linuxcnc_machine_test.cpp
+    mesh_text_test.cpp
     messages_test.cpp
     project_file_test.cpp
     set_ups_test.cpp

@@ -4,6 +4,7 @@ ncsim_add_test(toolpath
     joint_path_test.cpp
     kinematics_test.cpp
     machine_test.cpp
+    limits_test.cpp
     messages_test.cpp
     operation_name_test.cpp
     sampler_test.cpp

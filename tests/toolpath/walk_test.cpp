@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace ncsim::toolpath {
@@ -101,6 +102,14 @@ TEST(Walk, CoversACircleInHalvesAndQuarters) {
     EXPECT_EQ(walked({arc(at(4, 0, -5), at(-4, 0, -5)), arc(at(-4, 0, -5), at(4, 0, -5))}, kFlat)
                   .merged_cells.size(),
               1U);
+    // Centres anywhere; circles about different centres are not one.
+    for (const auto& [x, y] : {std::pair{0.0, 3.0}, {3.0, 0.0}, {-2.0, -3.0}}) {
+        EXPECT_EQ(walked({arc(at(x + 4, y, -5), at(x - 4, y, -5), 1, x, y),
+                          arc(at(x - 4, y, -5), at(x + 4, y, -5), 1, x, y)},
+                         kFlat)
+                      .merged_cells.size(),
+                  1U);
+    }
     // Centres have an error of some micrometres; an arc leads in and a second arc leads out.
     const Walked w =
         walked({arc(at(2, -2, -5), at(4, 0, -5), 1, 2, 0), arc(at(4, 0, -5), at(0, 4, -5)),

@@ -42,6 +42,15 @@ TEST(CycleTime, OfOneMoveIsATrapezoid) {
     EXPECT_NEAR(seconds_of({along_x(100, 50, 0)}), 2.0, 1e-12);
 }
 
+TEST(CycleTime, OfNoWayAndOfNoSpeedIsNothing) {
+    EXPECT_EQ(verify::trapezoid_seconds(0.0, 0.0, 0.0, 50.0, 500.0), 0.0);
+    EXPECT_EQ(verify::trapezoid_seconds(0.0, 5.0, 9.0, 50.0, 500.0), 0.0);
+    EXPECT_EQ(verify::trapezoid_seconds(100.0, 0.0, 0.0, 0.0, 500.0), 0.0);
+    EXPECT_EQ(verify::trapezoid_seconds(100.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    // Acceleration from 10 to 30 mm/s over 8 mm at 50 mm/s2.
+    EXPECT_NEAR(verify::trapezoid_seconds(8.0, 10.0, 30.0, 30.0, 50.0), 0.4, 1e-12);
+}
+
 TEST(CycleTime, OfAMoveInPiecesIsThatOfTheWhole) {
     const std::vector<PlannedMove> pieces(1000, along_x(0.1, 50, 500));
     EXPECT_NEAR(seconds_of(pieces), 2.1, 1e-9);
@@ -103,6 +112,21 @@ TEST(Ledger, BalancesAndNamesWhatEachBlockTookAndHowLong) {
     EXPECT_NEAR(*ledger.feed_seconds, 6.0 + 0.2 + 6.0, 1e-12);
     EXPECT_NEAR(*ledger.other_seconds, 5.5, 1e-12);
     EXPECT_NEAR(*ledger.rapid_seconds, 7.0 / 100, 1e-12) << "the first move has no known start";
+}
+
+TEST(Ledger, AnArcIsAsFastAsItsRadiusPermits) {
+    // Radius 4, away from the zero: sqrt(100 * 4) = 20 mm/s; in each plane.
+    verify::Setup setup = plain_setup();
+    setup.ledger = true;
+    setup.machine.acceleration = {100, 100, 100};
+    for (const char* arc : {"G17\nG3 X-26 Y6 I4 J0", "G17\nG2 X-30 Y10 I0 J4",
+                            "G18\nG2 X-30 Z9 I0 K4", "G19\nG3 Y10 Z5 J-4 K0"}) {
+        const auto verdict = verdict_of(
+            "G21 G90 T1 M6 S1000 M3 F6000 G0 X-34 Y6 Z5\n" + std::string(arc) + "\n", setup);
+        const auto& row = verdict.ledger.rows.back();
+        EXPECT_NEAR(*row.seconds, verify::trapezoid_seconds(row.length_mm, 0, 0, 20, 100), 0.002)
+            << arc;
+    }
 }
 
 // Volumes are booked at the end or, if a rule needs the volume of each motion, before the next

@@ -202,6 +202,12 @@ TEST(MachineCollision, APartsCornerMeetsTheColumn) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].message, "the link 'column' meets the part");
     EXPECT_EQ(found[0].certainty, Certainty::Certain);
+    // The point is of the block, in the frame of the part.
+    ASSERT_TRUE(found[0].point);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_GE((*found[0].point)[axis], kBlock.min[axis] - 0.1);
+        EXPECT_LE((*found[0].point)[axis], kBlock.max[axis] + 0.1);
+    }
 }
 
 // The part is the remaining material, so a nose that fits into a pocket may enter the pocket.
@@ -294,6 +300,17 @@ TEST(MachineCollision, ALengthThatLeavesNoToolIsADoubt) {
     }
     EXPECT_FALSE(
         doubts_of(verdict_of(kLength + program, setup_of(tilting()))).contains("length-offset"));
+    // Only the motion without a length is in doubt.
+    const auto count = [&](const std::string& after) {
+        const auto verdict = verdict_of(
+            "G21 G90 G10 L1 P1 Z0\nT1 M6\nG43 H1\nG0 X0 Y0 Z100\n" + after, setup_of(tilting()));
+        std::uint64_t sum = 0;
+        for (const verify::Doubt& doubt : verdict.doubts)
+            sum += doubt.reason == "length-offset" ? doubt.count : 0;
+        return sum;
+    };
+    const std::string known = "G10 L1 P1 Z80\nG43 H1\nG0 A5\n";
+    EXPECT_EQ(count(known), count(known + "G0 A10\nG0 A15\nG0 A20\n"));
 }
 
 TEST(MachineCollision, AMeshCountsAsItsHullWhereThatWasTold) {

@@ -50,6 +50,9 @@ TEST(Passes, KeepTheLowerOneAndOfThoseThatCrossTheFirst) {
     passes.add(way({0, 0, -9}, {9, 0, -1}).step());
     EXPECT_FALSE(passes.cover(way({0, 0, -9}, {9, 0, -4}).step(), 0.0));
     EXPECT_TRUE(passes.cover(way({0, 0, -4}, {9, 0, -4}).step(), 0.0));
+    passes.add(way({0, 0, -1}, {9, 0, -9}).step());
+    EXPECT_FALSE(passes.cover(way({0, 0, -1}, {9, 0, -9}).step(), 0.0));
+    EXPECT_TRUE(passes.cover(way({0, 0, -4}, {9, 0, -4}).step(), 0.0));
 }
 
 TEST(Passes, StraightDownReachToTheirLowerEnd) {

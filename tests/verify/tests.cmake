@@ -2,16 +2,22 @@ ncsim_add_test(verify
   LIBRARIES
     ncsim::verify
   SOURCES
+    body_test.cpp
     contact_test.cpp
     cycle_time_test.cpp
     design_test.cpp
     evidence_test.cpp
+    finding_fields_test.cpp
+    hole_course_test.cpp
     machine_test.cpp
     passes_test.cpp
     process_test.cpp
     rapid_test.cpp
+    rigid_body_test.cpp
+    rule_limits_test.cpp
     selection_test.cpp
     solids_test.cpp
+    totals_test.cpp
     travel_test.cpp
     verified.cpp)
 target_include_directories(ncsim_verify_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/verify/src)

@@ -68,7 +68,8 @@ bool BlockControl::peck(const Pecks& pecks, const MessageText& too_many) {
     };
     while (!in_one && depth - step > pecks.bottom + kPeckRounding) {
         const double rest = depth - pecks.bottom;
-        const bool is_last_but_one = pecks.halves_last && depth != pecks.from && rest < 2.0 * step;
+        const bool is_last_but_one =
+            pecks.halves_last && depth != pecks.from && rest < 2.0 * step - kPeckRounding;
         if (is_last_but_one) step = rest / 2.0;
         const double target = depth - step;
         if (++count > kMostPecks) return fail(too_many, span);

@@ -176,7 +176,7 @@ bool Runner::go_to(std::string_view kind, const std::string& label) {
 std::optional<Place> Runner::end_of_structure(Place after, std::string_view name,
                                               bool stops_at_else) {
     Program& current = program();
-    const std::size_t key = 2 * after.offset + (stops_at_else ? 1 : 0);
+    const std::pair key{after.offset, stops_at_else};
     if (const auto known = current.ends.find(key); known != current.ends.end())
         return known->second;
     const SourceFile& file = *files_[current.file].source;

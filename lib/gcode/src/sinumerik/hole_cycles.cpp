@@ -173,20 +173,22 @@ bool Control::deep_hole(const CycleCall& call, const Hole& hole) {
 /// Returns the pitch in active units, with the sign of the thread; 0: none; nullopt after an error.
 std::optional<double> Control::pitch(const CycleCall& call, std::size_t metric, std::size_t pitch,
                                      std::optional<std::size_t> unit) {
-    const double to_units = 1.0 / machine_.state().unit_mm();
+    const double unit_mm = machine_.state().unit_mm();
     const double given = argument(call, pitch, 0.0);
     if (given != 0.0) {
         const double kind = unit ? argument(call, *unit, 0.0) : 0.0;
         const double size = std::abs(given);
-        const double mm = kind == 2.0   ? 25.4 / size
+        // _PTAB 0: units of the program.
+        const double mm = kind == 0.0   ? size * unit_mm
+                          : kind == 1.0 ? size
+                          : kind == 2.0 ? 25.4 / size
                           : kind == 3.0 ? 25.4 * size
-                          : kind <= 1.0 ? size
                                         : 0.0;
         if (mm == 0.0) {
             fail(Message::NotRead, call.span, {call.name + " with a pitch by module"});
             return std::nullopt;
         }
-        return std::copysign(mm * to_units, given);
+        return std::copysign(mm / unit_mm, given);
     }
     const double size = argument(call, metric, 0.0);
     if (size == 0.0) return 0.0;
@@ -195,7 +197,7 @@ std::optional<double> Control::pitch(const CycleCall& call, std::size_t metric, 
         fail(Message::BlockNeeds, call.span, {call.name, "a thread from M3 to M48, or a pitch"});
         return std::nullopt;
     }
-    return std::copysign(thread->pitch * to_units, size);
+    return std::copysign(thread->pitch / unit_mm, size);
 }
 
 /// CYCLE84: rigid tapping. CYCLE840: tapping with a compensating chuck.

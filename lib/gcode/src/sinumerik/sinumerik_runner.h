@@ -56,7 +56,8 @@ private:
         Section section;
         bool has_labels = false;
         std::vector<Label> labels;
-        std::map<std::size_t, std::optional<Place>> ends;  // Of structures, by the start.
+        // Ends of structures, by the start and whether ELSE ends them.
+        std::map<std::pair<std::size_t, bool>, std::optional<Place>> ends;
     };
     enum class LoopKind : std::uint8_t { For, While, Loop, Repeat };
     struct Loop {

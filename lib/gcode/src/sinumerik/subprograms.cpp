@@ -120,7 +120,6 @@ bool Runner::built_in(const std::string& name, CodeScanner& scan, bool is_modal,
     is_known = true;
     const SourceSpan span = line_.whole();
     if (std::ranges::find(kHarmless, name) != kHarmless.end() && !is_modal) {
-        scan.skip_blanks();
         return scan.is_at_end() || skip_call(scan);
     }
     if (name == "TRAORI" && !is_modal) {
