@@ -4,6 +4,7 @@ ncsim_add_test(export
   SOURCES
     box_part.cpp
     camera_test.cpp
+    cut_view_test.cpp
     drawing_test.cpp
     float_mesh_test.cpp
     gif_test.cpp
@@ -11,6 +12,7 @@ ncsim_add_test(export
     golden_test.cpp
     marks_test.cpp
     merge_faces_test.cpp
+    open_mesh_test.cpp
     palette_test.cpp
     ply_test.cpp
     png_test.cpp

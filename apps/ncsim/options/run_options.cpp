@@ -129,11 +129,11 @@ StepSurfaces read_step_surfaces(const std::string& name) {
     throw Refusal{fmt::format("--step-surfaces '{}': expected analytic or faceted", name)};
 }
 
-brep::SectionPlane read_section(const std::string& text) {
+brep::SectionPlane read_plane(const char* option, const std::string& text) {
     const auto plane = brep::parse_section_plane(text);
     if (!plane) {
         throw Refusal{
-            fmt::format("--section '{}': expected x=, y= or z= and a number of mm: z=-4", text)};
+            fmt::format("{} '{}': expected x=, y= or z= and a number of mm: z=-4", option, text)};
     }
     return *plane;
 }
@@ -186,13 +186,19 @@ std::vector<std::string> outputs_of(const Options& o) {
     return paths;
 }
 
-bool needs_surface(const Options& o) {
-    const bool pictures = !o.png.empty() || !o.gif.empty() || !o.frames.empty();
+bool draws_cells(const Options& o) {
     const simulation::ModelInfo* model = simulation::find_model(o.model);
-    const bool draws_itself = model && model->shows_cells;
-    return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
-           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.sections.empty() ||
-           !o.report.empty() || !o.html.empty();
+    return model && model->shows_cells && !o.cut_view;
+}
+
+bool has_pictures(const Options& o) {
+    return !o.png.empty() || !o.gif.empty() || !o.frames.empty();
+}
+
+bool needs_surface(const Options& o) {
+    return (has_pictures(o) && !draws_cells(o)) || !o.gltf.empty() || !o.vrml.empty() ||
+           !o.stl.empty() || !o.ply.empty() || !o.threemf.empty() || !o.step.empty() ||
+           !o.sections.empty() || !o.report.empty() || !o.html.empty();
 }
 
 namespace {
@@ -219,7 +225,7 @@ void add_outputs(cli::App& run, Options& o) {
            "--section",
            [&o](const std::vector<std::string>& planes) {
                for (const std::string& plane : planes)
-                   o.sections.push_back(read_section(plane));
+                   o.sections.push_back(read_plane("--section", plane));
            },
            "Plane of a section at x, y or z, mm; repeatable")
         ->type_name("z=N")
@@ -289,6 +295,10 @@ void add_picture_options(cli::App& run, Options& o) {
            "--marks", [&o](Text list) { o.marks = read_marks(list); },
            "axes, zero, scale, legend; all or none [all]")
         ->type_name("MARKS");
+    run.add_option_function<std::string>(
+           "--cut-view", [&o](Text plane) { o.cut_view = read_plane("--cut-view", plane); },
+           "Cut part and fixtures open at x, y or z, mm")
+        ->type_name("x=N");
     run.add_flag("--show-path", o.shows_path, "Draw the tool path, rapid moves dashed");
     run.add_flag("--show-tool", o.shows_tool, "Draw the tool");
     run.add_flag("--show-fixtures", o.shows_fixtures, "Draw vises, clamps and other fixtures");
@@ -446,6 +456,8 @@ void complete(Options& options) {
         throw Refusal{
             "--every says how often pictures are taken: it needs --frames, --gif or --html"};
     }
+    if (options.cut_view && !has_pictures(options))
+        throw Refusal{"--cut-view changes pictures: it needs --png, --gif or --frames"};
     complete_tile(options);
     require_watchable(options, inputs_of(options), !options.tile.empty());
 }

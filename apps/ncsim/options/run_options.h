@@ -52,6 +52,8 @@ struct Options : ProgramOptions, SimulationOptions {
     exporter::Colouring colouring = exporter::Colouring::Tool;
     bool shows_path = false, shows_tool = false, has_caption = false;
     MarkOptions marks;
+    /// Plane at which pictures show the part and the fixtures cut open.
+    std::optional<brep::SectionPlane> cut_view;
     bool shows_fixtures = false;  ///< Draw the fixtures of the job and the machine.
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
@@ -90,6 +92,12 @@ struct Options : ProgramOptions, SimulationOptions {
     report::FileDigests tile_files;
     std::string mesh_folder;  ///< Folder with a mesh for each tile.
 };
+
+/// True if an output is a picture.
+bool has_pictures(const Options& options);
+
+/// True if pictures are drawn from the cells of the model, without a surface.
+bool draws_cells(const Options& options);
 
 /// True if an output needs the surface of the part as faces.
 bool needs_surface(const Options& options);

@@ -22,7 +22,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,6 +122,19 @@ bool has_marks(const Options& o) {
     return o.marks.any() && std::min(o.width, o.height) >= exporter::kLeastMarkedSide;
 }
 
+// Returns the plane that removes the half towards the eye; for a plane along the line of sight, the
+// half that an isometric view removes.
+exporter::CutPlane cut_plane(const brep::SectionPlane& plane, const exporter::Camera& camera) {
+    constexpr double kAlong = 1e-9;
+    constexpr cda::Vec3 kIsoSide{1, -1, 1};
+    double side = camera.back[plane.axis];
+    if (std::abs(side) < kAlong) side = kIsoSide[plane.axis];
+    exporter::CutPlane cut;
+    cut.normal[plane.axis] = side > 0.0 ? 1.0 : -1.0;
+    cut.offset = cut.normal[plane.axis] * plane.at;
+    return cut;
+}
+
 exporter::RenderOptions render_options(const Outcome& outcome, exporter::View view) {
     const Options& o = outcome.options;
     const cda::Box& stock = outcome.survey.stock->box;
@@ -152,6 +167,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     }
     if (is_machine_fixed(outcome))
         options.camera = seen_from_part(options.camera, pose_of_part(outcome));
+    if (o.cut_view) options.cut = cut_plane(*o.cut_view, options.camera);
     return options;
 }
 
@@ -162,8 +178,10 @@ exporter::Overlay overlay(const Outcome& outcome) {
     if (stock.specified_by == toolpath::ValueSource::Assumption && !stock.shape && !stock.is_round)
         result.ghosts.push_back({stock.box});
     if (outcome.options.shows_machine) add_machine(outcome, result);
-    for (const verify::Fixture& fixture : outcome.fixtures)
+    for (const verify::Fixture& fixture : outcome.fixtures) {
         result.bodies.push_back(simulation::body_of(fixture));
+        result.bodies.back().is_cut = true;
+    }
     if (!outcome.options.shows_tool || !s.tool_position) return result;
     const auto used = outcome.survey.tools.find(s.tool_position->tool);
     if (used != outcome.survey.tools.end())
@@ -220,6 +238,7 @@ void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
             marks.scale_begin = depth_text(options.depth_top, outcome.options.report_unit);
             marks.scale_end = depth_text(options.depth_bottom, outcome.options.report_unit);
             break;
+        case exporter::Colouring::Design: break;
     }
 }
 
@@ -243,7 +262,7 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     const exporter::RenderOptions options = render_options(outcome, view);
     // The thesis' method: rendering with masks.
     exporter::Image image =
-        simulation::find_model(outcome.plan.model)->shows_cells
+        draws_cells(outcome.options)
             ? exporter::render_model(*s.part, s.provenance, options, overlay(outcome))
             : exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome),
                                         outcome.shading ? *outcome.shading : brep::Shading());
@@ -280,6 +299,7 @@ std::vector<std::string> caption(const Outcome& outcome) {
             : std::string("nothing is cut"),
         travelled + shown(fmt::format(", {:.1f} mm rapid", path.rapid_mm))};
     const Options& o = outcome.options;
+    if (o.cut_view) lines.push_back("cut at " + brep::name_of(*o.cut_view) + " mm");
     if (o.at_line || !o.gif.empty() || !o.frames.empty()) {
         lines.push_back(s.line == 0 ? std::string("before the first move")
                                     : fmt::format("after line {}: {}", s.line, line_at(outcome)));
@@ -309,6 +329,17 @@ void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
 }
 
 }  // namespace
+
+void require_cut_view(const Options& options, const cda::Box& body, std::string_view name) {
+    if (!options.cut_view) return;
+    const auto& [axis, at] = *options.cut_view;
+    if (at > body.min[axis] && at < body.max[axis]) return;
+    throw std::runtime_error(fmt::format(
+        "--cut-view {}: the plane does not cut the {}, {}", brep::name_of({axis, at}), name,
+        body.is_empty()
+            ? "of which nothing is left"
+            : fmt::format("{} {:.6g} to {:.6g} mm", "XYZ"[axis], body.min[axis], body.max[axis])));
+}
 
 exporter::Image picture(const Outcome& outcome) {
     const std::vector<exporter::View>& views = outcome.options.views;

@@ -133,7 +133,10 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         return *counted;
     };
     const auto polygons = [&]() -> const cda::Boundary& { return simplified().boundary; };
-    outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
+    outputs.write(o.png, [&](std::ostream& out) {
+        if (o.cut_view) require_cut_view(o, cda::bounds(*outcome.boundary), "part");
+        exporter::write_png(out, picture(outcome));
+    });
     std::optional<exporter::MovingScene> moving;
     if (o.shows_machine && (!o.gltf.empty() || !o.vrml.empty())) moving = moving_machine(outcome);
     outputs.write(o.gltf, [&](std::ostream& out) {
@@ -286,6 +289,7 @@ int run(Options options) {
         throw std::runtime_error(fmt::format("--at-line {}: the program has {} lines", *o.at_line,
                                              survey.interpretation.lines));
     }
+    if (survey.is_ready()) require_cut_view(o, survey.stock->box, "stock");
 
     Outcome outcome{options, plan, survey};
     outcome.machine = machine ? &*machine : nullptr;
