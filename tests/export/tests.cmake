@@ -2,6 +2,7 @@ find_package(nlohmann_json CONFIG REQUIRED)
 ncsim_add_test(export
   LIBRARIES ncsim::export ncsim::toolpath nlohmann_json::nlohmann_json
   SOURCES
+    apng_test.cpp
     box_part.cpp
     camera_test.cpp
     cut_view_test.cpp
@@ -34,8 +35,9 @@ ncsim_add_test(export
     ../support/written_mesh.cpp)
 find_package(GIF 5 REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)
-target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
+target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG ZLIB::ZLIB)
 
 # The rasteriser against OpenGL, from EGL without a surface.
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)

@@ -6,6 +6,7 @@
 #include "ncsim/export/render_options.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace ncsim::exporter {
 
@@ -13,7 +14,8 @@ namespace ncsim::exporter {
 /// pictures.
 inline double line_scale(const RenderOptions& options) {
     constexpr double kUsualHeight = 960.0;
-    return options.samples * std::max(0.5, options.height / kUsualHeight);
+    const std::uint32_t height = options.usual_height > 0 ? options.usual_height : options.height;
+    return options.samples * std::max(0.5, height / kUsualHeight);
 }
 
 }  // namespace ncsim::exporter

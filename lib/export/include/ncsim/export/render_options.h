@@ -45,7 +45,9 @@ enum class Renderer {
 /// Size, camera and colours of a picture.
 struct RenderOptions {
     std::uint32_t width = 1280, height = 960;  ///< In pixels, each from 1 to kMaxImageSide.
-    Camera camera;                             ///< Example: fit_camera(stock, View::Iso, 4 / 3.).
+    /// Height of the picture that determines the widths of lines; 0: `height`.
+    std::uint32_t usual_height = 0;
+    Camera camera;  ///< Example: fit_camera(stock, View::Iso, 4 / 3.).
     Background background = Background::White;
     Renderer renderer = Renderer::Own;
     Colouring colouring = Colouring::Tool;
