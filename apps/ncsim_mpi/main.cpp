@@ -117,10 +117,11 @@ int combine_tiles(app::Options options, std::optional<report::TileFile> own, int
 int run(app::Options options, int rank, int ranks) {
     if (!options.tile.empty()) throw std::runtime_error("--tile: ranks are tiles");
     if (options.model != cda::kTiledModel || !options.step.empty() || !options.sections.empty() ||
-        !options.save_stock.empty() || !options.frames.empty() || !options.gif.empty() ||
-        !options.html.empty() || options.block_volumes)
+        !options.save_stock.empty() || app::has_frames(options) || !options.html.empty() ||
+        options.block_volumes)
         throw std::runtime_error(
-            "--step, --section, --save-stock, --frames, --gif, --html, --block-volumes and other "
+            "--step, --section, --save-stock, --frames, --gif, --apng, --html, --block-volumes and "
+            "other "
             "models do not know tiles: ncsim run");
     if (options.program == "-") throw std::runtime_error("the program has to have a name");
     app::Options of_tile = options;

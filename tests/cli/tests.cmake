@@ -8,9 +8,10 @@ if(TARGET ncsim)
     TKSTEP)
   find_package(fmt CONFIG REQUIRED)
   find_package(nlohmann_json CONFIG REQUIRED)
+  find_package(PNG REQUIRED)
   find_package(TinyGLTF 2.7 CONFIG REQUIRED)
   ncsim_add_test(cli
-    LIBRARIES ncsim_app ncsim::trig nlohmann_json::nlohmann_json fmt::fmt TinyGLTF::TinyGLTF
+    LIBRARIES ncsim_app ncsim::trig PNG::PNG nlohmann_json::nlohmann_json fmt::fmt TinyGLTF::TinyGLTF
     SOURCES
       bad_input_test.cpp
       baseline_test.cpp
@@ -41,6 +42,7 @@ if(TARGET ncsim)
       options_test.cpp
       output_test.cpp
       parse_test.cpp
+      picture_test.cpp
       project_test.cpp
       provenance_test.cpp
       quiet_test.cpp
@@ -64,6 +66,7 @@ if(TARGET ncsim)
       triples_test.cpp
       verdicts_test.cpp
       watch_test.cpp
+      ../support/read_png.cpp
       ../support/random_programs.cpp
       ../support/set_up_blocks.cpp
       ../support/set_up_draft.cpp

@@ -126,6 +126,49 @@ TEST(ContactSheet, ALongLineLeavesTheOthersAsTheyWere) {
     EXPECT_NE(brief, full);
 }
 
+TEST(ContactSheet, PicturesAreInTheirCells) {
+    std::vector<LabelledImage> three;
+    for (const std::uint8_t shade : {std::uint8_t{10}, std::uint8_t{20}, std::uint8_t{30}})
+        three.push_back({"", plain(60, shade == 30 ? 12 : 40, {shade, shade, shade})});
+    const std::vector<SheetCell> cells{{1, 0}, {0, 0}, {0, 1}};
+    const Image sheet = contact_sheet(three, cells, {}, Background::White);
+    EXPECT_EQ(sheet.width, 120U);
+    EXPECT_EQ(sheet.height, 52U);
+    EXPECT_EQ(sheet.at(119, 39).r, 10);
+    EXPECT_EQ(sheet.at(0, 39).r, 20);
+    EXPECT_EQ(sheet.at(0, 51).r, 30);
+    EXPECT_EQ(sheet.at(119, 51).r, 255);
+    // Rows have one height.
+    EXPECT_THROW(
+        contact_sheet(three, std::vector<SheetCell>{{1, 0}, {0, 1}, {1, 1}}, {}, Background::White),
+        std::runtime_error);
+}
+
+// Video formats need an even number of rows.
+TEST(ContactSheet, HasAnEvenNumberOfRows) {
+    const std::vector<std::string> lines{"a", "b", "c", "d"};
+    for (const std::uint32_t height : {200U, 300U, 302U, 334U, 400U, 960U}) {
+        const std::vector<LabelledImage> one{{"", plain(400, height, {255, 255, 255})}};
+        for (std::size_t n = 1; n <= lines.size(); ++n)
+            EXPECT_EQ(contact_sheet(one, std::span(lines).first(n)).height % 2, 0U);
+    }
+}
+
+TEST(ContactSheet, WrapsLongLinesAtSpaces) {
+    const std::string text = "error: the cutter of T1 meets the fixture 'rear jaw' in line 6";
+    EXPECT_EQ(wrapped(text, 4000, 300), (std::vector<std::string>{text}));
+    const std::vector<std::string> lines = wrapped(text, 300, 300);
+    EXPECT_GT(lines.size(), 1U);
+    std::string joined;
+    for (const std::string& line : lines) {
+        EXPECT_LT(text_width(300 / 36.0, line), 300);
+        joined += (joined.empty() ? "" : " ") + line;
+    }
+    EXPECT_EQ(joined, text);
+    EXPECT_EQ(wrapped(std::string(200, 'M'), 100, 100).size(), 1U);
+    EXPECT_EQ(wrapped("", 100, 100), (std::vector<std::string>{""}));
+}
+
 TEST(ContactSheet, RefusesWhatCannotBe) {
     EXPECT_THROW(contact_sheet({}, {}), std::runtime_error);
     auto mixed = pictures(2);

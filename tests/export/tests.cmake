@@ -2,8 +2,10 @@ find_package(nlohmann_json CONFIG REQUIRED)
 ncsim_add_test(export
   LIBRARIES ncsim::export ncsim::toolpath nlohmann_json::nlohmann_json
   SOURCES
+    apng_test.cpp
     box_part.cpp
     camera_test.cpp
+    cut_view_test.cpp
     drawing_test.cpp
     float_mesh_test.cpp
     gif_test.cpp
@@ -11,6 +13,7 @@ ncsim_add_test(export
     golden_test.cpp
     marks_test.cpp
     merge_faces_test.cpp
+    open_mesh_test.cpp
     palette_test.cpp
     ply_test.cpp
     png_test.cpp
@@ -32,8 +35,9 @@ ncsim_add_test(export
     ../support/written_mesh.cpp)
 find_package(GIF 5 REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)
-target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
+target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG ZLIB::ZLIB)
 
 # The rasteriser against OpenGL, from EGL without a surface.
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)

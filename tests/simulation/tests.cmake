@@ -1,6 +1,7 @@
 ncsim_add_test(simulation
-  LIBRARIES ncsim::simulation
+  LIBRARIES ncsim::simulation ncsim::trig
   SOURCES
+    deviation_mesh_test.cpp
     messages_test.cpp
     models_test.cpp
     motions_test.cpp

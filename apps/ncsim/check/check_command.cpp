@@ -3,6 +3,7 @@
 // Verifies programs and writes the reports.
 #include "check/check_command.h"
 
+#include "ncsim/export/png.h"
 #include "ncsim/report/ledger_csv.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/rule_list.h"
@@ -15,6 +16,7 @@
 #include "check/check_settings.h"
 #include "check/check_tile.h"
 #include "check/checking.h"
+#include "check/finding_picture.h"
 #include "check/pages.h"
 #include "check/program_list.h"
 #include "check/reports.h"
@@ -32,6 +34,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -202,6 +205,23 @@ private:
 
 }  // namespace
 
+namespace {
+
+constexpr const char* kNoPicture =
+    "--png: no picture, because there is not exactly one program with a verdict";
+
+// Returns what a picture needs.
+report::Checked verdict_of(const report::Checked& checked) {
+    report::Checked verdict;
+    verdict.path = checked.path;
+    verdict.failure = checked.failure;
+    verdict.word = checked.word;
+    verdict.verdict = checked.verdict;
+    return verdict;
+}
+
+}  // namespace
+
 int run(CheckOptions options) {
     if (!options.tile.empty()) return check_tile(std::move(options));
     setup::InputSet inputs;
@@ -236,8 +256,11 @@ int run(CheckOptions options) {
 
     const Interruption interruption;
     Pages pages(options, programs, outputs);
-    checking.show(
-        [&](std::size_t i, report::Checked checked) { pages.add(i, std::move(checked)); });
+    std::optional<report::Checked> judged;  // for --png
+    checking.show([&](std::size_t i, report::Checked checked) {
+        if (!options.png.empty()) judged = verdict_of(checked);
+        pages.add(i, std::move(checked));
+    });
     const Reports reports(options, outputs, programs.size() > 1);
     Judgement judgement(options, list, checking, reports);
     judgement.run();
@@ -252,6 +275,12 @@ int run(CheckOptions options) {
         report::write_ledger_csv(out, all, options.report_unit);
     });
     if (Interruption::signal() == 0) pages.write(all, scope);
+    if (Interruption::signal() == 0 && !options.png.empty()) {
+        if (programs.size() != 1 || !judged) throw std::runtime_error(kNoPicture);
+        outputs.write(options.png, [&](std::ostream& out) {
+            exporter::write_png(out, finding_picture(programs[0], settings.of(0), *judged, read));
+        });
+    }
     outputs.commit();
     if (Interruption::signal() != 0) {
         print_error(fmt::format("ncsim: stopped by {}: {} of {} programs were not begun\n",

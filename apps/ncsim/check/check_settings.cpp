@@ -226,13 +226,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     }
     if (!options.design.empty()) {
         made.design = simulation::read_design(options.design, options.design_tolerance, read);
-        const double smallest = simulation::smallest_tolerance(*made.design);
-        if (options.design_tolerance < smallest) {
-            throw std::runtime_error(fmt::format(
-                "--design-tol {:g}: '{}' is read as triangles within {:g} mm of its "
-                "surfaces; {:g} or more",
-                options.design_tolerance, made.design->path, made.design->deflection_mm, smallest));
-        }
+        simulation::require_tolerance(*made.design);
         verification_options.design = &*made.design;
     }
     made.baseline = baseline_of(options);

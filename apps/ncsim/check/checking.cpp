@@ -154,7 +154,8 @@ std::optional<report::Entry> Checking::known(std::size_t program) const {
     const std::string& path = programs_[program];
     const CheckSettings& settings = settings_.of(program);
     // A program without a path may differ in the next run.
-    if (!settings.cache || path == "-" || settings.verification_options.wants_page)
+    if (!settings.cache || path == "-" || settings.verification_options.wants_page ||
+        !options_.png.empty())
         return std::nullopt;
     return settings.cache->find(path, settings.key_of_program(path), inputs_);
 }
@@ -205,7 +206,7 @@ Checking::CheckResult Checking::checked_result(std::size_t program, unsigned thr
             } else {
                 result.entry.more.push_back(std::move(entry));
             }
-            if (settings.verification_options.wants_page && shows_)
+            if ((settings.verification_options.wants_page || !options_.png.empty()) && shows_)
                 shows_(program, std::move(checked));
         }
         result.files = read.files();

@@ -103,7 +103,9 @@ bool decides_verdicts(const std::string& name) {
         "programs",  "list",       "shard",          "shards",  "out",      "redo",
         "cache",     "jobs",       "json",           "sarif",   "junit",    "csv",
         "html",      "github",     "write-baseline", "isolate", "threads",  "max-time",
-        "exit-zero", "max-memory", "no-project",     "tile",    "tile-out", "watch"};
+        "exit-zero", "max-memory", "no-project",     "tile",    "tile-out", "watch",
+        "png",       "finding",    "view",           "views",   "size",     "background",
+        "marks",     "cut-view"};
     return !others.contains(name);
 }
 
@@ -134,11 +136,7 @@ void add_rule_options(cli::App& check, CheckOptions& o) {
     check.add_option("--baseline", o.baseline, "Known findings, which do not count")
         ->type_name("FILE");
     check.add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
-    check.add_option("--design", o.design, "Compare the part with STL (mm), GLB or STEP in G54")
-        ->type_name("FILE");
-    check.add_option("--design-tol", o.design_tolerance, "Permitted deviation, mm [0.1]")
-        ->type_name("MM")
-        ->number_range(1e-4, 1e4);
+    add_design(check, o.design, o.design_tolerance, "Compare the part");
     check
         .add_option_function<std::string>(
             "--rapid",
@@ -200,6 +198,17 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
         ->type_name("FILE");
     check->add_option("--html", o.html, "Page with the part; DIR/: pages with an index")
         ->type_name("FILE");
+    check->begin_group("Picture of a finding");
+    check->add_option("--png", o.png, "Picture of the gravest finding: the tool where it meets")
+        ->type_name("FILE");
+    check
+        ->add_option_function<std::size_t>(
+            "--finding", [&o](std::size_t number) { o.finding = number; },
+            "Finding of --png, by its number in the text")
+        ->type_name("N")
+        ->range(std::size_t{1}, std::size_t{1'000'000'000})
+        ->needs("--png");
+    add_picture_options(*check, o);
     add_batch_options(*check, o);
     add_simulation_options(*check, o, Models::Verifying);
     return check;
@@ -227,7 +236,7 @@ bool rewrites_baseline(const CheckOptions& o) {
 
 std::vector<std::string> outputs_of(const CheckOptions& o) {
     std::vector<std::string> paths = outputs_of(static_cast<const ReportOptions&>(o));
-    for (const std::string* path : {&o.csv, &o.html}) {
+    for (const std::string* path : {&o.csv, &o.html, &o.png}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -255,6 +264,15 @@ void complete_tile_of_check(CheckOptions& o) {
 }  // namespace
 
 namespace {
+
+// Throws Refusal if several programs are named, or the program cannot be read twice.
+void require_one_picture(const CheckOptions& o) {
+    const bool is_job = o.programs.empty() && !o.job.empty();
+    if (o.list.empty() && (is_job || o.programs.size() == 1) &&
+        (is_job || o.programs.front() != "-"))
+        return;
+    throw Refusal{"--png: the picture is of a finding of one program, which has a name"};
+}
 
 // Makes a job file among the programs the job.
 void take_job_of_check(CheckOptions& o) {
@@ -284,8 +302,12 @@ void complete(CheckOptions& o) {
         throw Refusal{
             "no program is named, and the folder has no ncsim.toml; expected a program, a folder "
             "or --list"};
-    if (!o.html.empty() && o.isolate)
-        throw Refusal{"--isolate: what a page shows does not come out of another process"};
+    if (!(o.html.empty() && o.png.empty()) && o.isolate)
+        throw Refusal{
+            "--isolate: what a page or picture shows does not come out of another process"};
+    refuse_foreign_ending("--png", o.png, {".png"});
+    if (!o.png.empty()) require_one_picture(o);
+    if (o.png.empty() && o.cut_view) throw Refusal{"--cut-view changes pictures: it needs --png"};
     if (o.shard.empty() != o.out.empty())
         throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
                                     : "--out: of which shard? --shard I/N"};

@@ -7,6 +7,7 @@
 #include "ncsim/simulation/program_check.h"
 #include "ncsim/verify/selection.h"
 
+#include "options/picture_options.h"
 #include "options/program_options.h"
 #include "options/report_options.h"
 #include "options/shard_number.h"
@@ -24,7 +25,7 @@ namespace ncsim::app {
 
 /// Options of `ncsim check`. `program` and `save_job` are not used, because there may be many
 /// programs.
-struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
+struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions, PictureOptions {
     std::vector<std::string> programs;
     /// Steps of the job for the programs of the list; empty if the programs are no job.
     std::vector<std::size_t> steps;
@@ -54,6 +55,9 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::string baseline;           ///< File of known findings; empty: none.
     verify::Selection selection;
     std::string csv, html;  ///< Output files; empty: none.
+    std::string png;        ///< Picture of a finding; empty: none.
+    /// Number of the finding in `png`, from 1 in the order of the text; empty: the gravest.
+    std::optional<std::size_t> finding;
     bool dog_leg = false;
     bool detached_pieces = false;  ///< Search for pieces that are cut free.
     bool air_cuts = false;         ///< Search for feed moves that remove nothing.

@@ -11,9 +11,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -211,6 +215,29 @@ void add_report_unit(cli::App& command, ProgramOptions& o) {
             },
             "Unit of lengths in texts, pictures and CSV: mm, inch [mm]")
         ->type_name("UNIT");
+}
+
+void refuse_foreign_ending(const char* option, const std::string& path,
+                           const std::vector<std::string>& endings) {
+    static const std::set<std::string, std::less<>> formats{
+        ".png",  ".apng", ".jpg",  ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".pdf",
+        ".gif",  ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply", ".3mf",  ".obj",
+        ".step", ".stp",  ".iges", ".igs",  ".dxf",  ".dwg", ".svg"};
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (!formats.contains(ending) || std::ranges::find(endings, ending) != endings.end()) return;
+    throw Refusal{
+        fmt::format("{} '{}': the ending is that of another format; '{}'", option, path,
+                    std::filesystem::path(path).replace_extension(endings.front()).string())};
+}
+
+void add_design(cli::App& command, std::string& path, double& tolerance_mm,
+                const std::string& purpose) {
+    command.add_option("--design", path, purpose + ": STL (mm), GLB or STEP in G54")
+        ->type_name("FILE");
+    command.add_option("--design-tol", tolerance_mm, "Permitted deviation, mm [0.1]")
+        ->type_name("MM")
+        ->number_range(1e-4, 1e4);
 }
 
 void add_watch(cli::App& command, ProgramOptions& o) {

@@ -59,6 +59,14 @@ void add_language_options(cli::App& command, ProgramOptions& options);
 void add_setup_options(cli::App& command, ProgramOptions& options);
 /// Adds the unit of the texts, for commands that print lengths.
 void add_report_unit(cli::App& command, ProgramOptions& options);
+/// Throws: Refusal if `path` has the ending of another format, because viewers trust endings. The
+/// message proposes the first of `endings`.
+void refuse_foreign_ending(const char* option, const std::string& path,
+                           const std::vector<std::string>& endings);
+/// Adds --design and --design-tol, for commands that compare the part with a design. `purpose`
+/// begins the help.
+void add_design(cli::App& command, std::string& path, double& tolerance_mm,
+                const std::string& purpose);
 /// Adds --watch, for commands that run again when a file changes.
 void add_watch(cli::App& command, ProgramOptions& options);
 /// Checks --watch after all options were read. `is_share`: the command is a shard or a tile.

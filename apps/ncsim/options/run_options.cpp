@@ -9,63 +9,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <filesystem>
 #include <functional>
 #include <set>
 
 namespace ncsim::app {
 
 namespace {
-
-void read_size(const std::string& text, Options& options) {
-    const char* first = text.data();
-    const char* last = first + text.size();
-    const auto width = std::from_chars(first, last, options.width);
-    const bool cross =
-        width.ec == std::errc{} && width.ptr != last && (*width.ptr == 'x' || *width.ptr == 'X');
-    const auto height = cross ? std::from_chars(width.ptr + 1, last, options.height) : width;
-    const auto good = [](std::uint32_t side) {
-        return side >= 1 && side <= exporter::kMaxImageSide;
-    };
-    if (!cross || height.ec != std::errc{} || height.ptr != last || !good(options.width) ||
-        !good(options.height)) {
-        throw Refusal{fmt::format("--size '{}': expected WxH in pixels, 1x1 to {}x{}", text,
-                                  exporter::kMaxImageSide, exporter::kMaxImageSide)};
-    }
-}
-
-exporter::View read_view(const std::string& name) {
-    const auto view = exporter::parse_view(name);
-    if (!view) {
-        throw Refusal{fmt::format(
-            "--view '{}': expected iso, top, bottom, front, back, left or right", name)};
-    }
-    return *view;
-}
-
-std::vector<exporter::View> read_views(const std::string& names) {
-    std::vector<exporter::View> views;
-    for (std::size_t begin = 0; begin <= names.size();) {
-        const std::size_t end = std::min(names.find(',', begin), names.size());
-        const auto view = exporter::parse_view(names.substr(begin, end - begin));
-        if (!view) {
-            throw Refusal{fmt::format(
-                "--views '{}': expected names with commas between them, such as iso,top,front",
-                names)};
-        }
-        views.push_back(*view);
-        begin = end + 1;
-    }
-    return views;
-}
-
-exporter::Background read_background(const std::string& name) {
-    if (name == "white") return exporter::Background::White;
-    if (name == "dark") return exporter::Background::Dark;
-    throw Refusal{fmt::format("--background '{}': expected white or dark", name)};
-}
 
 exporter::Renderer read_renderer(const std::string& name) {
     if (name == "own") return exporter::Renderer::Own;
@@ -77,32 +26,8 @@ exporter::Colouring read_colouring(const std::string& name) {
     if (name == "tool") return exporter::Colouring::Tool;
     if (name == "line") return exporter::Colouring::Line;
     if (name == "depth") return exporter::Colouring::Depth;
-    throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
-}
-
-MarkOptions read_marks(const std::string& list) {
-    MarkOptions marks;
-    if (list == "all") return marks;
-    marks = {false, false, false, false};
-    if (list == "none") return marks;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        const std::string name = list.substr(begin, end - begin);
-        if (name == "axes") {
-            marks.axes = true;
-        } else if (name == "zero") {
-            marks.zero = true;
-        } else if (name == "scale") {
-            marks.scale = true;
-        } else if (name == "legend") {
-            marks.legend = true;
-        } else {
-            throw Refusal{
-                fmt::format("--marks '{}': expected all, none, axes, zero, scale or legend", name)};
-        }
-        begin = end + 1;
-    }
-    return marks;
+    if (name == "design") return exporter::Colouring::Design;
+    throw Refusal{fmt::format("--colour '{}': expected tool, line, depth or design", name)};
 }
 
 FixedBody read_frame(const std::string& name) {
@@ -127,15 +52,6 @@ StepSurfaces read_step_surfaces(const std::string& name) {
     if (name == "analytic") return StepSurfaces::Analytic;
     if (name == "faceted") return StepSurfaces::Faceted;
     throw Refusal{fmt::format("--step-surfaces '{}': expected analytic or faceted", name)};
-}
-
-brep::SectionPlane read_section(const std::string& text) {
-    const auto plane = brep::parse_section_plane(text);
-    if (!plane) {
-        throw Refusal{
-            fmt::format("--section '{}': expected x=, y= or z= and a number of mm: z=-4", text)};
-    }
-    return *plane;
 }
 
 double read_simplify(double tolerance) {
@@ -180,19 +96,29 @@ std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
     for (const std::string* path :
          {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.dxf, &o.svg, &o.gif,
-          &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock, &o.html}) {
+          &o.apng, &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock, &o.html}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
 }
 
-bool needs_surface(const Options& o) {
-    const bool pictures = !o.png.empty() || !o.gif.empty() || !o.frames.empty();
+bool draws_cells(const Options& o) {
     const simulation::ModelInfo* model = simulation::find_model(o.model);
-    const bool draws_itself = model && model->shows_cells;
-    return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
-           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.sections.empty() ||
-           !o.report.empty() || !o.html.empty();
+    return model && model->shows_cells && !o.cut_view && o.colouring != exporter::Colouring::Design;
+}
+
+bool has_pictures(const Options& o) {
+    return !o.png.empty() || has_frames(o);
+}
+
+bool has_frames(const Options& o) {
+    return !o.gif.empty() || !o.apng.empty() || !o.frames.empty();
+}
+
+bool needs_surface(const Options& o) {
+    return (has_pictures(o) && !draws_cells(o)) || !o.gltf.empty() || !o.vrml.empty() ||
+           !o.stl.empty() || !o.ply.empty() || !o.threemf.empty() || !o.step.empty() ||
+           !o.sections.empty() || !o.report.empty() || !o.html.empty();
 }
 
 namespace {
@@ -202,6 +128,7 @@ void add_outputs(cli::App& run, Options& o) {
     add_report_unit(run, o);
     run.add_option("--png", o.png, "Picture of the part")->type_name("FILE");
     run.add_option("--gif", o.gif, "Animation of the cutting")->type_name("FILE");
+    run.add_option("--apng", o.apng, "Animation in all colours, APNG")->type_name("FILE");
     run.add_option("--frames", o.frames, "Numbered pictures of the cutting")->type_name("DIR");
     run.add_option("--html", o.html, "Page on which the program plays; loads nothing")
         ->type_name("FILE");
@@ -219,7 +146,7 @@ void add_outputs(cli::App& run, Options& o) {
            "--section",
            [&o](const std::vector<std::string>& planes) {
                for (const std::string& plane : planes)
-                   o.sections.push_back(read_section(plane));
+                   o.sections.push_back(read_plane("--section", plane));
            },
            "Plane of a section at x, y or z, mm; repeatable")
         ->type_name("z=N")
@@ -261,34 +188,15 @@ void add_step_options(cli::App& run, Options& o) {
         ->type_name("N");
 }
 
-void add_picture_options(cli::App& run, Options& o) {
+void add_drawing_options(cli::App& run, Options& o) {
     using Text = const std::string&;
     run.begin_group("Pictures");
-    run.add_option_function<std::string>(
-           "--view", [&o](Text name) { o.views = {read_view(name)}; },
-           "iso, top, bottom, front, back, left, right [iso]")
-        ->type_name("VIEW");
-    run.add_option_function<std::string>(
-           "--views", [&o](Text names) { o.views = read_views(names); },
-           "Sheet of several views: iso,top,front")
-        ->type_name("LIST")
-        ->excludes("--view");
-    run.add_option_function<std::string>(
-           "--size", [&o](Text size) { read_size(size, o); },
-           "Size of each view, pixels [1280x960]")
-        ->type_name("WxH");
+    add_picture_options(run, o);
     run.add_option_function<std::string>(
            "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
-           "Meaning of colours: tool, line, depth [tool]")
+           "Meaning of colours: tool, line, depth, design [tool]")
         ->type_name("WHAT");
-    run.add_option_function<std::string>(
-           "--background", [&o](Text name) { o.background = read_background(name); },
-           "white or dark [white]")
-        ->type_name("WHAT");
-    run.add_option_function<std::string>(
-           "--marks", [&o](Text list) { o.marks = read_marks(list); },
-           "axes, zero, scale, legend; all or none [all]")
-        ->type_name("MARKS");
+    add_design(run, o.design, o.design_tolerance, "Design of --colour design");
     run.add_flag("--show-path", o.shows_path, "Draw the tool path, rapid moves dashed");
     run.add_flag("--show-tool", o.shows_tool, "Draw the tool");
     run.add_flag("--show-fixtures", o.shows_fixtures, "Draw vises, clamps and other fixtures");
@@ -354,7 +262,7 @@ cli::App* add_run(cli::App& app, Options& o) {
         ->type_name("FILE");
     add_outputs(*run, o);
     add_step_options(*run, o);
-    add_picture_options(*run, o);
+    add_drawing_options(*run, o);
     add_simulation_options(*run, o, Models::All);
     add_accuracy_options(*run, o);
     add_advanced_options(*run, o);
@@ -395,15 +303,15 @@ void complete_tile(Options& o) {
 
 namespace {
 
-// Throws Refusal if the name of an output has the ending of another format: viewers trust endings.
 void refuse_foreign_endings(const Options& o) {
     struct Output {
         const char* option;
         const std::string* path;
-        std::vector<std::string> endings;  // the first is proposed
+        std::vector<std::string> endings;
     };
     const Output outputs[] = {{"--png", &o.png, {".png"}},
                               {"--gif", &o.gif, {".gif"}},
+                              {"--apng", &o.apng, {".apng", ".png"}},
                               {"--gltf", &o.gltf, {".glb"}},
                               {"--vrml", &o.vrml, {".wrl", ".vrml"}},
                               {"--stl", &o.stl, {".stl"}},
@@ -415,22 +323,21 @@ void refuse_foreign_endings(const Options& o) {
                               {"--html", &o.html, {".html", ".htm"}},
                               {"--report", &o.report, {".json"}},
                               {"--save-stock", &o.save_stock, {".ncstock"}}};
-    static const std::set<std::string, std::less<>> formats{
-        ".png",  ".apng", ".jpg",  ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".pdf",
-        ".gif",  ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply", ".3mf",  ".obj",
-        ".step", ".stp",  ".iges", ".igs",  ".dxf",  ".dwg", ".svg"};
-    for (const Output& output : outputs) {
-        const std::filesystem::path path(*output.path);
-        std::string ending = path.extension().string();
-        std::ranges::transform(ending, ending.begin(),
-                               [](unsigned char c) { return std::tolower(c); });
-        if (!formats.contains(ending) ||
-            std::ranges::find(output.endings, ending) != output.endings.end())
-            continue;
-        throw Refusal{fmt::format(
-            "{} '{}': the ending is that of another format; '{}'", output.option, *output.path,
-            std::filesystem::path(path).replace_extension(output.endings.front()).string())};
-    }
+    for (const Output& output : outputs)
+        refuse_foreign_ending(output.option, *output.path, output.endings);
+}
+
+}  // namespace
+
+namespace {
+
+void require_design(const Options& o) {
+    if (o.colouring != exporter::Colouring::Design) return;
+    if (o.design.empty()) throw Refusal{"--colour design: of which design? --design part.stl"};
+    if (o.png.empty() || has_frames(o))
+        throw Refusal{
+            "--colour design shows the finished part: it needs --png, without --gif, --apng and "
+            "--frames"};
 }
 
 }  // namespace
@@ -441,11 +348,14 @@ void complete(Options& options) {
     choose_model(options);
     if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
         throw Refusal{"--dxf and --svg draw sections; specify the plane with --section z=-4"};
-    if (options.every != 0 && options.frames.empty() && options.gif.empty() &&
-        options.html.empty()) {
+    if (options.every != 0 && !has_frames(options) && options.html.empty()) {
         throw Refusal{
-            "--every says how often pictures are taken: it needs --frames, --gif or --html"};
+            "--every says how often pictures are taken: it needs --frames, --gif, --apng or "
+            "--html"};
     }
+    if (options.cut_view && !has_pictures(options))
+        throw Refusal{"--cut-view changes pictures: it needs --png, --gif, --apng or --frames"};
+    require_design(options);
     complete_tile(options);
     require_watchable(options, inputs_of(options), !options.tile.empty());
 }

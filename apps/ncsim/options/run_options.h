@@ -4,12 +4,12 @@
 #pragma once
 
 #include "ncsim/brep/section.h"
-#include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/step.h"
 #include "ncsim/report/file_digests.h"
 #include "ncsim/simulation/plan.h"
 
+#include "options/picture_options.h"
 #include "options/program_options.h"
 #include "options/shard_number.h"
 
@@ -28,15 +28,8 @@ enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
 /// Fixed body in pictures of a machine: the bed of the machine, or the part.
 enum class FixedBody : std::uint8_t { Machine, Part };
 
-/// Marks of pictures, see exporter::Marks.
-struct MarkOptions {
-    bool axes = true, zero = true, scale = true, legend = true;
-
-    bool any() const { return axes || zero || scale || legend; }
-};
-
 /// Options of `ncsim run`. Empty paths: no output.
-struct Options : ProgramOptions, SimulationOptions {
+struct Options : ProgramOptions, SimulationOptions, PictureOptions {
     bool shows_machine = false;  ///< Show links of the machine in pictures and animated files.
     std::vector<std::string> transparent;  ///< Transparent links.
     /// Fixed body in pictures of machine and part.
@@ -45,21 +38,19 @@ struct Options : ProgramOptions, SimulationOptions {
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
     std::string html;  ///< Page on which the program plays.
 
-    /// Views of the picture; several views form a sheet with a caption. Never empty.
-    std::vector<exporter::View> views{exporter::View::Iso};
-    exporter::Background background = exporter::Background::White;
     exporter::Renderer renderer = exporter::Renderer::Own;
     exporter::Colouring colouring = exporter::Colouring::Tool;
+    std::string design;             ///< Design for Colouring::Design: STL, GLB or STEP.
+    double design_tolerance = 0.1;  ///< mm
     bool shows_path = false, shows_tool = false, has_caption = false;
-    MarkOptions marks;
     bool shows_fixtures = false;  ///< Draw the fixtures of the job and the machine.
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
     std::string frames;  ///< Folder for pictures of intermediate states.
     std::string gif;     ///< Animated picture of intermediate states.
+    std::string apng;    ///< The same in all colours.
     /// Number of moves between two pictures or states of the page; 0: about a hundred.
     std::uint64_t every = 0;
-    std::uint32_t width = 1280, height = 960;  ///< Size of each view in pixels.
     /// Tolerance in mm. Default: glTF and STL are exact, further formats are within kFlatTolerance.
     std::optional<double> simplify;
     StepSurfaces step_surfaces = StepSurfaces::Analytic;
@@ -90,6 +81,14 @@ struct Options : ProgramOptions, SimulationOptions {
     report::FileDigests tile_files;
     std::string mesh_folder;  ///< Folder with a mesh for each tile.
 };
+
+/// True if an output is a picture.
+bool has_pictures(const Options& options);
+/// True if an output is a picture of intermediate states.
+bool has_frames(const Options& options);
+
+/// True if pictures are drawn from the cells of the model, without a surface.
+bool draws_cells(const Options& options);
 
 /// True if an output needs the surface of the part as faces.
 bool needs_surface(const Options& options);

@@ -30,10 +30,11 @@ constexpr int kLastFrameTime = 200;
 
 Animation::Animation(const Options& options, const simulation::Survey& survey, OutputSet& outputs)
     : options_(options), outputs_(outputs) {
-    if (options_.frames.empty() && options_.gif.empty()) return;
+    if (options_.frames.empty() && options_.gif.empty() && options_.apng.empty()) return;
     every_ = options_.every != 0 ? options_.every
                                  : std::max<std::uint64_t>(1, survey.moves / kUsualFrames);
     if (!options_.gif.empty()) gif_.emplace(bytes_);
+    if (!options_.apng.empty()) apng_.emplace();
     if (options_.frames.empty()) return;
     std::error_code error;
     std::filesystem::create_directory(options_.frames, error);
@@ -51,16 +52,29 @@ void Animation::take(const Outcome& outcome) {
         const std::string path = (std::filesystem::path(options_.frames) / name).string();
         outputs_.write_now(path, [&](std::ostream& out) { exporter::write_png(out, image); });
     }
-    if (!gif_) return;
-    if (last_) gif_->add(*last_, kFrameTime);
+    if (!gif_ && !apng_) return;
+    add_last(kFrameTime);
     last_ = std::move(image);
 }
 
-void Animation::write_gif(std::ostream& out) {
-    if (last_) gif_->add(*last_, kLastFrameTime);
+void Animation::add_last(int hundredths) {
+    if (!last_) return;
+    if (gif_) gif_->add(*last_, hundredths);
+    if (apng_) apng_->add(*last_, hundredths);
+}
+
+void Animation::finish() {
+    add_last(kLastFrameTime);
     last_.reset();
-    gif_->finish();
+    if (gif_) gif_->finish();
+}
+
+void Animation::write_gif(std::ostream& out) const {
     out << bytes_.view();
+}
+
+void Animation::write_apng(std::ostream& out) const {
+    apng_->write(out);
 }
 
 }  // namespace ncsim::app

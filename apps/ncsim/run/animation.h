@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures during the cut: numbered files, or an animated picture.
+// Pictures during the cut: numbered files, or animated pictures.
 #pragma once
 
+#include "ncsim/export/apng.h"
 #include "ncsim/export/gif.h"
 
 #include "run/outcome.h"
@@ -27,17 +28,24 @@ public:
     /// not at all.
     /// Throws: std::runtime_error if a frame cannot be written.
     void take(const Outcome& outcome);
-    /// Writes the animated picture to `out`. The last frame stays for two seconds.
-    void write_gif(std::ostream& out);
+    /// Ends the animated pictures. The last frame stays for two seconds.
+    void finish();
+    /// Write an animated picture to `out`.
+    /// Requires: finish() was called.
+    void write_gif(std::ostream& out) const;
+    void write_apng(std::ostream& out) const;
 
 private:
+    void add_last(int hundredths);
+
     const Options& options_;
     OutputSet& outputs_;
     std::uint64_t every_ = 0;
     std::uint32_t taken_ = 0;
     std::ostringstream bytes_;
     std::optional<exporter::GifWriter> gif_;
-    // not yet in the GIF, because the last frame stays longer
+    std::optional<exporter::ApngWriter> apng_;
+    // Not yet in the animated pictures, because the last frame stays longer.
     std::optional<exporter::Image> last_;
 };
 

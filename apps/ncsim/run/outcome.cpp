@@ -90,6 +90,10 @@ report::RunFacts run_facts(const Outcome& outcome) {
                             outcome.simplified->boundary.faces.size()};
     }
     facts.sections = section_facts(outcome);
+    if (outcome.design) {
+        facts.design = outcome.design->facts;
+        facts.design_places = report::largest(outcome.design->places, kMostDesignPlaces);
+    }
     if (outcome.solid && outcome.options.step_surfaces == StepSurfaces::Analytic)
         facts.solid = solid_facts(outcome);
     return facts;

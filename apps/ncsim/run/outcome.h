@@ -13,14 +13,17 @@
 #include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/setup/machine_file.h"
+#include "ncsim/simulation/design_view.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/sections.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/survey.h"
+#include "ncsim/verify/finding.h"
 
 #include "options/run_options.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +55,10 @@ struct Outcome {
     const setup::MachineFile* machine = nullptr;
     /// Fixtures to be drawn, in W.
     std::vector<verify::Fixture> fixtures{};
+    /// Comparison with the design for Colouring::Design; null: other colours.
+    const simulation::DesignView* design = nullptr;
+    /// Finding whose bodies a picture marks; null: none.
+    const verify::Finding* finding = nullptr;
     /// Times of the whole program on the machine.
     std::optional<verify::Ledger> on_machine{};
     /// Assumptions of the run, for files that ncsim reads again; one text each.
@@ -59,6 +66,9 @@ struct Outcome {
     /// Rest of the stock for --save-stock; null: no output.
     const cda::Shape* left = nullptr;
 };
+
+/// Number of deviations from the design that pictures and texts list.
+inline constexpr std::size_t kMostDesignPlaces = 5;
 
 /// Returns the sections with their origins; points into `outcome`.
 std::vector<exporter::DrawnSection> drawn_sections(const Outcome& outcome);

@@ -3,9 +3,12 @@
 // Picture of `ncsim run --png`.
 #pragma once
 
+#include "ncsim/cda/vec.h"
 #include "ncsim/export/image.h"
 
 #include "run/outcome.h"
+
+#include <string_view>
 
 namespace ncsim::app {
 
@@ -13,5 +16,9 @@ namespace ncsim::app {
 /// Requires: a simulation.
 /// Throws: std::runtime_error if the picture cannot be drawn, or the sheet would be too large.
 exporter::Image picture(const Outcome& outcome);
+
+/// Throws: std::runtime_error if the plane of --cut-view does not cut a body with the box `body`.
+/// `name`: "stock" or "part".
+void require_cut_view(const Options& options, const cda::Box& body, std::string_view name);
 
 }  // namespace ncsim::app

@@ -44,8 +44,10 @@
 #include "run/moving_machine.h"
 #include "run/outcome.h"
 #include "run/picture.h"
+#include "run/placed_fixtures.h"
 #include "run/run_job.h"
 #include "run/save_job.h"
+#include "run/standing_bodies.h"
 #include "run/tile.h"
 #include "system/console.h"
 #include "system/output.h"
@@ -68,21 +70,6 @@
 namespace ncsim::app {
 
 namespace {
-
-// Returns the fixtures of the job and the machine, in W; may be empty.
-std::vector<verify::Fixture> placed_fixtures(const simulation::Plan& plan,
-                                             const simulation::Survey& survey,
-                                             const std::optional<setup::MachineFile>& machine) {
-    setup::MachineFile specified;
-    if (machine) {
-        specified.machine = machine->machine;
-    } else {
-        simulation::add_fixtures(specified, plan.job);
-    }
-    for (const std::string& lost : simulation::place_fixtures(specified.machine, plan, survey))
-        print_error("not shown: " + lost + "\n");
-    return std::move(specified.machine.fixtures);
-}
 
 // Returns the fixtures of the job and the machine, in W.
 // Throws: std::runtime_error if there is none.
@@ -133,9 +120,16 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         return *counted;
     };
     const auto polygons = [&]() -> const cda::Boundary& { return simplified().boundary; };
-    outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
+    outputs.write(o.png, [&](std::ostream& out) {
+        if (o.cut_view) require_cut_view(o, cda::bounds(*outcome.boundary), "part");
+        exporter::write_png(out, picture(outcome));
+    });
     std::optional<exporter::MovingScene> moving;
-    if (o.shows_machine && (!o.gltf.empty() || !o.vrml.empty())) moving = moving_machine(outcome);
+    if (!o.gltf.empty() || !o.vrml.empty()) {
+        moving = o.shows_machine ? moving_machine(outcome) : exporter::MovingScene();
+        add_standing_bodies(outcome, *moving);
+        if (moving->nodes.empty()) moving.reset();
+    }
     outputs.write(o.gltf, [&](std::ostream& out) {
         const brep::Shading shading = shading_of_mesh(outcome);
         if (moving) {
@@ -241,6 +235,8 @@ int run(Options options) {
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     if (!options.machine.empty()) inputs.expect(options.machine);
+    const bool has_design = options.colouring == exporter::Colouring::Design;
+    if (has_design) inputs.expect(options.design);
     setup::RecordedInput recorded(inputs);
     setup::InputSet& read = options.tiles ? recorded : inputs;
     simulation::Plan plan = plan_for(options, read);
@@ -286,12 +282,19 @@ int run(Options options) {
         throw std::runtime_error(fmt::format("--at-line {}: the program has {} lines", *o.at_line,
                                              survey.interpretation.lines));
     }
+    if (survey.is_ready()) require_cut_view(o, survey.stock->box, "stock");
 
     Outcome outcome{options, plan, survey};
     outcome.machine = machine ? &*machine : nullptr;
     if (o.shows_fixtures) outcome.fixtures = fixtures_of(plan, survey, machine);
     if (machine && !o.at_line && survey.is_ready())
         outcome.on_machine = simulation::machining_times(plan, survey, machine->machine);
+    std::optional<simulation::Design> design;
+    std::optional<simulation::DesignView> view;
+    if (has_design) {
+        design = simulation::read_design(o.design, o.design_tolerance, read);
+        simulation::require_tolerance(*design);
+    }
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     std::optional<simulation::Solid> true_surfaces, facets;
@@ -314,6 +317,7 @@ int run(Options options) {
         simulation::Verification nothing;
         nothing.keep_cuts = !o.step.empty() || !o.sections.empty() || is_shaded(o) ||
                             animation.every() != 0 || !o.save_stock.empty();
+        nothing.own_lines = design.has_value();
         nothing.history = simulation::read_stock_history(*survey.stock);
         std::optional<simulation::PlayRecorder> play;
         if (!o.html.empty()) nothing.play = &play.emplace(plan, survey, o.every);
@@ -328,11 +332,15 @@ int run(Options options) {
         }
         simulation->provenance.assumed = simulation::reasons_of(outcome.assumed);
         if (o.tiles) expect_same_files(o.tile_files, recorded.files());
-        if (animation.every() != 0) take_frame(*simulation);
+        if (animation.every() != 0) {
+            take_frame(*simulation);
+            animation.finish();
+        }
         print_findings(plan.job.program, simulation->diagnostics);
         survey.diagnostics.insert(survey.diagnostics.end(), simulation->diagnostics.begin(),
                                   simulation->diagnostics.end());
         outputs.write(o.gif, [&](std::ostream& out) { animation.write_gif(out); });
+        outputs.write(o.apng, [&](std::ostream& out) { animation.write_apng(out); });
         if (!o.gltf.empty() && simulation->boundary) {
             simulation->provenance.text =
                 text_of_lines(plan, survey, simulation->provenance, *simulation->boundary);
@@ -345,6 +353,9 @@ int run(Options options) {
             shading = simulation::shading_of(plan, survey, *simulation, *outcome.boundary);
             outcome.shading = &*shading;
         }
+        if (design)
+            outcome.design =
+                &view.emplace(simulation::design_view(*design, *simulation, *outcome.boundary));
         std::optional<report::PageData> page_data;
         if (play && outcome.boundary) {
             page_data = simulation::page_data(plan, survey, *simulation, *outcome.boundary,

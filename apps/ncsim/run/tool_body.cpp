@@ -7,6 +7,8 @@
 #include "ncsim/cda/hull.h"
 #include "ncsim/toolpath/tool_polytope.h"
 
+#include "run/finding_colours.h"
+
 namespace ncsim::app {
 
 namespace {
@@ -20,7 +22,10 @@ constexpr exporter::Rgba8 kHolder{118, 124, 134};
 
 }  // namespace
 
-std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpath::Pose& X_WT) {
+std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpath::Pose& X_WT,
+                                        bool is_marked) {
+    const exporter::Rgba8 cutting = is_marked ? kMarkedTool : kCutting;
+    const exporter::Rgba8 holder = is_marked ? kMarkedHolder : kHolder;
     const toolpath::Pose R_WT{X_WT.rows, {}};
     std::vector<exporter::Body> bodies;
     for (const toolpath::ToolPiece& piece : tool.pieces) {
@@ -28,7 +33,7 @@ std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpa
         const auto cell = cda::convex_hull(polytope.points_T, kLattice, cda::kStockOrigin);
         if (!cell) continue;
         exporter::Body body{cda::FlatCda().create(*cell, kLattice)->boundary(),
-                            piece.cutting ? kCutting : kHolder};
+                            piece.cutting ? cutting : holder};
         for (cda::Vec3& p : body.surface.vertices)
             p = X_WT * p;
         for (cda::BoundaryFace& face : body.surface.faces) {

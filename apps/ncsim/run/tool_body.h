@@ -12,7 +12,8 @@
 namespace ncsim::app {
 
 /// Returns a body for each piece of `tool` at pose X_WT: cutting pieces in gold, shank and holder
-/// in grey. Round shapes are within 0.02 mm.
-std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpath::Pose& X_WT);
+/// in grey; all in red if `is_marked`. Round shapes are within 0.02 mm.
+std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpath::Pose& X_WT,
+                                        bool is_marked = false);
 
 }  // namespace ncsim::app

@@ -24,8 +24,8 @@ constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
 
 // The handler may neither allocate nor lock.
 volatile sig_atomic_t received_signal = 0;
-int ends[2] = {-1, -1};
-struct sigaction before[kSignals.size()];
+int pipe_ends[2] = {-1, -1};
+struct sigaction earlier_actions[kSignals.size()];
 
 void open_pipe(int (&pipe)[2]) {
     if (::pipe2(pipe, O_CLOEXEC | O_NONBLOCK) != 0) {
@@ -41,7 +41,7 @@ void close_pipe(int (&pipe)[2]) {
 
 void restore_handlers() {
     for (std::size_t i = 0; i < kSignals.size(); ++i)
-        ::sigaction(kSignals[i], &before[i], nullptr);
+        ::sigaction(kSignals[i], &earlier_actions[i], nullptr);
 }
 
 extern "C" void note_signal(int number) {
@@ -49,19 +49,19 @@ extern "C" void note_signal(int number) {
     received_signal = number;
     restore_handlers();
     const char byte = 0;
-    (void)!::write(ends[1], &byte, 1);
+    (void)!::write(pipe_ends[1], &byte, 1);
     errno = error;
 }
 
 }  // namespace
 
 Interruption::Interruption() {
-    open_pipe(ends);
+    open_pipe(pipe_ends);
     received_signal = 0;
     for (std::size_t i = 0; i < kSignals.size(); ++i)
-        ::sigaction(kSignals[i], nullptr, &before[i]);
+        ::sigaction(kSignals[i], nullptr, &earlier_actions[i]);
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
-        if (before[i].sa_handler == SIG_IGN) continue;
+        if (earlier_actions[i].sa_handler == SIG_IGN) continue;
         struct sigaction handler {};
         handler.sa_handler = note_signal;
         ::sigemptyset(&handler.sa_mask);
@@ -73,7 +73,7 @@ Interruption::Interruption() {
 
 Interruption::~Interruption() {
     restore_handlers();
-    close_pipe(ends);
+    close_pipe(pipe_ends);
 }
 
 int Interruption::signal() {
@@ -86,7 +86,7 @@ std::string Interruption::name() {
 }
 
 int Interruption::descriptor() {
-    return ends[0];
+    return pipe_ends[0];
 }
 
 void Interruption::raise_again() {

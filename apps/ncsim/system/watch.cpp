@@ -104,7 +104,7 @@ Paths without(Paths paths, const std::vector<std::string>& outputs) {
 
 // Sets up a child process: signals have the effect of a program without --watch, and the child
 // ends with the parent.
-void set_up_child([[maybe_unused]] pid_t parent) {
+void set_up_repeated_run([[maybe_unused]] pid_t parent) {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction now {};
         ::sigaction(number, nullptr, &now);
@@ -142,7 +142,7 @@ Run run_in_child(const std::function<int()>& work) {
     const pid_t parent = ::getpid();
     const pid_t child = ::fork();
     if (child == 0) {
-        set_up_child(parent);
+        set_up_repeated_run(parent);
         ::close(ends[0]);
         setup::observe_inputs(reporter(ends[1]));
         const int code = work();

@@ -109,14 +109,14 @@ box.addEventListener("click", (event) => {
 // --- Findings ------------------------------------------------------------------------------------
 
 function showFinding(item) {
-  const [line, , point, isContact] =
-    data.findings[item.dataset.finding] || [Number(item.dataset.line), "", [], false];
+  const [line, , point, isContact, bodies] =
+    data.findings[item.dataset.finding] || [Number(item.dataset.line), "", [], false, []];
   if (line > 0) select(line);
   if (view) {
     if (point.length === 3) view.mark(point);
     if (player && line > 0 && isContact) {
       player.meet(line, point);
-      view.setAlarm(true);
+      view.setAlarm(true, bodies);
       view.showTip();
     }
   }
@@ -206,6 +206,8 @@ function cornersOfBox(lists) {
 // --- View ----------------------------------------------------------------------------------------
 
 const kPart = 1, kState = 2, kTool = 3, kFixture = 4, kDeviation = 6;
+// Fixture that the tool meets at a finding (picture.cpp).
+const kMetColour = [240, 150, 40].map((c) => c / 255);
 const kViews = {
   iso: [-Math.PI / 3, Math.PI / 5], top: [-Math.PI / 2, Math.PI / 2],
   bottom: [-Math.PI / 2, -Math.PI / 2], front: [-Math.PI / 2, 0], back: [Math.PI / 2, 0],
@@ -264,7 +266,7 @@ async function makeView(holder) {
   const fixtures = [];
   for (const body of data.fixtures || []) {
     const corners = await cornersOf(body);
-    fixtures.push({ corners, colour: body.colour.map((c) => c / 255),
+    fixtures.push({ corners, colour: body.colour.map((c) => c / 255), name: body.name,
       mesh: renderer.mesh({ corners, normals: flatNormals(corners) }) });
   }
   const tools = (play ? play.bodies : []).map((tool) => tool.pieces.map((piece) => ({
@@ -303,7 +305,7 @@ async function makeView(holder) {
   let chosen = 0, state = play ? play.states.stateMoves.length - 1 : 0;
   let moves = play ? play.lines.length : 0, tip = null;
   let section = null, segments = [], matrix = Matrix.unit(), eye = [0, 0, 0];
-  let isMachineAtRest = true, alarm = false, legendOf = -1;
+  let isMachineAtRest = true, alarm = false, met = [], legendOf = -1;
   let isDark = false, isWaiting = false, pixelRatio = 1, frames = 0;
   let isFitted = true;  // the camera is as fit() left it
 
@@ -415,8 +417,10 @@ async function makeView(holder) {
       else meshes.push({ mesh: stateMesh, kind: kState, isPart: true, isSectioned: true });
     }
     if (shown.fixtures) {
-      for (const body of fixtures)
-        meshes.push({ mesh: body.mesh, kind: kFixture, colour: body.colour, isSectioned: true });
+      for (const body of fixtures) {
+        meshes.push({ mesh: body.mesh, kind: kFixture, isSectioned: true,
+          colour: met.includes(body.name) ? kMetColour : body.colour });
+      }
     }
     if (shown.machine && machine) meshes.push(...machine.items.filter((item) => item.isShown));
     if (shown.tool && tip && !(shown.machine && machine)) {
@@ -616,8 +620,12 @@ async function makeView(holder) {
       fit();
       request();
     },
-    // Draws the tool in the colour of errors.
-    setAlarm(isOn) { alarm = isOn; request(); },
+    // Draws the tool in the colour of errors, and marks the bodies with these names.
+    setAlarm(isOn, bodies = []) {
+      alarm = isOn;
+      met = bodies;
+      request();
+    },
     setColouring(name) {
       paint.colouring = kColours.indexOf(name);
       request();

@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+#include <utility>
+
 namespace ncsim::report {
 
 namespace {
@@ -18,6 +22,21 @@ std::string text_of(const DesignFacts::Side& side, const char* what) {
 }
 
 }  // namespace
+
+std::vector<DesignPlace> largest(std::vector<DesignPlace> places, std::size_t most) {
+    std::ranges::stable_sort(places, std::greater<>(), &DesignPlace::depth_mm);
+    if (places.size() > most) places.resize(most);
+    return places;
+}
+
+std::string text_of(const DesignPlace& place) {
+    std::string text =
+        fmt::format("{} {:.4g} mm", place.is_gouge ? "gouge" : "excess", place.depth_mm);
+    if (place.line > 0) text += fmt::format(", line {}", place.line);
+    // + 0.0: no "-0".
+    return text + fmt::format(", at X{:.6g} Y{:.6g} Z{:.6g}", place.point.x + 0.0,
+                              place.point.y + 0.0, place.point.z + 0.0);
+}
 
 std::string text_of(const DesignFacts& facts) {
     std::string text = fmt::format("{} within {:g} mm", facts.path, facts.tolerance_mm);

@@ -126,6 +126,7 @@ Json deviation_json(const DeviationMesh& deviation) {
 Json body_json(const ColouredMesh& body) {
     Json json = mesh_json(body.mesh);
     json["colour"] = body.colour;
+    if (!body.name.empty()) json["name"] = body.name;
     return json;
 }
 
@@ -279,10 +280,10 @@ Json data_json(const Checked& checked, const PageData& page_data) {
     data["findings"] = Json::array();
     for (const Finding& f : checked.verdict.findings) {
         Json place = Json::array();
-        if (f.point) place = {f.point->x, f.point->y, f.point->z};
+        if (const auto point = verify::point_of(f)) place = {point->x, point->y, point->z};
         data["findings"].push_back({f.place.file == 0 ? f.place.span.line : 0,
                                     verify::name_of(f.severity), place,
-                                    f.category == verify::Category::Collision});
+                                    f.category == verify::Category::Collision, f.bodies});
     }
     if (!page_data.mesh.triangles.empty()) data["mesh"] = part_json(page_data);
     if (page_data.deviation) data["deviation"] = deviation_json(*page_data.deviation);

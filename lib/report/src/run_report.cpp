@@ -307,6 +307,9 @@ std::string summary(const RunFacts& run) {
             append(text, "simpler   {} faces instead of {}, {:.3g} mm off at most\n",
                    run.simplified->faces, run.boundary->faces.size(), run.simplified->deviation_mm);
         }
+        if (run.design) append(text, "design    {}\n", text_of(*run.design));
+        for (std::size_t i = 0; i < run.design_places.size(); ++i)
+            append(text, "          {}  {}\n", i + 1, text_of(run.design_places[i]));
         if (run.solid) text += solid_text(*run.solid);
         for (const SectionFacts& section : run.sections)
             text += section_text(section);

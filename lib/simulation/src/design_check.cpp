@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace ncsim::simulation {
@@ -154,6 +155,15 @@ Design read_design(const std::string& path, double tolerance_mm, setup::InputSet
 
 double smallest_tolerance(const Design& design) {
     return 2.0 * design.deflection_mm;
+}
+
+void require_tolerance(const Design& design) {
+    const double smallest = smallest_tolerance(design);
+    if (design.tolerance_mm >= smallest) return;
+    throw std::runtime_error(
+        fmt::format("--design-tol {:g}: '{}' is read as triangles within {:g} mm of its surfaces; "
+                    "{:g} or more",
+                    design.tolerance_mm, design.path, design.deflection_mm, smallest));
 }
 
 std::vector<Finding> compare_with(const Design& design, const Simulation& simulation,

@@ -41,7 +41,8 @@ public:
         shortest_ = kShortest * size;
         for (const Vec3& v : points_)
             values_.push_back(deviation_at(v));
-        triangles_.assign(part.triangles.begin(), part.triangles.end());
+        triangles_ = part.triangles;
+        face_ = part.face;
     }
 
     report::DeviationMesh run() {
@@ -49,7 +50,8 @@ public:
         }
         report::DeviationMesh result;
         result.mesh.vertices = std::move(points_);
-        result.mesh.triangles.assign(triangles_.begin(), triangles_.end());
+        result.mesh.triangles = std::move(triangles_);
+        result.mesh.face = std::move(face_);
         result.deviation_mm = std::move(values_);
         result.tolerance_mm = tolerance_;
         return result;
@@ -114,14 +116,17 @@ private:
         if (triangles_.size() > kManyTriangles) return false;
         bool has_halved = false;
         std::vector<Triangle> next;
-        for (const Triangle& t : triangles_) {
-            if (divide(t, next)) {
+        std::vector<std::uint32_t> face;
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            if (divide(triangles_[t], next)) {
                 has_halved = true;
             } else {
-                next.push_back(t);
+                next.push_back(triangles_[t]);
             }
+            face.resize(next.size(), face_[t]);
         }
         triangles_.swap(next);
+        face_.swap(face);
         return has_halved;
     }
 
@@ -131,6 +136,7 @@ private:
     std::vector<Vec3> points_;
     std::vector<double> values_;
     std::vector<Triangle> triangles_;
+    std::vector<std::uint32_t> face_;  // of the part, by triangle
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 

@@ -13,6 +13,7 @@ namespace ncsim::simulation {
 /// part, until the distance is linear along each edge within half of the tolerance. Places between
 /// the measured points may deviate by more.
 /// Requires: `part` and the design are not empty.
+/// Returns: a mesh with the vertices of `part` first, and with its faces.
 /// Cost: two queries of the design for each corner of the result.
 report::DeviationMesh deviation_mesh(const cda::TriangleMesh& part, const Design& design);
 

@@ -74,8 +74,7 @@ std::vector<std::string> fixtures_in_stock(const Survey& survey,
                             kDeep;
             }
         }
-        if (overlaps)
-            found.push_back(fmt::format("the fixture '{}' is inside the stock", fixture.name));
+        if (overlaps) found.push_back(name_of(fixture) + " is inside the stock");
     }
     return found;
 }

@@ -108,8 +108,9 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
     data.stock = survey.stock->box;
     for (const verify::Fixture& fixture : fixtures) {
         const exporter::Body body = body_of(fixture);
-        data.fixtures.push_back(
-            {cda::triangulate(body.surface), {body.colour.r, body.colour.g, body.colour.b}});
+        data.fixtures.push_back({cda::triangulate(body.surface),
+                                 {body.colour.r, body.colour.g, body.colour.b},
+                                 verify::name_of(fixture)});
     }
     const bool is_large = triangles_of(boundary) > kMostTriangles;
     if (is_large && !has_pictures) return data;

@@ -116,18 +116,6 @@ std::set<std::string, std::less<>> accepted_reasons(const std::vector<std::strin
     return accepted;
 }
 
-// Returns the path of rapid moves, at the machine's rates if all are specified.
-toolpath::RapidPath rapid_path(const VerificationOptions& verification_options) {
-    const verify::MachineDescription& machine = verification_options.machine.machine;
-    toolpath::RapidPath path;
-    path.dog_leg = verification_options.dog_leg;
-    const bool all_specified =
-        std::ranges::all_of(machine.rapid, [](const auto& rate) { return rate.has_value(); });
-    for (std::size_t i = 0; i < 3 && all_specified; ++i)
-        path.rates[i] = *machine.rapid[i];
-    return path;
-}
-
 verify::Setup setup_for(const Plan& plan, const Survey& survey,
                         const VerificationOptions& verification_options) {
     verify::Setup setup;
@@ -298,6 +286,17 @@ std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile&
 void add_fixtures(VerificationOptions& verification_options, const setup::Job& job) {
     if (!add_fixtures(verification_options.machine, job)) return;
     verification_options.bodies = bodies_of(verification_options.machine);
+}
+
+toolpath::RapidPath rapid_path(const VerificationOptions& verification_options) {
+    const verify::MachineDescription& machine = verification_options.machine.machine;
+    toolpath::RapidPath path;
+    path.dog_leg = verification_options.dog_leg;
+    const bool all_specified =
+        std::ranges::all_of(machine.rapid, [](const auto& rate) { return rate.has_value(); });
+    for (std::size_t i = 0; i < 3 && all_specified; ++i)
+        path.rates[i] = *machine.rapid[i];
+    return path;
 }
 
 std::string reasons_of(const std::vector<std::string>& assumptions) {

@@ -116,6 +116,8 @@ public:
           verifier_(verification.verifier),
           most_cuts_(verification.most_cuts),
           only_motion_(verification.only_motion),
+          nearest_to_(verification.nearest_to),
+          last_removes_nothing_(verification.last_removes_nothing),
           most_steps_(verification.most_steps.value_or(std::numeric_limits<std::uint64_t>::max())),
           shows_path_(plan.keep_paths),
           measured_(verifier_ && verifier_->measures_all()),
@@ -171,6 +173,7 @@ public:
                 follow(motion, step);
                 is_near_stock_ |= step.is_near;
                 if (verifier) verifier->before_cut(step, *result_.part);
+                if (last_removes_nothing_ && motions_ == most_motions_) return;
                 const double removed = cut(step, origin);
                 if (play_) play_->add_step(step);
                 if (verifier) verifier->after_cut(step, *result_.part, removed);
@@ -242,8 +245,28 @@ private:
         if (keep_cuts_) result_.cuts.resize(provenance.entries.size());
     }
 
+    // Sets the position of the tool to the pose of the step that is nearest to the point.
+    void approach(const gcode::Motion& motion, const toolpath::Step& step) {
+        if (approached_ != motions_) nearest_mm_ = std::numeric_limits<double>::infinity();
+        approached_ = motions_;
+        constexpr int kPoses = 32;
+        for (int i = 0; i <= kPoses; ++i) {
+            const double t = static_cast<double>(i) / kPoses;
+            toolpath::Pose pose = t < 0.5 ? step.X_WA : step.X_WB;
+            pose.translation = (1.0 - t) * step.X_WA.translation + t * step.X_WB.translation;
+            const double distance = norm(pose.translation - *nearest_to_);
+            if (distance >= nearest_mm_) continue;
+            nearest_mm_ = distance;
+            result_.tool_position = {motion.tool, pose};
+        }
+    }
+
     void follow(const gcode::Motion& motion, const toolpath::Step& step) {
-        result_.tool_position = {motion.tool, step.X_WB};
+        if (nearest_to_) {
+            approach(motion, step);
+        } else {
+            result_.tool_position = {motion.tool, step.X_WB};
+        }
         if (!shows_path_) return;
         const bool is_rapid = motion.kind == gcode::MoveKind::Rapid;
         auto& paths = result_.paths;
@@ -368,6 +391,10 @@ private:
     verify::Verifier* verifier_;
     std::optional<std::uint32_t> most_cuts_;
     std::optional<std::uint64_t> only_motion_;
+    std::optional<cda::Vec3> nearest_to_;
+    bool last_removes_nothing_;
+    std::uint64_t approached_ = 0;  // motion to which nearest_mm_ belongs
+    double nearest_mm_ = 0.0;
     std::uint64_t most_steps_;
     std::uint64_t motions_ = 0;
     std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();

@@ -140,7 +140,9 @@ void FindingLog::add(std::string_view rule, const Move& move, Occurrence s) {
     const std::uint64_t print = print_of(s);
     f.quantity = std::move(s.quantity);
     f.point = s.point;
-    f.box = s.box;
+    f.box = f.first_box = s.box;
+    f.bodies = std::move(s.bodies);
+    f.joints = s.joints;
     if (!s.hint.empty()) f.hint = std::move(s.hint);
     f.assumptions = std::move(s.assumptions);
     if (store(std::move(f))) rows_[std::move(key)] = {findings_.size() - 1, print};

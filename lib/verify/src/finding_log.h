@@ -32,6 +32,8 @@ struct Occurrence {
     std::vector<std::string_view> rests_on = {};
     std::optional<cda::Vec3> point = std::nullopt;
     cda::Box box = {};
+    std::vector<std::string> bodies = {};                  ///< As in Finding.
+    std::optional<machine::Values> joints = std::nullopt;  ///< As in Finding.
     std::vector<std::string> assumptions = {};
     std::string hint = {};  ///< Replaces the remedy of the rule.
 };

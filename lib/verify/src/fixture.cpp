@@ -35,6 +35,10 @@ Cell cell_of(const Box& box, const cda::Lattice& lattice) {
 
 }  // namespace
 
+std::string name_of(const Fixture& fixture) {
+    return "the fixture '" + fixture.name + "'";
+}
+
 Box Fixture::place() const {
     return grow_box(box, clearance_mm + deflection_mm);
 }

@@ -40,7 +40,7 @@ MachineBodies::MachineBodies(LinkBodies specified) : specified_(std::move(specif
         links_.push_back(add("the link '" + link.name + "'", link));
     // Only checks the meshes: positions of fixtures differ between programs, the pieces do not.
     for (const Fixture& fixture : specified_.fixtures)
-        add("the fixture '" + fixture.name + "'", fixture);
+        add(name_of(fixture), fixture);
 }
 
 MachineBodies::~MachineBodies() = default;

@@ -122,8 +122,8 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
     }
     for (const Fixture& fixture : setup.machine.fixtures) {
         fixtures_.push_back(std::make_unique<const RigidBody>(body_of(fixture, zero_)));
-        add({fixture.name, fmt::format("the fixture '{}'", fixture.name), specified.part_moved_by,
-             fixtures_.back().get(), fixture.clearance_mm, false, false, false,
+        add({fixture.name, name_of(fixture), specified.part_moved_by, fixtures_.back().get(),
+             fixture.clearance_mm, false, false, false,
              reason_for_hull(fixture.mesh, fixture.as_hull)});
     }
     // Then the links fixed to the part, finally the links fixed to the tool.

@@ -62,7 +62,7 @@ std::optional<std::string> body_below_path(const Setup& setup, const Move& move,
     };
     if (setup.stock && meets(*setup.stock)) return "the stock";
     for (const Fixture& fixture : setup.machine.fixtures) {
-        if (meets(fixture.place())) return fmt::format("the fixture '{}'", fixture.name);
+        if (meets(fixture.place())) return name_of(fixture);
     }
     return std::nullopt;
 }

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ncsim::exporter {
 
@@ -34,14 +36,6 @@ SheetColours sheet_colours(Background background) {
     return {{30, 33, 38, 255}, {216, 220, 226, 255}, {70, 75, 83, 255}};
 }
 
-std::uint32_t columns_for(std::size_t pictures) {
-    if (pictures <= 3) return static_cast<std::uint32_t>(pictures);
-    std::uint32_t columns = 2;
-    while (std::size_t{columns} * columns < pictures)
-        ++columns;
-    return columns;
-}
-
 // Returns the height of capitals in a line: `wanted`, or less if the line would not fit.
 double line_height(const std::string& line, std::uint64_t width, double margin, double wanted) {
     const double room = std::max(0.0, static_cast<double>(width) - 2.0 * margin);
@@ -55,32 +49,71 @@ void paste(Image& sheet, const Image& picture, std::uint32_t left, std::uint32_t
     }
 }
 
+// Cells of a sheet, in pixels.
+struct Grid {
+    std::uint32_t width = 0;   // of a column
+    std::uint32_t height = 0;  // of the highest row
+    std::uint32_t columns = 0;
+    std::vector<std::uint32_t> tops;  // of the rows, and the end of the last row
+};
+
+Grid grid_of(std::span<const LabelledImage> pictures, std::span<const SheetCell> cells) {
+    if (pictures.empty()) throw std::runtime_error("cannot make a sheet of no pictures");
+    Grid grid;
+    grid.width = pictures[0].picture.width;
+    std::vector<std::uint32_t> heights;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const Image& picture = pictures[i].picture;
+        const auto [column, row] = cells[i];
+        grid.columns = std::max(grid.columns, column + 1);
+        if (row >= heights.size()) heights.resize(row + 1, 0);
+        if (picture.pixels.empty() || picture.width != grid.width ||
+            (heights[row] != 0 && heights[row] != picture.height))
+            throw std::runtime_error("cannot make a sheet of pictures of different sizes");
+        heights[row] = picture.height;
+    }
+    grid.tops.push_back(0);
+    for (const std::uint32_t height : heights) {
+        grid.height = std::max(grid.height, height);
+        grid.tops.push_back(grid.tops.back() + height);
+    }
+    return grid;
+}
+
 }  // namespace
+
+std::uint32_t columns_for(std::size_t pictures) {
+    if (pictures <= 3) return static_cast<std::uint32_t>(pictures);
+    std::uint32_t columns = 2;
+    while (std::size_t{columns} * columns < pictures)
+        ++columns;
+    return columns;
+}
 
 Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std::string> caption,
                     Background background) {
-    if (pictures.empty()) throw std::runtime_error("cannot make a sheet of no pictures");
-    const std::uint32_t width = pictures[0].picture.width;
-    const std::uint32_t height = pictures[0].picture.height;
-    for (const LabelledImage& one : pictures) {
-        if (one.picture.width != width || one.picture.height != height ||
-            one.picture.pixels.empty()) {
-            throw std::runtime_error("cannot make a sheet of pictures of different sizes");
-        }
-    }
     const std::uint32_t columns = columns_for(pictures.size());
-    const auto rows = static_cast<std::uint32_t>((pictures.size() + columns - 1) / columns);
+    std::vector<SheetCell> cells;
+    for (std::uint32_t i = 0; i < pictures.size(); ++i)
+        cells.push_back({i % columns, i / columns});
+    return contact_sheet(pictures, cells, caption, background);
+}
+
+Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const SheetCell> cells,
+                    std::span<const std::string> caption, Background background) {
+    const Grid grid = grid_of(pictures, cells);
+    const std::uint32_t rows_end = grid.tops.back();
     // The space for the caption does not depend on its text, so all frames of a film have the same
     // size.
-    const double capitals = std::max(kLeastHeight, kCaptionHeight * height);
+    const double capitals = std::max(kLeastHeight, kCaptionHeight * grid.height);
     const double margin = caption.empty() ? 0.0 : kLineSpacing * capitals;
     const double text_height =
         caption.empty()
             ? 0.0
             : 2.0 * margin + kLineSpacing * capitals * static_cast<double>(caption.size() - 1);
-    const std::uint64_t sheet_width = std::uint64_t{width} * columns;
+    const std::uint64_t sheet_width = std::uint64_t{grid.width} * grid.columns;
     const std::uint64_t sheet_height =
-        std::uint64_t{height} * rows + static_cast<std::uint64_t>(std::ceil(text_height));
+        rows_end + 2 * static_cast<std::uint64_t>(std::ceil(0.5 * text_height));
     if (sheet_width > kMaxImageSide || sheet_height > kMaxImageSide) {
         throw std::runtime_error("the sheet would have " + std::to_string(sheet_width) + " by " +
                                  std::to_string(sheet_height) + " pixels, more than " +
@@ -91,17 +124,16 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std
     Image sheet{
         static_cast<std::uint32_t>(sheet_width), static_cast<std::uint32_t>(sheet_height), {}};
     sheet.pixels.assign(std::size_t{sheet.width} * sheet.height, colours.background);
-    const double label = std::max(kLeastHeight, kLabelHeight * height);
+    const double label = std::max(kLeastHeight, kLabelHeight * grid.height);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const auto column = static_cast<std::uint32_t>(i % columns);
-        const auto row = static_cast<std::uint32_t>(i / columns);
-        paste(sheet, pictures[i].picture, column * width, row * height);
-        draw_text(sheet, column * width + 1.5 * label, row * height + 2.5 * label, label,
-                  colours.text, pictures[i].label);
+        const std::uint32_t left = cells[i].column * grid.width, top = grid.tops[cells[i].row];
+        paste(sheet, pictures[i].picture, left, top);
+        draw_text(sheet, left + 1.5 * label, top + 2.5 * label, label, colours.text,
+                  pictures[i].label);
     }
     if (caption.empty()) return sheet;
-    std::fill_n(&sheet.at(0, rows * height), sheet.width, colours.rule);
-    double base_line = rows * height + margin + 0.5 * capitals;
+    std::fill_n(&sheet.at(0, rows_end), sheet.width, colours.rule);
+    double base_line = rows_end + margin + 0.5 * capitals;
     const double left = kCaptionMargin * capitals;
     for (const std::string& line : caption) {
         draw_text(sheet, left, base_line, line_height(line, sheet_width, left, capitals),
@@ -109,6 +141,26 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std
         base_line += kLineSpacing * capitals;
     }
     return sheet;
+}
+
+std::vector<std::string> wrapped(const std::string& line, std::uint32_t width,
+                                 std::uint32_t height) {
+    const double capitals = std::max(kLeastHeight, kCaptionHeight * height);
+    const double room = width - 2.0 * kCaptionMargin * capitals;
+    std::vector<std::string> lines{""};
+    for (std::size_t begin = 0; begin < line.size();) {
+        // A word with the spaces before it.
+        std::size_t end = line.find(' ', line.find_first_not_of(' ', begin));
+        end = std::min(end, line.size());
+        std::string longer = lines.back() + line.substr(begin, end - begin);
+        if (!lines.back().empty() && text_width(capitals, longer) > room) {
+            lines.push_back(line.substr(line.find_first_not_of(' ', begin), end - begin - 1));
+        } else {
+            lines.back() = std::move(longer);
+        }
+        begin = end;
+    }
+    return lines;
 }
 
 }  // namespace ncsim::exporter

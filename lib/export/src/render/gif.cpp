@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writes each frame in three steps:
-//  1. Find the rectangle in which the frame differs from the frame before.
+//  1. Find the rectangle in which the frame differs from the frame before (changed_region()).
 //  2. Collect the colours of the changed pixels; reduce more than 255 colours by median cut.
 //  3. Write the rectangle, with unchanged pixels transparent.
 // Source: Heckbert, Color Image Quantization for Frame Buffer Display, 1982.
 #include "ncsim/export/gif.h"
+
+#include "render/frame_change.h"
 
 #include <gif_lib.h>
 
@@ -40,24 +42,6 @@ struct Colour {
     std::uint64_t count = 0;
     GifByteType index = 0;
 };
-
-struct Rectangle {
-    std::uint32_t left = 0, top = 0, right = 0, bottom = 0;  // `right` and `bottom` are exclusive
-};
-
-// Step 1. Returns a rectangle of one pixel if the frames are equal, because a frame must not be
-// empty.
-Rectangle difference(const Image& a, const Image& b) {
-    Rectangle r{a.width, a.height, 0, 0};
-    for (std::uint32_t y = 0; y < a.height; ++y) {
-        for (std::uint32_t x = 0; x < a.width; ++x) {
-            if (a.at(x, y) == b.at(x, y)) continue;
-            r = {std::min(r.left, x), std::min(r.top, y), std::max(r.right, x + 1),
-                 std::max(r.bottom, y + 1)};
-        }
-    }
-    return r.right == 0 ? Rectangle{0, 0, 1, 1} : r;
-}
 
 // Colours that share an entry of the palette.
 struct Box {
@@ -189,7 +173,7 @@ struct GifWriter::State {
 
     // Step 3. `is_new` is true for pixels that differ from the frame before.
     template <typename IsNew>
-    void put(const Image& frame, const Rectangle& r, int hundredths, IsNew is_new) const {
+    void put(const Image& frame, const FrameRegion& r, int hundredths, IsNew is_new) const {
         std::vector<Rgb> changed;
         for (std::uint32_t y = r.top; y < r.bottom; ++y) {
             for (std::uint32_t x = r.left; x < r.right; ++x) {
@@ -246,7 +230,7 @@ void GifWriter::add(const Image& frame, int hundredths) {
             fail("its frames differ in size");
         }
         state_->put(
-            frame, difference(last, frame), hundredths,
+            frame, changed_region(last, frame), hundredths,
             [&](std::uint32_t x, std::uint32_t y) { return frame.at(x, y) != last.at(x, y); });
     }
     state_->last = frame;

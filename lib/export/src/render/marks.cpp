@@ -30,6 +30,7 @@ constexpr double kStripMargin = 0.16;
 // Largest length of the scale bar, as a share of the width of the picture.
 constexpr double kBar = 0.16;
 
+constexpr Rgba8 kPlace{196, 24, 92};
 constexpr std::array kAxisColours{Rgba8{204, 52, 44}, Rgba8{40, 140, 60}, Rgba8{46, 96, 214}};
 
 Rgba8 text_colour(Background background) {
@@ -50,12 +51,13 @@ double round_length(double limit) {
 
 class MarkPainter {
 public:
-    MarkPainter(Image& image, const Camera& camera, Background background)
+    MarkPainter(Image& image, const Camera& camera, Background background, double strip_rows)
         : image_(image),
           camera_(camera),
           text_(text_colour(background)),
           halo_(halo_colour(background)),
-          strip_(mark_strip(image.width, image.height) * image.height),
+          strip_(strip_rows > 0.0 ? strip_rows
+                                  : mark_strip(image.width, image.height) * image.height),
           letter_(kLetter * strip_),
           line_(0.14 * letter_) {}
 
@@ -90,14 +92,26 @@ public:
     }
 
     void zero() {
-        const double pixel = camera_.height / image_.height;  // mm
-        const Vec3 from_target = (-1.0) * camera_.target;
-        const PixelPoint at{0.5 * image_.width + cda::dot(from_target, camera_.right) / pixel,
-                            0.5 * image_.height - cda::dot(from_target, camera_.up) / pixel};
+        const PixelPoint at = pixel_of({});
         const double radius = 0.75 * letter_;
         circle(at, radius, 2.6 * line_, halo_);
         quarters(at, radius);
         circle(at, radius, line_, text_);
+    }
+
+    // Draws a ring around the place, and the text in a disc at the ring.
+    void place(const MarkedPlace& marked) {
+        const PixelPoint at = pixel_of(marked.point);
+        const double radius = letter_;
+        circle(at, radius, 3.2 * line_, halo_);
+        circle(at, radius, 1.6 * line_, kPlace);
+        if (marked.text.empty()) return;
+        const double width = text_width(letter_, marked.text);
+        const PixelPoint label{at.x + radius + 0.5 * width + 0.5 * letter_, at.y - radius};
+        draw_stroke(image_, {label.x - 0.5 * width, label.y}, {label.x + 0.5 * width, label.y},
+                    1.8 * letter_, kPlace);
+        draw_text(image_, label.x - 0.5 * width + 0.1 * letter_, label.y + 0.5 * letter_, letter_,
+                  Rgba8{255, 255, 255}, marked.text);
     }
 
     void scale(const Marks& marks) {
@@ -109,7 +123,8 @@ public:
         const std::string size = fmt::format("{:.4g} x {:.4g} x {:.4g} {}", marks.size.x,
                                              marks.size.y, marks.size.z, marks.unit);
         const double top = base - 2.0 * letter_;
-        write_to_the_left(right, is_parallel ? top - 1.2 * letter_ : base, size);
+        if (marks.has_size)
+            write_to_the_left(right, is_parallel ? top - 1.2 * letter_ : base, size);
         if (!is_parallel) return;
         const double shown =
             round_length(kBar * camera_.height * image_.width / image_.height / marks.mm_per_unit);
@@ -158,17 +173,49 @@ public:
         const double room = right_of_legend() - x - letter_ - text_width(letter_, marks.scale_end);
         const double length = std::min(room, 0.25 * image_.width);
         if (length < letter_) return;
-        constexpr int kSteps = 64;
-        for (int i = 0; i < kSteps; ++i) {
-            const double a = x + length * i / kSteps;
-            draw_stroke(image_, {a, base}, {a + length / kSteps, base}, letter_,
-                        to_srgb(scale_colour((i + 0.5) / kSteps)));
+        const std::vector<Rgba8> colours =
+            marks.scale_colours.empty() ? usual_colours() : marks.scale_colours;
+        const double step = length / static_cast<double>(colours.size());
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            const double a = x + step * static_cast<double>(i);
+            draw_stroke(image_, {a, base}, {a + step, base}, letter_, colours[i]);
         }
+        bars(marks.scale_bars, x, length, base - letter_);
+        draw_text(image_, x + 0.5 * (length - text_width(letter_, marks.scale_middle)),
+                  base + 2.2 * letter_, letter_, text_, marks.scale_middle);
         draw_text(image_, x + length + letter_, base + 0.5 * letter_, letter_, text_,
                   marks.scale_end);
     }
 
 private:
+    static std::vector<Rgba8> usual_colours() {
+        constexpr int kSteps = 64;
+        std::vector<Rgba8> colours;
+        for (int i = 0; i < kSteps; ++i)
+            colours.push_back(to_srgb(scale_colour((i + 0.5) / kSteps)));
+        return colours;
+    }
+
+    // Draws a bar for each height, from `base` up.
+    void bars(const std::vector<double>& heights, double left, double length, double base) {
+        const double step = length / static_cast<double>(std::max<std::size_t>(1, heights.size()));
+        const double highest = 0.5 * strip_ - 2.0 * letter_;
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            if (!(heights[i] > 0.0)) continue;
+            const double x = left + step * (static_cast<double>(i) + 0.5);
+            const double height = std::max(1.0, highest * heights[i]);
+            draw_stroke(image_, {x, base}, {x, base - height}, std::max(1.0, 0.6 * step), text_);
+        }
+    }
+
+    // Returns the pixel that shows a point of W.
+    PixelPoint pixel_of(Vec3 p_W) const {
+        const double pixel = camera_.height / image_.height;  // mm
+        const Vec3 from_target = p_W - camera_.target;
+        return {0.5 * image_.width + cda::dot(from_target, camera_.right) / pixel,
+                0.5 * image_.height - cda::dot(from_target, camera_.up) / pixel};
+    }
+
     double left_of_legend() const { return (2.0 * kStripMargin + 0.9) * strip_; }
     double right_of_legend() const {
         return (1.0 - kBar) * image_.width - 2.0 * kStripMargin * strip_;
@@ -245,11 +292,24 @@ std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const Provenance& prov
     return colours;
 }
 
+std::vector<Rgba8> distance_colours(const DesignDistances& distances, std::size_t count) {
+    std::vector<Rgba8> colours;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+        colours.push_back(to_srgb(distance_colour(distances.largest_mm * (2.0 * share - 1.0),
+                                                  distances.tolerance_mm, distances.largest_mm)));
+    }
+    return colours;
+}
+
 void draw_marks(Image& image, const Camera& camera, Background background, const Marks& marks) {
-    if (image.width < kLeastMarkedSide || image.height < kLeastMarkedSide) return;
+    const bool is_small = image.width < kLeastMarkedSide || image.height < kLeastMarkedSide;
+    if (is_small && !(marks.strip_rows > 0.0)) return;
     if (!camera.is_orthographic()) return;
-    MarkPainter painter(image, camera, background);
+    MarkPainter painter(image, camera, background, marks.strip_rows);
     if (marks.zero) painter.zero();
+    for (const MarkedPlace& marked : marks.places)
+        painter.place(marked);
     if (marks.axes) painter.axes();
     if (marks.scale) painter.scale(marks);
     if (!marks.legend.empty()) painter.legend(marks);

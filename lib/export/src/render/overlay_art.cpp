@@ -6,6 +6,9 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/trig/angles.h"
 
+#include "mesh/open_mesh.h"
+#include "render/cut_surface.h"
+#include "render/line_scale.h"
 #include "render/palette.h"
 
 #include <algorithm>
@@ -17,11 +20,10 @@ namespace {
 
 using cda::Vec3;
 
-// In pixels of a picture with 960 rows; lines scale with larger pictures.
+// In pixels of a picture with 960 rows (line_scale()).
 constexpr double kLineWidth = 1.6;
 constexpr double kDash = 9.0;
 constexpr double kGap = 6.0;
-constexpr double kUsualHeight = 960.0;
 
 constexpr Rgba8 kFeedOnWhite{22, 62, 138};
 constexpr Rgba8 kRapidOnWhite{200, 44, 40};
@@ -52,7 +54,7 @@ Surface line_surface(Rgba8 colour) {
 
 OverlayArt::OverlayArt(const ScreenMap& map, const Overlay& overlay, const RenderOptions& options)
     : map_(map),
-      pixel_(options.samples * std::max(0.5, options.height / kUsualHeight)),
+      pixel_(line_scale(options)),
       half_width_(0.5 * kLineWidth * pixel_),
       lift_((4.0 * half_width_ * map.sample_size()) * options.camera.back) {
     const bool is_white = options.background == Background::White;
@@ -60,7 +62,7 @@ OverlayArt::OverlayArt(const ScreenMap& map, const Overlay& overlay, const Rende
     surfaces_.push_back(line_surface(is_white ? kRapidOnWhite : kRapidOnDark));
     surfaces_.push_back(line_surface(is_white ? kGhostOnWhite : kGhostOnDark));
     for (const Body& body : overlay.bodies)
-        add_body(body);
+        add_body(body, options);
     for (const PathLine& path : overlay.paths)
         add_path(path, path.is_rapid ? 1 : 0);
     for (const Ghost& ghost : overlay.ghosts)
@@ -131,18 +133,25 @@ void OverlayArt::add_stroke(const ScreenPoint& a, const ScreenPoint& b, double o
                        surface});
 }
 
-void OverlayArt::add_body(const Body& body) {
-    const cda::TriangleMesh mesh = cda::triangulate(body.surface);
+void OverlayArt::add_body(const Body& body, const RenderOptions& options) {
+    cda::TriangleMesh mesh = cda::triangulate(body.surface);
     const std::size_t first = surfaces_.size();
     for (const cda::BoundaryFace& face : body.surface.faces) {
         const Vec3 n_C = map_.direction_in_camera(face.normal);
         const Vec3 point = map_.point_in_camera(body.surface.vertices[face.loops[0][0]]);
-        surfaces_.push_back({n_C, cda::dot(n_C, point), to_linear(body.colour), false, false});
+        surfaces_.push_back({n_C, cda::dot(n_C, point), to_linear(body.colour)});
+    }
+    if (body.is_cut && options.cut) {
+        const CutPlane& cut = *options.cut;
+        const auto faces = static_cast<std::uint32_t>(body.surface.faces.size());
+        mesh = open_mesh(mesh, faces, cut).mesh;
+        surfaces_.push_back(cut_surface(map_, cut, to_linear(body.colour), Pattern::BodyHatch));
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
-        const cda::BoundaryFace& face = body.surface.faces[mesh.face[t]];
-        if (!faces_camera(map_.camera(), face.normal, mesh.vertices[a])) continue;
+        const bool is_old = mesh.face[t] < body.surface.faces.size();
+        const Vec3 normal = is_old ? body.surface.faces[mesh.face[t]].normal : options.cut->normal;
+        if (!faces_camera(map_.camera(), normal, mesh.vertices[a])) continue;
         pieces_.push_back(
             {{map_(mesh.vertices[a]), map_(mesh.vertices[b]), map_(mesh.vertices[c]), {}},
              3,

@@ -37,7 +37,7 @@ private:
     void add_ghost(const Ghost& ghost);
     void add_stroke(const ScreenPoint& a, const ScreenPoint& b, double overhang,
                     std::size_t surface);
-    void add_body(const Body& body);
+    void add_body(const Body& body, const RenderOptions& options);
 
     const ScreenMap& map_;
     double pixel_;       // samples per pixel, larger in large pictures

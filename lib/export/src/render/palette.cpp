@@ -28,6 +28,11 @@ constexpr Rgba8 kUnnumberedColour{164, 122, 90};
 constexpr std::array<Rgba8, 5> kScale{
     {{248, 222, 112}, {122, 200, 122}, {52, 152, 156}, {62, 96, 160}, {78, 48, 118}}};
 
+constexpr Rgba8 kWithin{132, 190, 140};
+// Slight and large distances.
+constexpr Rgba8 kSlightGouge{246, 168, 110}, kDeepGouge{170, 12, 30};
+constexpr Rgba8 kSlightExcess{146, 196, 240}, kThickExcess{18, 62, 156};
+
 float to_linear(std::uint8_t channel) {
     const float c = static_cast<float>(channel) / 255.0F;
     return c * c;
@@ -69,6 +74,16 @@ LinearColour scale_colour(double t) {
     const auto below = std::min(static_cast<std::size_t>(position), kScale.size() - 2);
     const auto share = static_cast<float>(position - static_cast<double>(below));
     return (1.0F - share) * to_linear(kScale[below]) + share * to_linear(kScale[below + 1]);
+}
+
+LinearColour distance_colour(double mm, double tolerance, double largest) {
+    const double size = std::abs(mm);
+    if (size <= tolerance) return to_linear(kWithin);
+    const double t = std::clamp((size - tolerance) / (largest - tolerance), 0.0, 1.0);
+    const auto share = static_cast<float>(largest > tolerance ? t : 1.0);
+    const LinearColour from = to_linear(mm < 0.0 ? kSlightGouge : kSlightExcess);
+    const LinearColour to = to_linear(mm < 0.0 ? kDeepGouge : kThickExcess);
+    return (1.0F - share) * from + share * to;
 }
 
 std::string FaceSource::name() const {

@@ -48,6 +48,11 @@ double linear_share(std::uint8_t channel);
 /// the order is visible without hues. `t` is clamped to [0, 1].
 LinearColour scale_colour(double t);
 
+/// Returns the colour of a distance (mm) from the design: green up to `tolerance`, yellow to red
+/// where the part is cut into the design (negative), light to dark blue where material is left.
+/// The colours end at `largest`.
+LinearColour distance_colour(double mm, double tolerance, double largest);
+
 /// The tool that cut a face, or the stock.
 struct FaceSource {
     bool is_tool = false;    ///< False: an uncut face of the stock.

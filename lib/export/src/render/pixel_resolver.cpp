@@ -4,6 +4,7 @@
 #include "render/pixel_resolver.h"
 
 #include "render/crease.h"
+#include "render/line_scale.h"
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,12 @@ constexpr float kSilhouetteInk = 0.75F;
 constexpr float kCreaseInk = 0.5F;
 constexpr Rgba8 kInk{24, 28, 34};
 
+// Distance and width of the lines of a cut, in pixels of a picture with 960 rows (line_scale());
+// share of ink.
+constexpr double kHatchPeriod = 13.0;
+constexpr double kHatchWidth = 1.4;
+constexpr double kHatchInk = 0.6;
+
 constexpr Rgba8 kWhite{255, 255, 255};
 constexpr Rgba8 kDark{30, 33, 38};
 
@@ -60,9 +67,28 @@ Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const Sur
       options_(options),
       surfaces_(table.surfaces),
       bends_(table.bends),
+      ramps_(table.ramps),
       ink_colour_(to_linear(kInk)) {
     lit_.push_back(colour_of(options.background));
     plain_.push_back(mean_of(lit_.back()));
+    if (options.cut) prepare_hatches(*options.cut);
+}
+
+void Resolver::prepare_hatches(const CutPlane& cut) {
+    const Vec3 n = map_.direction_in_camera(cut.normal);
+    int axis = 0;
+    while (axis < 2 && std::abs(cut.normal[axis]) < 0.5)
+        ++axis;
+    Vec3 u, v;
+    u[axis == 0 ? 1 : 0] = v[axis == 2 ? 1 : 2] = 1.0;
+    const auto hatch = [&](Vec3 across) {
+        const Vec3 d = map_.direction_in_camera(cda::normalized(across));
+        // The depth of the plane changes across the picture, too.
+        const double along_x = d.x - d.z * n.x / n.z, along_y = d.y - d.z * n.y / n.z;
+        return Hatch{d, std::sqrt(along_x * along_x + along_y * along_y)};
+    };
+    part_hatch_ = hatch(u - v);
+    body_hatch_ = hatch(u + v);
 }
 
 Resolver::Lighting Resolver::lighting(Vec3 n_C) {
@@ -90,24 +116,57 @@ void Resolver::light_new_surfaces() {
 LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
     if (id == kBackground) return lit_[id];
     const Surface& surface = surfaces_[id - 1];
-    if (!surface.by_depth && surface.bend == 0) return lit_[id];
+    if (surface.pattern == Pattern::Plain && surface.bend == 0) return lit_[id];
     const double depth = depth_at(surface, x, y);
+    LinearColour colour = surface.colour;
+    switch (surface.pattern) {
+        case Pattern::Plain: break;
+        case Pattern::Depth: {
+            const Camera& camera = map_.camera();
+            const Vec3 p = point_at(x, y, depth);
+            const double z_W =
+                camera.target.z + p.x * camera.right.z + p.y * camera.up.z + p.z * camera.back.z;
+            colour = scale_colour((options_.depth_top - z_W) /
+                                  (options_.depth_top - options_.depth_bottom));
+            break;
+        }
+        case Pattern::Distance:
+            colour =
+                distance_colour(ramps_[surface.ramp].value_at(point_at(x, y, depth)),
+                                options_.distances->tolerance_mm, options_.distances->largest_mm);
+            break;
+        case Pattern::PartHatch:
+        case Pattern::BodyHatch: return hatched(surface, point_at(x, y, depth));
+    }
     const Lighting light = lighting(normal_at(surface, x, y, depth));
-    if (!surface.by_depth) return light.diffuse * surface.colour + light.sheen * kWhiteLight;
+    return light.diffuse * colour + light.sheen * kWhiteLight;
+}
+
+// Returns the colour of a point of a cut: the surface's, with parallel lines.
+LinearColour Resolver::hatched(const Surface& surface, Vec3 p_C) const {
+    const Hatch& hatch = surface.pattern == Pattern::PartHatch ? part_hatch_ : body_hatch_;
+    const double h = map_.sample_size(), pixel = line_scale(options_);
+    const double across = cda::dot(hatch.across_C, p_C);
+    const double period = kHatchPeriod * pixel * h;
+    const double from_line = std::abs(across - period * std::round(across / period));
+    // In samples of the picture.
+    const double covered = 0.5 + 0.5 * kHatchWidth * pixel - from_line / (hatch.slope * h);
+    const auto ink = static_cast<float>(kHatchInk * std::clamp(covered, 0.0, 1.0));
+    return (1.0F - ink) * surface.colour + ink * ink_colour_;
+}
+
+// Returns the point at (x, y) and `depth` in the camera frame. (x, y) is in mm at the target, from
+// the centre of the picture.
+Vec3 Resolver::point_at(double x, double y, double depth) const {
     const Camera& camera = map_.camera();
     const double scale = camera.is_orthographic() ? 1.0 : 1.0 - depth / camera.distance;
-    const double z_W =
-        camera.target.z + scale * (x * camera.right.z + y * camera.up.z) + depth * camera.back.z;
-    const double t = (options_.depth_top - z_W) / (options_.depth_top - options_.depth_bottom);
-    return light.diffuse * scale_colour(t) + light.sheen * kWhiteLight;
+    return {scale * x, scale * y, depth};
 }
 
 // Returns the normal at (x, y) and `depth`, in mm from the centre of the picture.
 Vec3 Resolver::normal_at(const Surface& surface, double x, double y, double depth) const {
     if (surface.bend == 0) return surface.n_C;
-    const Camera& camera = map_.camera();
-    const double scale = camera.is_orthographic() ? 1.0 : 1.0 - depth / camera.distance;
-    return bends_[surface.bend - 1].normal_at({scale * x, scale * y, depth});
+    return bends_[surface.bend - 1].normal_at(point_at(x, y, depth));
 }
 
 // Returns the depth at which the line of sight through (x, y) meets the plane of the surface: z in
@@ -135,6 +194,10 @@ bool Resolver::is_round(SurfaceId id) const {
 
 bool Resolver::is_line(SurfaceId id) const {
     return id != kBackground && surfaces_[id - 1].is_line;
+}
+
+bool Resolver::has_pattern(SurfaceId id) const {
+    return id != kBackground && surfaces_[id - 1].pattern != Pattern::Plain;
 }
 
 // Returns the strength of the line between two adjacent samples that see `a` and `b`; (x, y) is the
@@ -232,8 +295,8 @@ LinearColour Resolver::colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint3
                      -h * (samples * (y + 0.5 - 0.5 * options_.height)));
 }
 
-// Returns pixel (x, y) of the picture, whose samples all see the surface. The surface must not be
-// coloured by depth.
+// Returns pixel (x, y) of the picture, whose samples all see the surface. The surface must not
+// have a pattern.
 Rgba8 Resolver::uniform_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
     return is_round(id) ? mean_of(colour_of_pixel(id, x, y)) : plain_[id];
 }
@@ -264,8 +327,7 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
     return to_srgb((1.0F / static_cast<float>(samples * samples)) * sum);
 }
 
-// True if all samples of a pixel see the same surface, without lines, and its colour does not
-// depend on depth.
+// True if all samples of a pixel see the same surface, without lines and without a pattern.
 bool Resolver::is_uniform(std::size_t first) const {
     const SurfaceId id = ids_[first];
     for (std::uint32_t row = 0; row < options_.samples; ++row) {
@@ -274,12 +336,12 @@ bool Resolver::is_uniform(std::size_t first) const {
             if (ids_[i] != id || ink_[i] != 0.0F) return false;
         }
     }
-    return id == kBackground || !surfaces_[id - 1].by_depth;
+    return !has_pattern(id);
 }
 
 void Resolver::fill(SurfaceId id, const PixelRect& tile, Image& image) {
     light_new_surfaces();
-    if (id != kBackground && surfaces_[id - 1].by_depth) {
+    if (has_pattern(id)) {
         const std::uint32_t samples = options_.samples;
         const SampleRect all{0, 0, tile.width * samples + 2 * kTileMargin,
                              tile.height * samples + 2 * kTileMargin};

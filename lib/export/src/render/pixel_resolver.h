@@ -49,8 +49,17 @@ private:
         float diffuse = 0, sheen = 0;
     };
     static Lighting lighting(cda::Vec3 n_C);
+    // Parallel lines in the plane of the cut: direction across the lines, unit vector in C, and the
+    // change of the distance across per mm of the picture.
+    struct Hatch {
+        cda::Vec3 across_C;
+        double slope = 1.0;
+    };
+    void prepare_hatches(const CutPlane& cut);
     void light_new_surfaces();
     LinearColour colour_at(SurfaceId id, double x, double y) const;
+    LinearColour hatched(const Surface& surface, cda::Vec3 p_C) const;
+    cda::Vec3 point_at(double x, double y, double depth) const;
     cda::Vec3 normal_at(const Surface& surface, double x, double y, double depth) const;
     LinearColour colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const;
     Rgba8 mean_of(LinearColour colour) const;
@@ -65,13 +74,16 @@ private:
     bool is_same_plane(SurfaceId a, SurfaceId b) const;
     bool is_round(SurfaceId id) const;
     bool is_line(SurfaceId id) const;
+    bool has_pattern(SurfaceId id) const;
 
     ScreenMap map_;
     const RenderOptions& options_;
     const std::vector<Surface>& surfaces_;
     const std::vector<Bend>& bends_;
+    const std::vector<Ramp>& ramps_;
     LinearColour ink_colour_;
-    // By SurfaceId; unused for surfaces that are round or coloured by depth.
+    Hatch part_hatch_, body_hatch_;
+    // By SurfaceId; unused for surfaces that are round or have a pattern.
     std::vector<LinearColour> lit_;
     std::vector<Rgba8> plain_;  // pixels whose samples all have the colour in lit_
     // The current tile with its margin.

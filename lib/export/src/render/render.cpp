@@ -6,6 +6,8 @@
 
 #include "ncsim/cda/mesh.h"
 
+#include "mesh/open_mesh.h"
+#include "render/cut_surface.h"
 #include "render/edge_tiles.h"
 #include "render/offscreen.h"
 #include "render/opengl_buffer.h"
@@ -33,6 +35,10 @@ using cda::Vec3;
 
 constexpr std::uint32_t kMaxSamples = 4;
 constexpr unsigned kOpaque = 255;
+
+// Material in the plane of a cut.
+constexpr Rgba8 kCutOnWhite{238, 236, 230}, kCutOnDark{150, 154, 160};
+
 void check(const RenderOptions& options) {
     const auto is_side = [](std::uint32_t n) { return n >= 1 && n <= kMaxImageSide; };
     if (!is_side(options.width) || !is_side(options.height)) {
@@ -43,6 +49,8 @@ void check(const RenderOptions& options) {
     if (options.colouring == Colouring::Depth && !(options.depth_bottom < options.depth_top)) {
         throw std::runtime_error("cannot colour by depth: the bottom is not below the top");
     }
+    if (options.colouring == Colouring::Design && options.distances == nullptr)
+        throw std::runtime_error("cannot colour by distance: no distances are specified");
     if (options.samples < 1 || options.samples > kMaxSamples) {
         throw std::runtime_error("cannot render with " + std::to_string(options.samples) +
                                  " samples: 1 to " + std::to_string(kMaxSamples) + " are possible");
@@ -182,6 +190,7 @@ public:
           colouring_(options.colouring),
           ghost_(options.ghost_stock),
           behind_(colour_of(options.background)),
+          cut_(to_linear(options.background == Background::White ? kCutOnWhite : kCutOnDark)),
           last_(provenance.entries.size() > 1 ? static_cast<double>(provenance.entries.size() - 1)
                                               : 1.0) {}
 
@@ -197,9 +206,13 @@ public:
         } else {
             result.colour = to_linear(palette_.colour(provenance_.of(origin)));
             if (!is_cut && ghost_) result.colour = 0.35F * result.colour + 0.65F * behind_;
-            result.by_depth = is_cut && colouring_ == Colouring::Depth;
+            if (is_cut && colouring_ == Colouring::Depth) result.pattern = Pattern::Depth;
         }
         return result;
+    }
+
+    Surface cut(const CutPlane& plane) const {
+        return cut_surface(map_, plane, cut_, Pattern::PartHatch);
     }
 
 private:
@@ -208,7 +221,7 @@ private:
     Palette palette_;
     Colouring colouring_;
     bool ghost_;
-    LinearColour behind_;
+    LinearColour behind_, cut_;
     double last_;
 };
 
@@ -256,44 +269,30 @@ private:
     std::vector<std::vector<ScreenPoint>> masks_;
 };
 
-// The triangles of a boundary. All triangles of a flat face are one surface; each triangle of a
-// round face is a surface with normals of its own.
+// The triangles of a boundary, cut open if the options have a plane. All triangles of a flat face
+// are one surface; each triangle with normals or distances of its own is a surface.
 class BoundaryArt {
 public:
     /// Appends the surfaces of `boundary` to `table`.
     /// Requires: `boundary` and `table` outlive the object.
     BoundaryArt(const ScreenMap& map, const cda::Boundary& boundary, const brep::Shading& shading,
-                const Paint& paint, SurfaceTable& table)
-        : boundary_(boundary), surfaces_(table.surfaces), mesh_(cda::triangulate(boundary)) {
+                const RenderOptions& options, const Paint& paint, SurfaceTable& table)
+        : boundary_(boundary), surfaces_(table.surfaces) {
+        const DesignDistances* const distances =
+            options.colouring == Colouring::Design ? options.distances : nullptr;
+        cda::TriangleMesh whole = distances ? distances->mesh : cda::triangulate(boundary);
+        if (options.cut) {
+            const auto faces = static_cast<std::uint32_t>(boundary.faces.size());
+            OpenMesh open = open_mesh(whole, faces, *options.cut);
+            mesh_ = std::move(open.mesh);
+            add_surfaces(map, whole, open.old_triangle, shading, distances, paint, table);
+            add_cut(map, *options.cut, paint, table);
+        } else {
+            mesh_ = std::move(whole);
+            add_surfaces(map, mesh_, {}, shading, distances, paint, table);
+        }
         for (const Vec3& p : mesh_.vertices)
             points_.push_back(map(p));
-        std::vector<SurfaceId> of_face(boundary.faces.size(), kBackground);
-        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            const std::uint32_t f = mesh_.face[t];
-            const cda::BoundaryFace& face = boundary.faces[f];
-            const Vec3 point = boundary.vertices[face.loops.front().front()];
-            if (!faces_camera(map.camera(), face.normal, point)) {
-                ids_.push_back(kBackground);
-                continue;
-            }
-            const bool is_round = shading.recognition(f) == brep::Shading::Recognition::Curved;
-            if (is_round || of_face[f] == kBackground) {
-                table.surfaces.push_back(paint.surface(face.normal, point, face.origin));
-                of_face[f] = static_cast<SurfaceId>(table.surfaces.size());
-                if (!is_round) flat_faces_.push_back(f);
-            }
-            ids_.push_back(of_face[f]);
-            if (!is_round) continue;
-            std::array<Vec3, 3> corners, normals;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::uint32_t v = mesh_.triangles[t][i];
-                const Vec3 p = mesh_.vertices[v];
-                corners[i] = map.point_in_camera(p);
-                normals[i] = map.direction_in_camera(shading.normal_or_none(f, face.normal, v, p));
-            }
-            table.bends.emplace_back(corners, normals);
-            table.surfaces.back().bend = static_cast<std::uint32_t>(table.bends.size());
-        }
     }
 
     void draw(PolygonTarget& target) const {
@@ -316,15 +315,82 @@ public:
     }
 
 private:
+    // Appends a surface for each triangle of mesh_ that lies in a face of the boundary.
+    // `whole_triangle`: index of the triangle of `whole` that contains it; empty: the same index.
+    void add_surfaces(const ScreenMap& map, const cda::TriangleMesh& whole,
+                      std::span<const std::uint32_t> whole_triangle, const brep::Shading& shading,
+                      const DesignDistances* distances, const Paint& paint, SurfaceTable& table) {
+        const std::size_t count =
+            whole_triangle.empty() ? mesh_.triangles.size() : whole_triangle.size();
+        std::vector<SurfaceId> of_face(boundary_.faces.size(), kBackground);
+        for (std::size_t t = 0; t < count; ++t) {
+            const std::uint32_t f = mesh_.face[t];
+            const cda::BoundaryFace& face = boundary_.faces[f];
+            const Vec3 point = boundary_.vertices[face.loops.front().front()];
+            if (!faces_camera(map.camera(), face.normal, point)) {
+                ids_.push_back(kBackground);
+                continue;
+            }
+            const bool is_round = shading.recognition(f) == brep::Shading::Recognition::Curved;
+            const bool is_alone = is_round || distances;
+            if (is_alone || of_face[f] == kBackground) {
+                table.surfaces.push_back(paint.surface(face.normal, point, face.origin));
+                of_face[f] = static_cast<SurfaceId>(table.surfaces.size());
+                if (!is_alone) flat_faces_.push_back(f);
+            }
+            ids_.push_back(of_face[f]);
+            if (!is_alone) continue;
+            const auto& vertices = whole.triangles[whole_triangle.empty() ? t : whole_triangle[t]];
+            std::array<Vec3, 3> points, corners;
+            for (std::size_t i = 0; i < 3; ++i) {
+                points[i] = whole.vertices[vertices[i]];
+                corners[i] = map.point_in_camera(points[i]);
+            }
+            if (is_round) {
+                std::array<Vec3, 3> normals;
+                for (std::size_t i = 0; i < 3; ++i)
+                    normals[i] = map.direction_in_camera(
+                        shading.normal_or_none(f, face.normal, vertices[i], points[i]));
+                table.bends.emplace_back(corners, normals);
+                table.surfaces.back().bend = static_cast<std::uint32_t>(table.bends.size());
+            }
+            if (distances) add_ramp(corners, vertices, *distances, table);
+        }
+    }
+
+    // Colours the last surface by distance.
+    static void add_ramp(const std::array<Vec3, 3>& corners,
+                         const std::array<std::uint32_t, 3>& vertices,
+                         const DesignDistances& distances, SurfaceTable& table) {
+        std::array<double, 3> values{};
+        for (std::size_t i = 0; i < 3; ++i)
+            values[i] = distances.distance_mm.at(vertices[i]);
+        table.surfaces.back().pattern = Pattern::Distance;
+        table.surfaces.back().ramp = static_cast<std::uint32_t>(table.ramps.size());
+        table.ramps.emplace_back(corners, values);
+    }
+
+    // Appends the surface of the cut, for the remaining triangles.
+    void add_cut(const ScreenMap& map, const CutPlane& cut, const Paint& paint,
+                 SurfaceTable& table) {
+        SurfaceId id = kBackground;
+        if (faces_camera(map.camera(), cut.normal, cut.offset * cut.normal)) {
+            table.surfaces.push_back(paint.cut(cut));
+            id = static_cast<SurfaceId>(table.surfaces.size());
+        }
+        ids_.resize(mesh_.triangles.size(), id);
+    }
+
     std::array<ScreenPoint, 3> corners(std::size_t t) const {
         const auto& [a, b, c] = mesh_.triangles[t];
         return {points_[a], points_[b], points_[c]};
     }
 
-    // True for triangles of round faces, and for triangles with a vertex that the boundary does not
-    // have.
+    // True for triangles that are surfaces, and for triangles with a vertex that the boundary does
+    // not have.
     bool has_edges_of_its_own(std::size_t t) const {
-        return surfaces_[ids_[t] - 1].bend != 0 ||
+        const Surface& surface = surfaces_[ids_[t] - 1];
+        return surface.bend != 0 || surface.pattern == Pattern::Distance ||
                std::ranges::any_of(mesh_.triangles[t],
                                    [&](auto v) { return v >= boundary_.vertices.size(); });
     }
@@ -423,7 +489,7 @@ Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
     const ScreenMap map = screen_map(options);
     OverlayArt art(map, overlay, options);
     SurfaceTable table;
-    const BoundaryArt part(map, boundary, shading, Paint(map, provenance, options), table);
+    const BoundaryArt part(map, boundary, shading, options, Paint(map, provenance, options), table);
     BoundaryScene scene(part, art, table.surfaces);
     return Painter(map, options, table, scene).paint();
 }

@@ -43,9 +43,9 @@ constexpr std::string_view kSettings[] = {
 
 // Formats of outputs in a job file, with the endings of their files.
 constexpr std::pair<std::string_view, std::string_view> kOutputs[] = {
-    {"png", ".png"},     {"gltf", ".glb"},      {"stl", ".stl"},  {"step", ".step"},
-    {"ply", ".ply"},     {"3mf", ".3mf"},       {"vrml", ".wrl"}, {"gif", ".gif"},
-    {"report", ".json"}, {"stock", ".ncstock"}, {"html", ".html"}};
+    {"png", ".png"},   {"gltf", ".glb"},    {"stl", ".stl"},       {"step", ".step"},
+    {"ply", ".ply"},   {"3mf", ".3mf"},     {"vrml", ".wrl"},      {"gif", ".gif"},
+    {"apng", ".apng"}, {"report", ".json"}, {"stock", ".ncstock"}, {"html", ".html"}};
 
 constexpr std::size_t kMostSetUps = 100;
 

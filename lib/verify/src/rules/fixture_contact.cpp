@@ -28,9 +28,9 @@ std::optional<std::string> needs_fixtures(const Setup& setup) {
 void judge_fixture_contact(const Setup& setup, const Move& move, FindingLog& log) {
     for (const FixtureContact& contact : move.fixtures) {
         if (!contact.touches) continue;
-        Occurrence s{fmt::format("{} meets the fixture '{}'",
-                                 describe_contact(setup, move, contact),
-                                 setup.machine.fixtures[contact.fixture].name)};
+        const std::string fixture = name_of(setup.machine.fixtures[contact.fixture]);
+        Occurrence s{fmt::format("{} meets {}", describe_contact(setup, move, contact), fixture)};
+        s.bodies = {fixture};
         s.certainty = contact.certainty;
         s.rests_on = guesses_of(setup, move, contact.certainty);
         std::erase(s.rests_on, "stock-guess");  // fixtures do not depend on the stock
@@ -44,9 +44,10 @@ void judge_fixture_clearance(const Setup& setup, const Move& move, FindingLog& l
     for (const FixtureContact& contact : move.fixtures) {
         if (contact.touches) continue;
         const Fixture& fixture = setup.machine.fixtures[contact.fixture];
-        Occurrence s{fmt::format("{} comes closer than {:.6g} mm to the fixture '{}'",
+        Occurrence s{fmt::format("{} comes closer than {:.6g} mm to {}",
                                  describe_contact(setup, move, contact), fixture.clearance_mm,
-                                 fixture.name)};
+                                 name_of(fixture))};
+        s.bodies = {name_of(fixture)};
         s.certainty = contact.certainty;
         s.rests_on = guesses_of(setup, move, contact.certainty);
         std::erase(s.rests_on, "stock-guess");  // fixtures do not depend on the stock

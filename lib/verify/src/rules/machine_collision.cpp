@@ -55,6 +55,8 @@ Occurrence sighting_of(const Setup& setup, const Move& move, const MachineContac
     s.certainty = contact.certainty;
     s.point = contact.point;
     s.box = move.path;
+    s.bodies = {contact.first, contact.second};
+    s.joints = contact.values;
     s.assumptions = assumptions_of(setup, move);
     std::erase_if(s.assumptions, [&contact](const std::string& text) {
         return (text.starts_with("stock:") && !is_of_part(contact)) ||

@@ -29,6 +29,7 @@ struct Ghost {
 struct Body {
     cda::Boundary surface;
     Rgba8 colour;
+    bool is_cut = false;  ///< True: cut open with the part (RenderOptions::cut).
 };
 
 /// All additional objects of a picture.

@@ -23,10 +23,10 @@ namespace ncsim::exporter {
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay = {});
 
-/// Draws `boundary`. Faces that `shading` knows to be round are lit with the normals of their
-/// surface, from corner to corner, and have no lines between them. Without `shading`, the picture
-/// equals that of the model with this boundary, except for pixels on edges. Guarantees and
-/// exceptions are those of render_model().
+/// Draws `boundary`, cut open if the options have a plane. Faces that `shading` knows to be round
+/// are lit with the normals of their surface, from corner to corner, and have no lines between
+/// them. Without `shading`, the picture equals that of the model with this boundary, except for
+/// pixels on edges. Guarantees and exceptions are those of render_model().
 Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
                       const RenderOptions& options, const Overlay& overlay = {},
                       const brep::Shading& shading = {});

@@ -3,9 +3,13 @@
 // Size, camera and colours of a picture.
 #pragma once
 
+#include "ncsim/cda/mesh.h"
 #include "ncsim/export/camera.h"
+#include "ncsim/export/cut_plane.h"
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace ncsim::exporter {
 
@@ -17,9 +21,19 @@ enum class Background { White, Dark };
 
 /// Meaning of the colour of a cut face. Uncut stock is always grey.
 enum class Colouring {
-    Tool,   ///< Tool that cut the face, as in all file formats.
-    Line,   ///< Position of the line in the program: yellow, green, blue, violet.
-    Depth,  ///< Depth of each point: yellow, green, blue, violet.
+    Tool,    ///< Tool that cut the face, as in all file formats.
+    Line,    ///< Position of the line in the program: yellow, green, blue, violet.
+    Depth,   ///< Depth of each point: yellow, green, blue, violet.
+    Design,  ///< Distance of each point from the design, also on uncut faces; DesignDistances.
+};
+
+/// Distances of the surface of a part from a design.
+struct DesignDistances {
+    cda::TriangleMesh mesh;  ///< Triangles of the faces of the part, mm, W.
+    /// For each vertex, mm; positive: material is left, negative: the part is cut into the design.
+    std::vector<double> distance_mm;
+    double tolerance_mm = 0.0;
+    double largest_mm = 1.0;  ///< Distance at which the colours end; above the tolerance.
 };
 
 /// Program that draws polygons. Pictures of the two programs differ in a few pixels at edges.
@@ -31,12 +45,18 @@ enum class Renderer {
 /// Size, camera and colours of a picture.
 struct RenderOptions {
     std::uint32_t width = 1280, height = 960;  ///< In pixels, each from 1 to kMaxImageSide.
-    Camera camera;                             ///< Example: fit_camera(stock, View::Iso, 4 / 3.).
+    /// Height of the picture that determines the widths of lines; 0: `height`.
+    std::uint32_t usual_height = 0;
+    Camera camera;  ///< Example: fit_camera(stock, View::Iso, 4 / 3.).
     Background background = Background::White;
     Renderer renderer = Renderer::Own;
     Colouring colouring = Colouring::Tool;
     /// z in the workpiece frame, in mm, at which the colours of Colouring::Depth begin and end.
     double depth_top = 0.0, depth_bottom = -10.0;
+    /// For Colouring::Design, which needs the distances. They outlive the call.
+    const DesignDistances* distances = nullptr;
+    /// Plane at which the part is cut open; the cut is hatched. Only for render_boundary().
+    std::optional<CutPlane> cut;
     /// Each pixel is the mean of samples × samples; 1 to 4.
     std::uint32_t samples = 2;
     /// Approximate number of samples drawn at once, at some 16 bytes each. Limits the memory of a

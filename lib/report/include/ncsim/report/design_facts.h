@@ -3,9 +3,13 @@
 // Comparison of the part with the design, as numbers and as text.
 #pragma once
 
+#include "ncsim/cda/vec.h"
+
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ncsim::report {
 
@@ -21,6 +25,19 @@ struct DesignFacts {
     };
     Side gouge, excess;
 };
+
+/// A place where the part deviates from the design.
+struct DesignPlace {
+    bool is_gouge = false;   ///< Otherwise material is left.
+    double depth_mm = 0.0;   ///< Largest deviation.
+    cda::Vec3 point;         ///< Point of the largest deviation; mm, W.
+    std::uint32_t line = 0;  ///< Line that cut the part there; 0: none, or in a called file.
+};
+
+/// Returns the largest places, up to `most`.
+std::vector<DesignPlace> largest(std::vector<DesignPlace> places, std::size_t most);
+/// Returns a text such as "gouge 1 mm, line 7, at X-40 Y-20 Z-2".
+std::string text_of(const DesignPlace& place);
 
 /// Returns a line such as "part.stl within 0.1 mm: nothing beyond; farthest apart 0.03 mm".
 std::string text_of(const DesignFacts& facts);

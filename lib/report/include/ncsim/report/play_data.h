@@ -18,6 +18,7 @@ namespace ncsim::report {
 struct ColouredMesh {
     cda::TriangleMesh mesh;                ///< mm
     std::array<std::uint8_t, 3> colour{};  ///< sRGB
+    std::string name{};                    ///< As findings name the body; empty: none.
 };
 
 /// A tool of a program.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/report/design_facts.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/verify/ledger.h"
 
@@ -72,6 +73,8 @@ struct RunFacts {
     std::optional<SimplifiedFacts> simplified;
     std::optional<SolidFacts> solid;
     std::vector<SectionFacts> sections{};
+    std::optional<DesignFacts> design{};       ///< Comparison with a design, if requested.
+    std::vector<DesignPlace> design_places{};  ///< The largest, largest first.
     /// Times on the machine of --machine; null: no machine, or only a part of the program was run.
     const verify::Ledger* on_machine = nullptr;
 };

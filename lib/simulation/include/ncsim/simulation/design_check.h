@@ -31,6 +31,9 @@ struct Design {
 Design read_design(const std::string& path, double tolerance_mm, setup::InputSet& inputs);
 /// Returns the smallest tolerance with which `design` can be compared, mm.
 double smallest_tolerance(const Design& design);
+/// Throws: std::runtime_error if the tolerance of `design` is smaller; the message names
+///     --design-tol.
+void require_tolerance(const Design& design);
 
 /// Returns findings of the rules gouge and excess, one per region, at the line that cut the part at
 /// the deepest point (no line if only faces of the stock are there). A gouge within the error of

@@ -10,6 +10,7 @@
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/simulation/verification_options.h"
+#include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/evidence.h"
 #include "ncsim/verify/machine_bodies.h"
 #include "ncsim/verify/selection.h"
@@ -31,6 +32,9 @@ struct TileResult {
 std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile& machine);
 /// Adds the fixtures of `job` to the machine of `verification_options`.
 void add_fixtures(VerificationOptions& verification_options, const setup::Job& job);
+
+/// Returns the path of rapid moves, at the machine's rates if all are specified.
+toolpath::RapidPath rapid_path(const VerificationOptions& verification_options);
 
 /// Verifies a program. The result depends on `plan` and `verification_options` only. Throws:
 /// std::invalid_argument if plan.model does not verify; std::runtime_error if plan.budget is

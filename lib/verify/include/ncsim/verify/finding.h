@@ -13,6 +13,7 @@
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/source.h"
+#include "ncsim/machine/chain.h"
 
 #include <cstdint>
 #include <optional>
@@ -78,8 +79,13 @@ struct Finding {
     int tool = 0;
     /// Sum or maximum over the row, as the quantity requires.
     std::optional<Quantity> quantity;
-    std::optional<cda::Vec3> point;        ///< Point of the first motion; mm, W.
-    cda::Box box;                          ///< Box that encloses all contacts; mm, W; may be empty.
+    std::optional<cda::Vec3> point;  ///< Point of the first motion; mm, W.
+    cda::Box box;                    ///< Box that encloses all contacts; mm, W; may be empty.
+    cda::Box first_box;              ///< The same for the first motion.
+    /// Bodies that meet, other than the tool and the part: "the fixture 'jaw'", "the link 'head'".
+    std::vector<std::string> bodies;
+    /// Positions of the joints at the first contact of links, machine coordinates.
+    std::optional<machine::Values> joints;
     std::string message;                   ///< Lower case, no full stop, without the quantity.
     std::string hint;                      ///< Remedy.
     std::vector<std::string> assumptions;  ///< Assumptions on which the finding rests.
@@ -93,6 +99,9 @@ struct Finding {
     bool counts() const { return !suppressed && !accepted; }
     bool operator==(const Finding&) const = default;
 };
+
+/// Returns the point of a finding, or the centre of its first contacts; mm, W. Empty: no place.
+std::optional<cda::Vec3> point_of(const Finding& finding);
 
 /// Rule that could not be checked, with the reason. Differs from a rule without findings.
 struct Skipped {

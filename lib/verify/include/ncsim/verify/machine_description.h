@@ -42,6 +42,9 @@ struct Fixture {
     cda::Box place() const;
 };
 
+/// Returns the fixture as messages name it: "the fixture 'rear jaw'".
+std::string name_of(const Fixture& fixture);
+
 /// Limits and positions of the machine. Lengths in mm, rates in mm/min, accelerations in mm/s².
 /// Index 0, 1, 2: X, Y, Z.
 struct MachineDescription {

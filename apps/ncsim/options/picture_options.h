@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Options of commands that draw pictures of a part.
+#pragma once
+
+#include "ncsim/brep/section.h"
+#include "ncsim/export/camera.h"
+#include "ncsim/export/render_options.h"
+
+#include "options/program_options.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+/// Marks of pictures, see exporter::Marks.
+struct MarkOptions {
+    bool axes = true, zero = true, scale = true, legend = true;
+
+    bool any() const { return axes || zero || scale || legend; }
+};
+
+/// View, size and marks of pictures.
+struct PictureOptions {
+    /// Views of the picture; several views form a sheet with a caption. Never empty.
+    std::vector<exporter::View> views{exporter::View::Iso};
+    std::uint32_t width = 1280, height = 960;  ///< Size of each view in pixels.
+    exporter::Background background = exporter::Background::White;
+    MarkOptions marks;
+    /// Plane at which pictures show the part and the fixtures cut open.
+    std::optional<brep::SectionPlane> cut_view;
+};
+
+/// Adds the options to the current group of `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_picture_options(cli::App& command, PictureOptions& options);
+
+/// Reads a plane such as "z=-4". `option` is the option of the message.
+/// Throws: Refusal.
+brep::SectionPlane read_plane(const char* option, const std::string& text);
+
+}  // namespace ncsim::app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes the text below a picture.
+#include "run/caption.h"
+
+#include "ncsim/report/checked.h"
+#include "ncsim/report/describe.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/machining_time.h"
+
+#include "run/sheet_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+namespace ncsim::app {
+
+namespace {
+
+// Returns the text of the line; empty if the program has several files.
+std::string line_at(const Outcome& outcome) {
+    if (outcome.survey.interpretation.files.size() > 1) return {};
+    return std::string(gcode::line_text(outcome.plan.job.program, outcome.simulation->line));
+}
+
+std::vector<std::string> facts_of(const Outcome& outcome) {
+    const simulation::Simulation& s = *outcome.simulation;
+    const cda::Vec3 size = outcome.survey.stock->box.size();
+    const double removed = s.stock_volume - s.part_volume;
+    const verify::Distances& path = s.distances;
+    const auto shown = [&](const std::string& text) {
+        return report::in_unit(text, outcome.options.report_unit);
+    };
+    std::string travelled = shown(fmt::format("{:.1f} mm at feed", path.feed_mm));
+    if (const auto total = report::time_of(path).total())
+        travelled = report::time_text(*total) + ", " + travelled;
+    std::vector<std::string> lines{
+        report::base_name(outcome.plan.job.program.name) + ": " +
+            shown(fmt::format("{:.6g} x {:.6g} x {:.6g} mm", size.x, size.y, size.z)),
+        s.stock_volume > 0.0
+            ? fmt::format("{} of {} removed ({:.1f} %)", shown(report::volume_text(removed)),
+                          shown(report::volume_text(s.stock_volume)),
+                          100.0 * removed / s.stock_volume)
+            : std::string("nothing is cut"),
+        travelled + shown(fmt::format(", {:.1f} mm rapid", path.rapid_mm))};
+    const Options& o = outcome.options;
+    if (o.views.size() > 1)
+        lines.emplace_back(third_angle(o.views).empty() ? "one scale" : "third angle, one scale");
+    if (o.cut_view) lines.push_back("cut at " + brep::name_of(*o.cut_view) + " mm");
+    if (o.at_line || !o.gif.empty() || !o.frames.empty()) {
+        lines.push_back(s.line == 0 ? std::string("before the first move")
+                                    : fmt::format("after line {}: {}", s.line, line_at(outcome)));
+    }
+    return lines;
+}
+
+// Adds the assumptions of a preview.
+void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
+    const simulation::Survey& survey = outcome.survey;
+    for (const auto& [number, used] : survey.tools) {
+        if (used.specified_by == toolpath::ValueSource::Assumption && !survey.only_rapid)
+            lines.push_back(fmt::format(
+                "guessed: T{} {}", number,
+                report::tool_in_unit(describe(used.tool), outcome.options.report_unit)));
+    }
+    if (survey.stock->specified_by == toolpath::ValueSource::Assumption && !survey.only_rapid)
+        lines.push_back("guessed: stock " + report::in_unit(report::describe(*survey.stock),
+                                                            outcome.options.report_unit));
+    if (survey.units_assumed) {
+        lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"
+                                                             : "guessed: millimetres");
+    }
+    for (std::size_t axis = 0; axis < survey.unspecified.size(); ++axis) {
+        if (survey.unspecified[axis]) lines.push_back(fmt::format("guessed: {} 0", "XYZ"[axis]));
+    }
+}
+
+// Adds the result of the comparison with the design, and the numbered places.
+void add_design(const Outcome& outcome, std::vector<std::string>& lines) {
+    const auto shown = [&](const std::string& text) {
+        return report::in_unit(text, outcome.options.report_unit);
+    };
+    lines.push_back(shown(report::text_of(outcome.design->facts)));
+    const auto places = report::largest(outcome.design->places, kMostDesignPlaces);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        lines.push_back(fmt::format("{}  {}", i + 1, shown(report::text_of(places[i]))));
+}
+
+// Adds a finding with its line.
+void add_finding(const Outcome& outcome, std::vector<std::string>& lines) {
+    const verify::Finding& f = *outcome.finding;
+    std::string text = report::base_name(outcome.plan.job.program.name);
+    const bool has_line = f.place.file == 0 && f.place.span.line > 0;
+    if (has_line) text += fmt::format(":{}", f.place.span.line);
+    text += fmt::format(": {}: {} [{}]", verify::name_of(f.severity),
+                        report::in_unit(report::headline(f), outcome.options.report_unit), f.rule);
+    lines.push_back(std::move(text));
+    if (!has_line) return;
+    lines.emplace_back(gcode::line_text(outcome.plan.job.program, f.place.span.line));
+}
+
+}  // namespace
+
+std::vector<std::string> caption_of(const Outcome& outcome) {
+    const Options& o = outcome.options;
+    std::vector<std::string> lines;
+    if (o.views.size() > 1 || o.has_caption) lines = facts_of(outcome);
+    std::vector<std::string> more;
+    if (o.draft) add_guesses(outcome, more);
+    if (outcome.design) add_design(outcome, more);
+    if (outcome.finding) add_finding(outcome, more);
+    const std::uint32_t width = o.width * columns_of(o.views);
+    for (const std::string& line : more)
+        std::ranges::move(exporter::wrapped(line, width, o.height), std::back_inserter(lines));
+    return lines;
+}
+
+}  // namespace ncsim::app
