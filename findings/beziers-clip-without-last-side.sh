@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Package:  Debian 12, python3-beziers 0.5.0+dfsg1-1 (BezierPath: curves, Boolean operations), python3-pyclipper 1.2.1-1+b2.
+# Package:  Debian 12, python3-beziers 0.5.0+dfsg1-1 (BezierPath: curves, Boolean operations), python3-pyclipper 1.2.1-1+b4.
 # Input:    squares of 10 that overlap in a corner and along a side; the Bezier curve 0,0 0,10 10,10 10,0; circles from
 #           beziers.path.geometricshapes. Source: the docstrings of union, intersection, difference, area, bounds and includes
 #           ("Returns True if the point is included in this bounding box").
