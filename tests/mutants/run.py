@@ -321,8 +321,13 @@ class Judge:
         return 'survived', len(reaching)
 
     def all(self, numbers):
+        def one(number):
+            outcome = self.judge(number)
+            print(f'mutant {number}: {outcome[0]}', file=sys.stderr, flush=True)
+            return outcome
+
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            return dict(zip(numbers, pool.map(self.judge, numbers)))
+            return dict(zip(numbers, pool.map(one, numbers)))
 
 
 def equivalents():
