@@ -91,8 +91,8 @@ MarkOptions read_marks(const std::string& list) {
 brep::SectionPlane read_plane(const char* option, const std::string& text) {
     const auto plane = brep::parse_section_plane(text);
     if (!plane) {
-        throw Refusal{
-            fmt::format("{} '{}': expected x=, y= or z= and a number of mm: z=-4", option, text)};
+        throw Refusal{fmt::format(
+            "{} '{}': expected x=, y= or z= and a number of mm within 1 km: z=-4", option, text)};
     }
     return *plane;
 }

@@ -331,9 +331,8 @@ void refuse_foreign_endings(const Options& o) {
 
 namespace {
 
-void require_design(const Options& o) {
+void require_finished_part(const Options& o) {
     if (o.colouring != exporter::Colouring::Design) return;
-    if (o.design.empty()) throw Refusal{"--colour design: of which design? --design part.stl"};
     if (o.png.empty() || has_frames(o))
         throw Refusal{
             "--colour design shows the finished part: it needs --png, without --gif, --apng and "
@@ -355,7 +354,7 @@ void complete(Options& options) {
     }
     if (options.cut_view && !has_pictures(options))
         throw Refusal{"--cut-view changes pictures: it needs --png, --gif, --apng or --frames"};
-    require_design(options);
+    require_finished_part(options);
     complete_tile(options);
     require_watchable(options, inputs_of(options), !options.tile.empty());
 }

@@ -236,6 +236,9 @@ int run(Options options) {
         inputs.expect(path);
     if (!options.machine.empty()) inputs.expect(options.machine);
     const bool has_design = options.colouring == exporter::Colouring::Design;
+    // A project or a job may name the design, so the parser of the command line cannot judge.
+    if (has_design && options.design.empty())
+        throw std::runtime_error("--colour design: of which design? --design part.stl");
     if (has_design) inputs.expect(options.design);
     setup::RecordedInput recorded(inputs);
     setup::InputSet& read = options.tiles ? recorded : inputs;
