@@ -46,6 +46,47 @@ class Boss:
 
 
 @dataclass(frozen=True)
+class Thread:
+    """Thread by a tap, or by a turn or more of a thread mill or a slot mill."""
+
+    diameter_mm: float
+    pitch_mm: Optional[float]  #: None: the tap has no pitch.
+    depth_mm: float
+    inside: bool
+    mouth: Point
+    lines: Tuple[int, ...]
+    tools: Tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Countersink:
+    """Cone around air that opens at its wide end."""
+
+    diameter_mm: float
+    depth_mm: float
+    angle_degrees: float
+    tip: bool
+    mouth: Point
+    axis: Point
+    covers_degrees: float
+    lines: Tuple[int, ...]
+    tools: Tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Chamfer:
+    """Plane or cone in the place of the edge between a level face and an upright face."""
+
+    width_mm: float
+    height_mm: float
+    angle_degrees: float
+    length_mm: float
+    at: Point
+    lines: Tuple[int, ...]
+    tools: Tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class Corner:
     """Rounded corner: cylinder of at most half of a circle."""
 
@@ -98,6 +139,9 @@ class Measures:
     floors: List[Floor]
     distances: Optional[List[Distance]]  #: None: there are too many walls.
     unmeasured_facets: int  #: Facets of round tools that matched no surface.
+    threads: List[Thread]
+    countersinks: List[Countersink]
+    chamfers: List[Chamfer]
 
 
 def _plain(row: Dict[str, Any], **names: str) -> Dict[str, Any]:
@@ -120,7 +164,10 @@ def measures_from(text: str) -> Measures:
         floors=[Floor(**_plain(row)) for row in report["floors"]],
         distances=None if distances is None else [
             Distance(**_plain(row, **names)) for row in distances],
-        unmeasured_facets=report["not_measured"]["facets"])
+        unmeasured_facets=report["not_measured"]["facets"],
+        threads=[Thread(**_plain(row)) for row in report["threads"]],
+        countersinks=[Countersink(**_plain(row)) for row in report["countersinks"]],
+        chamfers=[Chamfer(**_plain(row)) for row in report["chamfers"]])
 
 
 def measure(program: Optional[Path] = None, *, text: Optional[str] = None,

@@ -130,8 +130,8 @@ std::shared_ptr<SolidData> Simulated::solid_with(int refinements, const std::sto
     simulation::Plan plan = prepared_.plan;
     plan.budget = setup::Budget(accuracy_.max_memory_gb, accuracy_.max_seconds);
     plan.budget.stop_with(stop);
-    simulation::Solid solid =
-        simulation::refined_solid(plan, survey_, result_, exporter::kStepTolerance, refinements);
+    simulation::Solid solid = simulation::refined_solid(
+        plan, survey_, result_, exporter::kStepTolerance, {refinements, false});
     solid.provenance.assumed = simulation::reasons_of(assumed());
     return known = std::make_shared<SolidData>(std::move(solid));
 }
@@ -144,7 +144,8 @@ std::shared_ptr<SolidData> Simulated::solid(int refinements, const std::stop_tok
 std::string Simulated::measures(const std::stop_token& stop) {
     const std::scoped_lock lock(mutex_);
     const std::shared_ptr<SolidData> data = solid_with(kRefinementsToMeasure, stop);
-    report::MeasureSheet sheet = simulation::measures_of(data->solid, *result_.boundary);
+    report::MeasureSheet sheet =
+        simulation::measures_of(prepared_.plan, survey_, data->solid, *result_.boundary);
     sheet.program = prepared_.plan.job.program.name;
     std::ostringstream json;
     report::write_measures(json, sheet);

@@ -59,6 +59,62 @@ TEST(Features, ADrilledHole) {
     EXPECT_NEAR(bore.tip_depth.value(), 10.0, kExact);
     EXPECT_NEAR(bore.tip_angle_degrees.value(), 118.0, 1e-9);
     EXPECT_EQ(bore.covers_degrees, 360.0);
+    EXPECT_TRUE(f.countersinks.empty()) << "the tip of a drilled hole";
+}
+
+// The cutter of 90° has its tip 4 mm deep, so its cone is 8 mm wide at the top and meets the bore
+// of 6 mm at a depth of 1 mm.
+TEST(Features, ACountersunkBoreAndASpot) {
+    const Features f =
+        measured("countersink",
+                 "T2 M6\nG0 X40 Y30 Z5\nG1 Z-12\nG0 Z5\nT5 M6\nG0 X40 Y30\nG1 Z-4\nG0 Z5\n"
+                 "G0 X20 Y20\nG1 Z-3\nG0 Z5\n");
+    ASSERT_EQ(f.bores.size(), 1U);
+    expect_at(f.bores[0].mouth, {40, 30, -1});
+    ASSERT_EQ(f.countersinks.size(), 2U);
+    const Countersink& sink = f.countersinks[0];
+    EXPECT_NEAR(sink.diameter, 8.0, kExact);
+    EXPECT_NEAR(sink.depth, 1.0, kExact);
+    EXPECT_NEAR(sink.angle_degrees, 90.0, kExact);
+    EXPECT_EQ(sink.covers_degrees, 360.0);
+    EXPECT_FALSE(sink.has_tip);
+    expect_at(sink.mouth, {40, 30, 0});
+    expect_at(sink.axis, {0, 0, 1});
+    const Countersink& spot = f.countersinks[1];
+    EXPECT_NEAR(spot.diameter, 6.0, kExact);
+    EXPECT_NEAR(spot.depth, 3.0, kExact);
+    EXPECT_TRUE(spot.has_tip);
+    expect_at(spot.mouth, {20, 20, 0});
+    EXPECT_TRUE(f.chamfers.empty());
+}
+
+// The tip of the cutter of 90° passes 3 mm off the edge, 4 mm deep. The other three edges stay
+// sharp, and a groove of the same cutter has no chamfer.
+TEST(Features, AChamferedEdgeAndAGroove) {
+    const Features f = measured("chamfer",
+                                "T5 M6\nG0 X-10 Y-3 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n"
+                                "G0 X-10 Y30\nG1 Z-2\nG1 X90\nG0 Z5\n");
+    ASSERT_EQ(f.chamfers.size(), 1U);
+    const Chamfer& chamfer = f.chamfers[0];
+    EXPECT_NEAR(chamfer.width, 1.0, kExact);
+    EXPECT_NEAR(chamfer.height, 1.0, kExact);
+    EXPECT_NEAR(chamfer.angle_degrees, 45.0, kExact);
+    EXPECT_NEAR(chamfer.length, 80.0, kExact);
+    expect_at(chamfer.at, {40, 1, 0});
+    EXPECT_TRUE(f.countersinks.empty());
+}
+
+// A boss of 30 mm with its upper edge broken by the same cutter: a cone of material.
+TEST(Features, AChamferedBoss) {
+    const Features f = measured("chamfered_boss",
+                                "T1 M6\nG0 X60 Y30 Z5\nG1 Z-6\nG2 X60 Y30 I-20 J0\nG0 Z5\n"
+                                "T5 M6\nG0 X57 Y30\nG1 Z-3\nG2 X57 Y30 I-17 J0\nG0 Z5\n");
+    ASSERT_EQ(f.bosses.size(), 1U);
+    EXPECT_NEAR(f.bosses[0].height, 5.0, kExact);
+    ASSERT_EQ(f.chamfers.size(), 1U);
+    EXPECT_NEAR(f.chamfers[0].width, 1.0, kExact);
+    EXPECT_NEAR(f.chamfers[0].height, 1.0, kExact);
+    EXPECT_NEAR(f.chamfers[0].angle_degrees, 45.0, kExact);
 }
 
 TEST(Features, ABoreThroughAndOneThatIsMilledToAShoulder) {

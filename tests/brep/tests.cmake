@@ -141,7 +141,8 @@ foreach(expected IN ITEMS "helices 98659.142038 1e-5"
     "helix-rounded 98729.809257 4e-4" "helix-10 98729.852563 4e-4" "helix-99 98729.810078 1e-4"
     "helix-156 98729.832264 6e-4" "helix-174 98729.801579 2e-4"
     "helix-into-171 98672.657675 7e-5" "helix-into-329 98672.691410 2e-4"
-    "helices-47 98659.170838 1.5e-3" "ramps 46569.203553 1e-9" "corner 429.924251 1e-6"
+    "helices-47 98659.170838 1.5e-3" "ball-helix 95154.599003 1e-5"
+    "ramps 46569.203553 1e-9" "corner 429.924251 1e-6"
     "engraved 119705.512126 1e-5 --tool-tolerance 0.0125"
     "engraved-again 119916.525664 1e-8 --tool-tolerance 0.0125")
   separate_arguments(expected)
@@ -158,12 +159,13 @@ set_tests_properties(brep.judged_programs_are_read_by_opencascade PROPERTIES
 
 # Programs whose solids are to have so many faces, all of them true surfaces: a plunge that ends an arc
 # and misses its wall by 1e-8 mm; vertical arcs that begin below the top, one and two of them; a V-cutter
-# on a circle narrower than itself; a ball at the rim of the stock, and grooves of a ball that cross.
-# Booleans of OpenCASCADE take them, too; so they do a helical groove of three turns, whose walls are 41
-# faces in the file.
+# on a circle narrower than itself, and on two such circles in inches; a ball at the rim of the stock, and
+# grooves of a ball that cross. Booleans of OpenCASCADE take them, too; so they do a helical groove of three
+# turns, whose walls are 41 faces in the file.
 set(for_booleans ${CMAKE_CURRENT_BINARY_DIR}/brep/for_booleans)
 foreach(expected IN ITEMS "arc-plunge 12 15619.062654" "lead-below-top 13 42011.719050"
-    "leads 19 42126.030935" "narrow-circle 12 15956.842678" "ball-at-rim 7 23971.725666"
+    "leads 19 42126.030935" "lead-passes 19 93967.734115" "narrow-circle 12 15956.842678"
+    "narrow-circles-inch 18 95923.808859" "ball-at-rim 7 23971.725666"
     "crossing-balls 21 22497.026646" "long-helix 41 28165.075984 --tool T2=slot:D12:L1")
   separate_arguments(expected)
   list(POP_FRONT expected name faces volume)

@@ -84,6 +84,66 @@ TEST(Measure, SaysTheSameAsJson) {
     EXPECT_EQ(sheet["not_measured"]["facets"], 0);
 }
 
+// A core hole with a countersink and a thread of two turns by a mill of 8 mm, a tapped hole, and a
+// chamfered edge.
+constexpr const char* kThreads =
+    "(T1 D=10. CR=0. - flat end mill)\n"
+    "(T2 D=5. CR=0. TAPER=118deg - drill)\n"
+    "(T3 D=20. CR=0. TAPER=45deg - chamfer mill)\n"
+    "(STOCK/BLOCK,60.,50.,12.,0.,0.,12.)\n"
+    "G21 G90 G17 F300 S5000 M3\n"
+    "T1 M6\nG0 X20 Y25 Z5\nG1 Z-13\nG1 X20.2\nG3 X20.2 Y25 I-0.2 J0\nG1 X20\nG0 Z5\n"
+    "T3 M6\nG0 X20 Y25 Z5\nG1 Z-6\nG0 Z5\nG0 X-15 Y-3\nG1 Z-3.5\nG1 X75\nG0 Z5\n"
+    "T2 M6\nG0 X45 Y25 Z5\nG1 Z-11\nG0 Z5\n"
+    "T5 M6\nG0 X45 Y25 Z5\nG84 Z-8 R2 F1\nG80\nG0 Z5\n"
+    "T4 M6\nG0 X20 Y25 Z5\nG0 Z-10\nG1 X22.25\nG3 X22.25 Y25 Z-8.25 I-2.25 J0\n"
+    "G3 X22.25 Y25 Z-6.5 I-2.25 J0\nG1 X20\nG0 Z5\nM30\n";
+
+TEST(Measure, ListsThreadsCountersinksAndChamfers) {
+    Folder folder;
+    folder.write("threads.nc", kThreads);
+    const Ran ran = folder.run({"measure", "threads.nc", "--tool", "T4=slot:D8:L1", "--tool",
+                                "T5=tap:D6:K1", "--json", "a.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("threads    D6        inside, pitch 1, 8 deep; X45 Y25, from Z0; T5"),
+              std::string::npos)
+        << ran.out;
+    EXPECT_NE(
+        ran.out.find("           D12.5     inside, pitch 1.75, 10 deep; X20 Y25, from Z0; T4"),
+        std::string::npos)
+        << ran.out;
+    EXPECT_NE(ran.out.find("csk        D12       90°, 0.8 deep; X20 Y25, from Z0; T3"),
+              std::string::npos)
+        << ran.out;
+    EXPECT_NE(ran.out.find("chamfers   0.5 x 45° 1 of them; T3"), std::string::npos) << ran.out;
+    const json sheet = json::parse(folder.read("a.json"));
+    ASSERT_EQ(sheet["threads"].size(), 2U);
+    EXPECT_EQ(sheet["threads"][1]["diameter_mm"], 12.5);
+    EXPECT_EQ(sheet["threads"][1]["pitch_mm"], 1.75);
+    EXPECT_EQ(sheet["threads"][1]["depth_mm"], 10.0);
+    EXPECT_EQ(sheet["threads"][1]["inside"], true);
+    ASSERT_EQ(sheet["countersinks"].size(), 1U);
+    EXPECT_EQ(sheet["countersinks"][0]["diameter_mm"], 12.0);
+    EXPECT_EQ(sheet["countersinks"][0]["tip"], false);
+    ASSERT_EQ(sheet["chamfers"].size(), 1U);
+    EXPECT_EQ(sheet["chamfers"][0]["width_mm"], 0.5);
+}
+
+// A stud of 10 mm: the mill runs around the stud.
+TEST(Measure, KnowsAThreadOnAStud) {
+    Folder folder;
+    folder.write("stud.nc",
+                 "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,50.,50.,20.,25.,25.,20.)\n"
+                 "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X10 Y0 Z5\nG1 Z-12\n"
+                 "G2 X10 Y0 I-10\nG0 Z5\nT2 M6\nG0 X20 Y0 Z5\nG0 Z-8\nG1 X8.5\n"
+                 "G2 X8.5 Y0 Z-6.5 I-8.5\nG2 X8.5 Y0 Z-5 I-8.5\nG1 X20\nG0 Z5\nM30\n");
+    const Ran ran = folder.run({"measure", "stud.nc", "--tool", "T2=slot:D8:L1"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("threads    D9        outside, pitch 1.5, 8 deep; X0 Y0, from Z0; T2"),
+              std::string::npos)
+        << ran.out;
+}
+
 TEST(Measure, SaysWhatItDidNotMeasure) {
     Folder folder;
     std::string helix = kSlot;

@@ -4,6 +4,7 @@
 #include "cli/run_program.h"
 #include "support/count.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -147,8 +148,51 @@ TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
     EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
 }
 
-// The first finer cut has more facets than the coarse cut, in the same places; the second finer cut
-// has no facets.
+// The helix of a ball ends in a level circle, whose surfaces no cut recognises.
+constexpr const char* kHelixOfBall =
+    "(T1 D=4. CR=2. - ball end mill)\n(STOCK/BLOCK,30.,30.,10.,15.,15.,10.)\nG21 G90 G17\n"
+    "T1 M6 S3000 M3\nG0 X2.215 Y-1.103 Z5.\nG1 Z0. F300.\n"
+    "G3 X2.215 Y-1.103 Z-2.9 I-2.671 J0.\nG3 X2.215 Y-1.103 I-2.671 J0.\n"
+    "G1 X10.23 Y1.355\nG0 Z5.\nM30\n";
+
+TEST(Run, KeepsTheWorkOfASolidWithinABudget) {
+    Folder folder;
+    folder.write("helix.nc", kHelixOfBall);
+    const Ran ran = folder.run({"run", "helix.nc", "--tool-tolerance", "0.01", "--step", "a.step",
+                                "--report", "a.json", "--threads", "1"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "          to limit the work, ")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "not tried; --step-refine 6 has no limit\n")) << ran.out;
+    const json cuts = json::parse(folder.read("a.json"))["step"]["cuts"];
+    EXPECT_GE(cuts["not_tried"], 4);
+    EXPECT_LE(cuts["made"], 2);
+    const Ran again = folder.run(
+        {"run", "helix.nc", "--tool-tolerance", "0.01", "--step", "b.step", "--threads", "2"});
+    EXPECT_TRUE(folder.read("a.step") == folder.read("b.step")) << "counted, not timed";
+    const Ran asked = folder.run(
+        {"run", "helix.nc", "--step", "a.step", "--report", "a.json", "--step-refine", "1"});
+    EXPECT_FALSE(contains(asked.out, "to limit the work")) << asked.out;
+    EXPECT_EQ(json::parse(folder.read("a.json"))["step"]["cuts"]["made"], 1);
+}
+
+TEST(Run, NamesTheVolumeOfTheSolidAndOfThePolyhedron) {
+    Folder folder;
+    folder.write("bore.nc",
+                 "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,30.,30.,10.,15.,15.,10.)\n"
+                 "G21 G90 G17\nT1 M6 S3000 M3\nG0 X0. Y0. Z5.\nG1 Z-8. F300.\nG0 Z5.\nM30\n");
+    const Ran ran = folder.run({"run", "bore.nc", "--step", "a.step", "--report", "a.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    const json report = json::parse(folder.read("a.json"));
+    const double whole = report["step"]["volume_mm3"], polyhedron = report["volume_mm3"]["part"];
+    EXPECT_NEAR(whole, 9000.0 - 200.0 * std::numbers::pi, 1e-3);
+    EXPECT_GT(std::abs(whole - polyhedron), 1e-2);
+    EXPECT_TRUE(contains(ran.out, fmt::format("          {:.3f} cm3 inside the true surfaces; the "
+                                              "polyhedron has {:.3f} cm3\n",
+                                              whole / 1000.0, polyhedron / 1000.0)))
+        << ran.out;
+}
+
+// Only the fourth finer cut has no facets. The part is small, so the budget allows the cut.
 TEST(Run, CutsSmallPartsAgainThoughItDidNotHelpOnce) {
     Folder folder;
     folder.write("ring.nc",
@@ -159,10 +203,14 @@ TEST(Run, CutsSmallPartsAgainThoughItDidNotHelpOnce) {
         return folder.run({"run", "ring.nc", "--draft", "--tolerance", "0.005", "--tool-tolerance",
                            "0.05", "--step", "a.step", "--step-strict", "--step-refine", times});
     };
-    const Ran once = run("1"), often = run("3");
+    const Ran once = run("3"), often = run("4");
     EXPECT_EQ(once.exit_code, 2) << once.out;
     EXPECT_EQ(often.exit_code, 0) << often.err;
     EXPECT_TRUE(contains(often.out, "14 faces: 10 planes, 3 cylinders, 1 extrusion")) << often.out;
+    const Ran within_budget =
+        folder.run({"run", "ring.nc", "--draft", "--tolerance", "0.005", "--tool-tolerance", "0.05",
+                    "--step", "a.step", "--step-strict"});
+    EXPECT_EQ(within_budget.exit_code, 0) << within_budget.out;
 }
 
 TEST(Run, TheWavesOfTheSampleAreWhole) {

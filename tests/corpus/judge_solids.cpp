@@ -149,10 +149,9 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
     made.facet_faces = facets.faces.size();
     if (facets.faces.size() <= exporter::kStepMaxFaces)
         made.facet_bytes = step_of(facets, milled.provenance).size();
-    constexpr int kMostRefinements = 6;
     const double start = seconds_used();
     const simulation::Solid solid =
-        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kMostRefinements);
+        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, {});
     made.solid_s = seconds_used() - start;
     const brep::Part& part = solid.recognised.part;
     if (part.faces.size() > exporter::kStepMaxFaces) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // read_3mf <folder>: reads every .3mf in the folder with lib3mf. Each file must be read without
-// warnings, as a closed and oriented mesh with the volume in the adjacent .expect file.
+// warnings, as a closed and oriented mesh with the volume in the adjacent .expect file, of which
+// each vertex is used.
 #include <Model/COM/NMR_DLLInterfaces.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -43,10 +45,13 @@ double volume_of(PLib3MFModelMeshObject* mesh) {
         return static_cast<double>(vertices[vertex].m_fPosition[axis]) -
                static_cast<double>(vertices[0].m_fPosition[axis]);
     };
+    std::vector<bool> is_used(vertex_count, false);
     double sixfold = 0.0;
     for (DWORD i = 0; i < triangle_count; ++i) {
         MODELMESHTRIANGLE t{};
         ask(lib3mf_meshobject_gettriangle(mesh, i, &t), "triangle");
+        for (const DWORD v : t.m_nIndices)
+            is_used[v] = true;
         for (int x = 0; x < 3; ++x) {
             const int y = (x + 1) % 3;
             const int z = (x + 2) % 3;
@@ -55,6 +60,8 @@ double volume_of(PLib3MFModelMeshObject* mesh) {
                         coordinate(t.m_nIndices[1], z) * coordinate(t.m_nIndices[2], y));
         }
     }
+    if (std::ranges::find(is_used, false) != is_used.end())
+        throw std::runtime_error("a vertex is not used");
     return sixfold / 6.0;
 }
 

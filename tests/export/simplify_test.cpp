@@ -184,6 +184,16 @@ cda::Boundary random_part(std::uint64_t seed) {
     return part.boundary();
 }
 
+// Returns the number of vertices that no triangle of the mesh has.
+std::size_t count_unused(const cda::TriangleMesh& mesh) {
+    std::vector<bool> is_used(mesh.vertices.size(), false);
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t v : triangle)
+            is_used[v] = true;
+    }
+    return static_cast<std::size_t>(std::ranges::count(is_used, false));
+}
+
 TEST(Simplify, AnyPartStaysClosed) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         const cda::Boundary part = random_part(seed);
@@ -194,6 +204,9 @@ TEST(Simplify, AnyPartStaysClosed) {
             EXPECT_TRUE(cda::check(result.boundary).is_closed());
             EXPECT_TRUE(cda::check(cda::triangulate(result.boundary)).is_closed());
             EXPECT_LE(result.deviation_mm, tolerance);
+            // Files have the vertices of the mesh.
+            EXPECT_EQ(count_unused(result.mesh), 0U);
+            EXPECT_GE(result.mesh.vertices.size(), result.boundary.vertices.size());
         }
     }
 }

@@ -9,6 +9,7 @@
 #include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
+#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/export/stl.h"
 #include "ncsim/export/threemf.h"
@@ -188,6 +189,11 @@ void write_all(const std::filesystem::path& folder) {
 
     // A piece of the part hangs in the air, so there are two solids.
     write(folder / "polytopes", polytope_part().boundary(), provenance_of_polytope_part(), 0, 2);
+
+    // Simplification replaces many vertices of this part.
+    constexpr double kCoarse = 0.01;
+    write(folder / "simplified", simplify(polytope_part().boundary(), kCoarse).boundary,
+          provenance_of_polytope_part(), 0, 2);
 
     write(folder / "notched", notched_prism(), {{{}, {5, 2}}, "notched.nc"}, 0, 1);
 

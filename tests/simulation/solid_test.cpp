@@ -10,16 +10,16 @@
 namespace ncsim::simulation {
 namespace {
 
-// Facets remain at first where the path of the ball bends. The zigzag moves, 3 µm off a line, are
-// merged in the draft but not in cuts with a quarter of the tolerance.
+// A facet of the ring remains in cuts with finer tools alone. The zigzag moves, 3 µm off a line,
+// are merged in the draft but not in cuts with a quarter of the tolerance.
 TEST(RefinedSolid, JoinsFewerMovesInFinerCuts) {
     Plan plan;
     plan.job = setup::job_of(
-        {"corner.nc",
-         "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,100.,100.,40.,0.,0.,40.)\nG21 G90\n"
-         "T1 M6 S5000 M3\nG0 X0. Y0. Z20.\nG1 X83.333 Y0. Z-4.168 F1500.\nX100. Y0. Z-6.265\n"
-         "X100. Y25. Z-6.265\nG0 Z20.\nX20. Y60.\nG1 Z-1.\nX22. Y60.003\nX24. Y60.\n"
-         "X26. Y60.003\nX28. Y60.\nG0 Z20.\nM30\n"});
+        {"ring.nc",
+         "G17 G21 G90 G94 G54\nG0 Z0.25\nX-0.5 Y0.\nZ0.1\nG01 Z0. F5.\n"
+         "G02 X0. Y0.5 I0.5 J0. F2.5\nX0.5 Y0. I0. J-0.5\nX0. Y-0.5 I-0.5 J0.\n"
+         "X-0.5 Y0. I0. J0.5\nG01 Z0.1 F5.\nG00 Z0.25\nX10. Y10.\nG01 Z0.\nX12. Y10.003\n"
+         "X14. Y10.\nX16. Y10.003\nX18. Y10.\nG00 Z0.25\n"});
     plan.draft = true;
     plan.keep_boundary = true;
     plan.threads = 1;
@@ -29,11 +29,12 @@ TEST(RefinedSolid, JoinsFewerMovesInFinerCuts) {
     Verification nothing;
     nothing.keep_cuts = true;
     const Simulation milled = simulate(plan, seen, nothing, {});
-    const Solid once = refined_solid(plan, seen, milled, exporter::kStepTolerance, 0);
+    const Solid once = refined_solid(plan, seen, milled, exporter::kStepTolerance, {0, false});
     EXPECT_GT(once.recognised.facets_kept, 0U);
     EXPECT_EQ(once.arc_tolerance_mm, plan.tolerance);
     EXPECT_EQ(once.provenance.entries.size(), milled.provenance.entries.size());
-    const Solid finer = refined_solid(plan, seen, milled, exporter::kStepTolerance, 1);
+    const Solid finer = refined_solid(plan, seen, milled, exporter::kStepTolerance, {3, false});
+    EXPECT_EQ(finer.cuts, 3);
     EXPECT_LT(finer.recognised.facets_kept, once.recognised.facets_kept);
     EXPECT_LT(finer.arc_tolerance_mm, plan.tolerance);
     EXPECT_EQ(finer.provenance.entries.size(), milled.provenance.entries.size() + 3);

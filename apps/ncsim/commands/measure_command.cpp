@@ -101,10 +101,10 @@ int run(const MeasureOptions& options) {
     nothing.history = simulation::read_stock_history(*survey.stock);
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
     print_findings(plan.job.program, milled.diagnostics);
-    constexpr int kRefinements = 2;
+    constexpr simulation::Refinement kLimit{2, false};
     const simulation::Solid solid =
-        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kRefinements);
-    report::MeasureSheet sheet = simulation::measures_of(solid, *milled.boundary);
+        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kLimit);
+    report::MeasureSheet sheet = simulation::measures_of(plan, survey, solid, *milled.boundary);
     sheet.program = plan.job.program.name;
     if (!options.quiet)
         put_text(report::text_of(sheet, options.report_unit), outputs.takes_standard_output());

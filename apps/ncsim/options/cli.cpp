@@ -162,6 +162,7 @@ template Option* App::add_option(const std::string&, std::uint64_t&, const std::
 template Option* App::add_option(const std::string&, double&, const std::string&);
 template Option* App::add_option(const std::string&, std::optional<std::uint32_t>&,
                                  const std::string&);
+template Option* App::add_option(const std::string&, std::optional<int>&, const std::string&);
 
 Option* App::add_flag(const std::string& name, bool& value, const std::string& description) {
     return add(app_->add_flag(name, value, description));

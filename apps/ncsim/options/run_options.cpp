@@ -173,7 +173,7 @@ void add_step_options(cli::App& run, Options& o) {
            "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
            "analytic or faceted [analytic]")
         ->type_name("WHAT");
-    run.add_option("--step-refine", o.step_refine, "Cut again up to N times to avoid facets [6]")
+    run.add_option("--step-refine", o.step_refine, "Cut up to N times more, without limit of work")
         ->range(0, 6)
         ->type_name("N");
     run.add_flag("--step-strict", o.step_strict, "Exit with 2 if round surfaces remain facets");

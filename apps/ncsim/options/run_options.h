@@ -54,7 +54,8 @@ struct Options : ProgramOptions, SimulationOptions, PictureOptions {
     /// Tolerance in mm. Default: glTF and STL are exact, further formats are within kFlatTolerance.
     std::optional<double> simplify;
     StepSurfaces step_surfaces = StepSurfaces::Analytic;
-    int step_refine = 6;       ///< Largest number of further cuts that are tried for STEP.
+    /// Largest number of further cuts that are tried for STEP; unspecified: within a budget.
+    std::optional<int> step_refine{};
     bool step_strict = false;  ///< Facets that remain are a failure.
     exporter::StepSchema step_schema = exporter::StepSchema::Ap242;
     bool step_attributes = false;  ///< Lines, tools and kind of each face.

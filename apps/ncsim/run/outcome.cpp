@@ -25,7 +25,11 @@ report::SolidFacts solid_facts(const Outcome& outcome) {
         ++facts.kinds[face.surface.form.index()].second;
     facts.faces = solid.part.faces.size();
     facts.volume_mm3 = outcome.solid_mass->volume;
+    facts.polyhedron_mm3 = outcome.simulation->part_volume;
     facts.miss_mm = solid.part.miss_mm;
+    facts.cuts = of.cuts;
+    facts.cuts_not_tried = of.cuts_not_tried;
+    facts.has_ended_early = of.has_ended_early;
     facts.facets_kept = solid.facets_kept;
     facts.stock_facets = solid.stock_facets;
     facts.facet_miss_mm = solid.part.facet_miss_mm;

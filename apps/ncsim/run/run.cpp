@@ -216,8 +216,10 @@ std::optional<simulation::Solid> true_solid(const Outcome& outcome) {
     const Options& o = outcome.options;
     const bool is_written = !o.step.empty() && o.step_surfaces == StepSurfaces::Analytic;
     if (!is_written && o.sections.empty()) return std::nullopt;
+    simulation::Refinement limit;
+    if (o.step_refine) limit = {*o.step_refine, false};
     return simulation::refined_solid(outcome.plan, outcome.survey, *outcome.simulation,
-                                     step_tolerance(o), o.step_refine);
+                                     step_tolerance(o), limit);
 }
 
 }  // namespace

@@ -66,6 +66,20 @@ std::string degrees_text(double degrees) {
     return fmt::format("{}°", number_text(std::round(degrees * 100.0) / 100.0));
 }
 
+// Returns the lines and tools of all, each once.
+CutBy united(const std::vector<CutBy>& all) {
+    CutBy by;
+    for (const CutBy& one : all) {
+        by.lines.insert(by.lines.end(), one.lines.begin(), one.lines.end());
+        by.tools.insert(by.tools.end(), one.tools.begin(), one.tools.end());
+        by.earlier.insert(by.earlier.end(), one.earlier.begin(), one.earlier.end());
+    }
+    sort_once(by.lines);
+    sort_once(by.tools);
+    sort_once(by.earlier);
+    return by;
+}
+
 class Text {
 public:
     Text(const MeasureSheet& sheet, LengthUnit unit) : sheet_(sheet), unit_(unit) {}
@@ -79,6 +93,20 @@ public:
             return std::tuple("D" + length_text(b.diameter),
                               feature_text(b) + "; " + place_text(b.mouth, b.axis), b.by);
         });
+        rows("threads", sheet_.threads, [this](const MeasuredThread& t) {
+            std::string what = t.is_inside ? "inside" : "outside";
+            what += t.pitch ? ", pitch " + length_text(*t.pitch) : std::string(", pitch unknown");
+            append(what, ", {} deep; {}", length_text(t.depth), place_text(t.mouth, {0, 0, 1}));
+            return std::tuple("D" + length_text(t.diameter), std::move(what), t.by);
+        });
+        rows("csk", sheet_.countersinks, [this](const MeasuredCountersink& c) {
+            std::string what =
+                fmt::format("{}, {} deep", degrees_text(c.angle_degrees), length_text(c.depth));
+            if (c.has_tip) what += " to the tip";
+            if (c.covers_degrees < 360.0) what += ", " + degrees_text(c.covers_degrees) + " of it";
+            return std::tuple("D" + length_text(c.diameter),
+                              what + "; " + place_text(c.mouth, c.axis), c.by);
+        });
         rows("bosses", sheet_.bosses, [this](const MeasuredBoss& b) {
             std::string what = length_text(b.height) + " high";
             if (b.covers_degrees < 360.0) what += ", " + degrees_text(b.covers_degrees) + " of it";
@@ -88,6 +116,7 @@ public:
         floors();
         distances("inside", true);
         distances("outside", false);
+        chamfers();
         corners();
         if (sheet_.has_too_many_walls)
             text_ += "distances  not measured: there are too many walls\n";
@@ -201,30 +230,35 @@ private:
         });
     }
 
+    // Appends the chamfers. Equal chamfers share a row, because an outline has many.
+    void chamfers() {
+        std::vector<std::pair<std::string, std::vector<CutBy>>> equal;
+        for (const MeasuredChamfer& c : sheet_.chamfers) {
+            const std::string width = length_text(c.width), height = length_text(c.height);
+            const std::string size = (width == height ? width : width + " x " + height) + " x " +
+                                     degrees_text(c.angle_degrees);
+            auto found = std::ranges::find(equal, size, [](const auto& e) { return e.first; });
+            if (found == equal.end()) found = equal.insert(equal.end(), {size, {}});
+            found->second.push_back(c.by);
+        }
+        rows("chamfers", equal, [](const auto& entry) {
+            const std::string what = fmt::format("{} of them", entry.second.size());
+            return std::tuple(entry.first, what, united(entry.second));
+        });
+    }
+
     // Appends the corners. Equal corners share a row, because a pocket has four.
     void corners() {
-        struct Equal {
-            std::size_t count = 0;
-            CutBy by;
-        };
-        std::map<std::pair<std::string, bool>, Equal> equal;
-        for (const MeasuredCorner& c : sheet_.corners) {
-            Equal& e = equal[{length_text(c.radius), c.is_inside}];
-            ++e.count;
-            e.by.lines.insert(e.by.lines.end(), c.by.lines.begin(), c.by.lines.end());
-            e.by.tools.insert(e.by.tools.end(), c.by.tools.begin(), c.by.tools.end());
-            e.by.earlier.insert(e.by.earlier.end(), c.by.earlier.begin(), c.by.earlier.end());
-        }
-        std::vector<std::pair<std::pair<std::string, bool>, Equal>> list(equal.begin(),
-                                                                         equal.end());
-        rows("corners", list, [](auto entry) {
-            auto& [key, e] = entry;
-            for (auto* numbers : {&e.by.lines, &e.by.tools})
-                sort_once(*numbers);
-            sort_once(e.by.earlier);
+        std::map<std::pair<std::string, bool>, std::vector<CutBy>> equal;
+        for (const MeasuredCorner& c : sheet_.corners)
+            equal[{length_text(c.radius), c.is_inside}].push_back(c.by);
+        const std::vector list(equal.begin(), equal.end());
+        rows("corners", list, [](const auto& entry) {
+            const auto& [key, all] = entry;
             return std::tuple(
                 "R" + key.first,
-                fmt::format("{}, {} of them", key.second ? "inside" : "outside", e.count), e.by);
+                fmt::format("{}, {} of them", key.second ? "inside" : "outside", all.size()),
+                united(all));
         });
     }
 
@@ -259,6 +293,39 @@ Json to_json(const MeasuredBore& b) {
     if (b.tip_depth) json["tip_depth_mm"] = round_value(*b.tip_depth);
     if (b.tip_angle_degrees) json["tip_angle_degrees"] = round_value(*b.tip_angle_degrees);
     add(json, b.by);
+    return json;
+}
+
+Json to_json(const MeasuredThread& t) {
+    Json json{{"diameter_mm", round_value(t.diameter)},
+              {"pitch_mm", nullptr},
+              {"depth_mm", round_value(t.depth)},
+              {"inside", t.is_inside},
+              {"mouth", rounded_json(t.mouth)}};
+    if (t.pitch) json["pitch_mm"] = round_value(*t.pitch);
+    add(json, t.by);
+    return json;
+}
+
+Json to_json(const MeasuredCountersink& c) {
+    Json json{{"diameter_mm", round_value(c.diameter)},
+              {"depth_mm", round_value(c.depth)},
+              {"angle_degrees", round_value(c.angle_degrees)},
+              {"tip", c.has_tip},
+              {"mouth", rounded_json(c.mouth)},
+              {"axis", rounded_json(c.axis)},
+              {"covers_degrees", round_value(c.covers_degrees)}};
+    add(json, c.by);
+    return json;
+}
+
+Json to_json(const MeasuredChamfer& c) {
+    Json json{{"width_mm", round_value(c.width)},
+              {"height_mm", round_value(c.height)},
+              {"angle_degrees", round_value(c.angle_degrees)},
+              {"length_mm", round_value(c.length)},
+              {"at", rounded_json(c.at)}};
+    add(json, c.by);
     return json;
 }
 
@@ -327,7 +394,10 @@ void write_measures(std::ostream& out, const MeasureSheet& sheet) {
                            {"max", rounded_json(sheet.extents.max)}};
     }
     json["bores"] = list_json(sheet.bores);
+    json["threads"] = list_json(sheet.threads);
+    json["countersinks"] = list_json(sheet.countersinks);
     json["bosses"] = list_json(sheet.bosses);
+    json["chamfers"] = list_json(sheet.chamfers);
     json["floors"] = list_json(sheet.floors, sheet.extents);
     json["distances"] = list_json(sheet.distances);
     if (sheet.has_too_many_walls) json["distances"] = nullptr;

@@ -94,6 +94,19 @@ Json tools_json(const RunFacts& run) {
     return tools;
 }
 
+// Returns the effect of the budget of work on facets that remain; empty if there is none.
+std::string budget_text(const SolidFacts& solid) {
+    if (solid.cuts_not_tried == 0 && !solid.has_ended_early) return {};
+    std::string text = "          to limit the work, ";
+    if (solid.has_ended_early) text += "corrections ended early";
+    if (solid.has_ended_early && solid.cuts_not_tried > 0) text += " and ";
+    if (solid.cuts_not_tried > 0) {
+        text += fmt::format("{} finer cut{} not tried", solid.cuts_not_tried,
+                            solid.cuts_not_tried == 1 ? " was" : "s were");
+    }
+    return text + "; --step-refine 6 has no limit\n";
+}
+
 // Returns "47 faces: 21 planes, 20 cylinders, 3 tori; edges within 1e-09 mm", and the facets that
 // were not recognised.
 std::string solid_text(const SolidFacts& solid) {
@@ -108,6 +121,8 @@ std::string solid_text(const SolidFacts& solid) {
     // Smaller distances cannot be measured.
     constexpr double kLeast = 1e-9;
     text += fmt::format("; edges within {:.2g} mm\n", std::max(solid.miss_mm, kLeast));
+    text += fmt::format("          {} inside the true surfaces; the polyhedron has {}\n",
+                        volume_text(solid.volume_mm3), volume_text(solid.polyhedron_mm3));
     if (solid.own_cut) {
         text += fmt::format(
             "          from a cut with round tools within {:g} mm, arcs within {:g} mm, made for "
@@ -141,7 +156,8 @@ std::string solid_text(const SolidFacts& solid) {
         text += fmt::format("{}{}", before, solid.facet_lines[i]);
         before = ", ";
     }
-    return text + (solid.facet_lines.size() > kMostLines ? ", …\n" : "\n");
+    text += solid.facet_lines.size() > kMostLines ? ", …\n" : "\n";
+    return text + budget_text(solid);
 }
 
 // Returns "section   z=-4: 2 outlines, 4421.46 mm2 of material; 6 lines, 2 arcs".
@@ -410,6 +426,9 @@ void write_report(std::ostream& out, const RunFacts& run) {
             json["step"]["refined_to_mm"] = run.solid->own_cut->tools_mm;
             json["step"]["arcs_refined_to_mm"] = run.solid->own_cut->arcs_mm;
         }
+        json["step"]["cuts"] = {{"made", run.solid->cuts},
+                                {"not_tried", run.solid->cuts_not_tried},
+                                {"ended_early", run.solid->has_ended_early}};
         if (run.solid->tolerance_factor > 1.0)
             json["step"]["facets_coarser"] = run.solid->tolerance_factor;
     }

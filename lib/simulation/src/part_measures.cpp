@@ -8,6 +8,8 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/triangle_tree.h"
 
+#include "threads.h"
+
 #include <cstdint>
 #include <set>
 #include <string>
@@ -39,7 +41,8 @@ report::CutBy cut_by(const std::vector<cda::Origin>& origins,
 
 }  // namespace
 
-report::MeasureSheet measures_of(const Solid& solid, const cda::Boundary& boundary) {
+report::MeasureSheet measures_of(const Plan& plan, const Survey& survey, const Solid& solid,
+                                 const cda::Boundary& boundary) {
     const brep::Part& part = solid.recognised.part;
     const cda::TriangleMesh mesh = cda::triangulate(boundary);
     const brep::Features features = brep::features_of(part, cda::TriangleTree(mesh));
@@ -52,6 +55,11 @@ report::MeasureSheet measures_of(const Solid& solid, const cda::Boundary& bounda
                                b.covers_degrees, std::string(brep::name_of(b.end)), b.tip_depth,
                                b.tip_angle_degrees, by(b)});
     }
+    for (const brep::Countersink& c : features.countersinks)
+        sheet.countersinks.push_back({c.mouth, c.axis, c.diameter, c.depth, c.angle_degrees,
+                                      c.covers_degrees, c.has_tip, by(c)});
+    for (const brep::Chamfer& c : features.chamfers)
+        sheet.chamfers.push_back({c.width, c.height, c.angle_degrees, c.length, c.at, by(c)});
     for (const brep::Boss& b : features.bosses)
         sheet.bosses.push_back({b.foot, b.axis, b.diameter, b.height, b.covers_degrees, by(b)});
     for (const brep::Corner& c : features.corners)
@@ -61,6 +69,7 @@ report::MeasureSheet measures_of(const Solid& solid, const cda::Boundary& bounda
         sheet.floors.push_back({f.z, f.area, f.is_closed, f.box, by(f)});
     for (const brep::Distance& d : features.distances)
         sheet.distances.push_back({d.mm, d.is_void, d.from, d.to, by(d)});
+    sheet.threads = threads_of(plan, survey, sheet);
     sheet.has_too_many_walls = features.has_too_many_walls;
     sheet.facets = features.facets;
     sheet.facet_area_mm2 = features.facet_area;

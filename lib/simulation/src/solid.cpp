@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -18,7 +19,7 @@
 namespace ncsim::simulation {
 
 brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
-                          double tolerance_mm) {
+                          double tolerance_mm, std::uint64_t most_work) {
     // Facets in one plane need not be on a common surface: the bottoms of all grooves of a ball end
     // mill are in one plane. So facets of different motions stay separate, as with different lines.
     exporter::Provenance apart;
@@ -33,9 +34,9 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
                     [&](cda::Origin origin, brep::SweptSurfaces source) {
                         sources[origin] = std::move(source);
                     });
-    brep::Recognised solid =
-        brep::recognise(facets(tolerance_mm, &apart), sources,
-                        [&](double times) { return facets(times * tolerance_mm, nullptr); });
+    brep::Recognised solid = brep::recognise(
+        facets(tolerance_mm, &apart), sources,
+        [&](double times) { return facets(times * tolerance_mm, nullptr); }, most_work);
     if (survey.stock->from && !simulation.history) {
         solid.stock_facets = brep::mark_tessellated(solid.part, cda::kStockOrigin);
         solid.facets_kept += solid.stock_facets;
@@ -59,18 +60,76 @@ bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simul
 struct Cut {
     double of_tools, of_arcs;  // arcs and joined moves
 };
-constexpr std::array kCuts{Cut{0.25, 0.25}, Cut{0.0625, 0.0625}, Cut{0.5, 1.0},
-                           Cut{1.0, 0.25},  Cut{0.5, 0.25},      Cut{0.25, 1.0}};
+// Finer tools alone come first: these cuts have hardly more facets, and help most often.
+constexpr std::array<Cut, kKnownCuts> kCuts{Cut{0.25, 1.0},      Cut{0.5, 1.0},  Cut{0.25, 0.25},
+                                            Cut{0.0625, 0.0625}, Cut{1.0, 0.25}, Cut{0.5, 0.25}};
 // No further cuts are made if the cuts so far have had more facets together, because the cost grows
 // with the number of facets.
 constexpr std::size_t kMostOfAllCuts = 60'000;
 
+// Work in the unit of brep::Recognised::work, about 5 µs.
+constexpr std::uint64_t kWorkOfRun = 1'600, kWorkOfHull = 3, kWorkOfFacet = 8;
+
+// Returns the work of a run that writes a mesh.
+std::uint64_t work_of(const Simulation& simulation) {
+    return kWorkOfRun + kWorkOfHull * simulation.hulls +
+           kWorkOfFacet * simulation.boundary->faces.size();
+}
+
+// Counted work of a solid, with limits relative to the work of the run without a solid.
+class WorkBudget {
+public:
+    WorkBudget(const Simulation& simulation, bool is_limited)
+        : plain_(work_of(simulation)), used_(plain_), is_limited_(is_limited) {}
+
+    // Limits for recognise(): of the first cut, which may leave facets to a finer cut, and of
+    // further cuts. Most solids without facets need less.
+    std::uint64_t most_of_first() const {
+        return is_limited_ ? std::max(kLeast / 2, plain_ + plain_ / 4) : brep::kUnlimitedWork;
+    }
+    std::uint64_t most_of_further() const {
+        return is_limited_ ? std::max(kLeast / 2, 2 * plain_) : brep::kUnlimitedWork;
+    }
+
+    void add(std::uint64_t work) { used_ += work; }
+
+    // Decides by the first cut whether finer tools are worth more than the budget: few facets fail,
+    // or the corrections of a small part had no end.
+    void judge_first(const brep::Recognised& solid, const Simulation& simulation) {
+        constexpr std::size_t kFew = 8, kSmall = 5'000;
+        const std::size_t facets = simulation.boundary->faces.size();
+        is_promising_ =
+            kFew * solid.facets_demoted <= facets || (solid.shells_kept > 0 && facets <= kSmall);
+    }
+
+    // True if the cut is within the budget. Hulls and facets grow about with the fourth root of
+    // both factors.
+    bool allows(const Cut& cut) const {
+        constexpr std::uint64_t kTimes = 3, kTimesIfPromising = 9;
+        const double growth = 1.0 / std::sqrt(std::sqrt(cut.of_tools * cut.of_arcs));
+        const auto next = static_cast<std::uint64_t>(growth * static_cast<double>(plain_));
+        const bool is_of_tools_alone = cut.of_arcs == 1.0;
+        const std::uint64_t times = is_promising_ && is_of_tools_alone ? kTimesIfPromising : kTimes;
+        return !is_limited_ || used_ + next <= std::max(kLeast, times * plain_);
+    }
+
+private:
+    static constexpr std::uint64_t kLeast = 50'000;  // for small parts
+
+    std::uint64_t plain_, used_;
+    bool is_limited_, is_promising_ = false;
+};
+
 }  // namespace
 
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
-                    double tolerance_mm, int most_refinements) {
-    Solid best{solid_of(plan, survey, simulation, tolerance_mm), simulation.provenance,
-               plan.tool_tolerance, plan.tolerance};
+                    double tolerance_mm, const Refinement& limit) {
+    WorkBudget budget(simulation, limit.has_budget);
+    Solid best{solid_of(plan, survey, simulation, tolerance_mm, budget.most_of_first()),
+               simulation.provenance, plan.tool_tolerance, plan.tolerance};
+    best.has_ended_early = best.recognised.has_ended_early;
+    budget.add(best.recognised.work);
+    budget.judge_first(best.recognised, simulation);
     bool is_coarse = are_facets_too_large(best.recognised, simulation);
     Plan other = plan;
     // cda-flat has quadratic cost in the facets; this model makes the same part.
@@ -79,9 +138,15 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
     other.keep_paths = other.keep_removed_cells = other.hull_times = false;
     other.tool_volumes = other.block_volumes = false;
     std::size_t facets = 0;
-    const auto most = static_cast<std::size_t>(most_refinements);
+    const auto most = static_cast<std::size_t>(limit.most_cuts);
+    int made = 0, not_tried = 0;
     for (std::size_t i = 0; i < std::min(most, kCuts.size()) && is_coarse; ++i) {
         if (facets > kMostOfAllCuts) break;
+        if (!budget.allows(kCuts[i])) {
+            ++not_tried;
+            continue;
+        }
+        ++made;
         other.tool_tolerance = kCuts[i].of_tools * plan.tool_tolerance;
         other.tolerance = kCuts[i].of_arcs * plan.tolerance;
         other.join_tolerance = kCuts[i].of_arcs * plan.join_tolerance;
@@ -90,12 +155,19 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
         nothing.history = simulation.history;
         Simulation again = simulate(other, survey, nothing, {});
         facets += again.boundary->faces.size();
-        brep::Recognised solid = solid_of(other, survey, again, tolerance_mm);
+        brep::Recognised solid =
+            solid_of(other, survey, again, tolerance_mm, budget.most_of_further());
+        budget.add(work_of(again) + solid.work);
         is_coarse = are_facets_too_large(solid, again);
-        if (solid.facets_kept < best.recognised.facets_kept)
+        const bool has_ended_early = solid.has_ended_early;
+        if (solid.facets_kept < best.recognised.facets_kept) {
             best = {std::move(solid), std::move(again.provenance), other.tool_tolerance,
                     other.tolerance};
+            best.has_ended_early = has_ended_early;
+        }
     }
+    best.cuts = made;
+    best.cuts_not_tried = is_coarse ? not_tried : 0;
     return best;
 }
 

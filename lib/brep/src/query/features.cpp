@@ -79,6 +79,8 @@ public:
         measure_walls();
         sort(features_.bores);
         sort(features_.bosses);
+        sort(features_.countersinks);
+        sort(features_.chamfers);
         sort(features_.corners);
         sort(features_.floors);
         std::ranges::stable_sort(features_.distances, {}, [](const Distance& d) {
@@ -102,6 +104,8 @@ private:
     }
     static Vec3 place(const Bore& b) { return b.mouth; }
     static Vec3 place(const Boss& b) { return b.foot; }
+    static Vec3 place(const Countersink& c) { return c.mouth; }
+    static Vec3 place(const Chamfer& c) { return c.at; }
     static Vec3 place(const Corner& c) { return c.on_axis; }
     static Vec3 place(const Floor& f) { return f.box.min; }
 
@@ -113,8 +117,11 @@ private:
                 features_.facet_area += std::abs(measure(part_, face, face.frame.origin).area);
             } else if (const auto* cylinder = std::get_if<Cylinder>(&face.surface.form)) {
                 take_cylinder(f, *cylinder);
+            } else if (const auto* cone = std::get_if<Cone>(&face.surface.form)) {
+                if (!take_countersink(f, *cone)) take_chamfer(f, cone);
             } else if (const auto* plane = std::get_if<Plane>(&face.surface.form)) {
                 planes_.push_back(f);
+                take_chamfer(f, nullptr);
                 if (plane->normal.z > 1.0 - kAligned) take_floor(f, *plane);
             }
         }
@@ -155,8 +162,10 @@ private:
         features_.bores.push_back(bore(f, form, up, along, covers));
     }
 
-    // Returns the end of the cylinder in direction `out`, with the faces beyond its edges there.
-    Rim rim(std::uint32_t f, const Cylinder& form, Vec3 out) const {
+    // Returns the end of a cylinder or cone about the axis through `origin` in direction `out`,
+    // with the faces beyond its edges there. `slant` is the cosine of the angle between the axis
+    // and the lines of the surface.
+    Rim rim(std::uint32_t f, Vec3 origin, Vec3 out, double slant = 1.0) const {
         Rim rim;
         const Face& face = part_.faces[f];
         for (std::size_t i = 0; i < face.loops.size(); ++i) {
@@ -168,9 +177,9 @@ private:
                 // The face is on the left of its edges.
                 const Vec3 inwards = cross(outward(face.surface, p), normalized(along));
                 constexpr double kAtAnEnd = 0.2;
-                if (dot(inwards, out) > -kAtAnEnd) continue;
+                if (dot(inwards, out) > -kAtAnEnd * slant) continue;
                 for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
-                    rim.along.add(dot(track.at(t) - form.origin, out));
+                    rim.along.add(dot(track.at(t) - origin, out));
                 const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
                 if (beyond == kNone) continue;
                 rim.beyond = std::min(rim.beyond, beyond);
@@ -196,7 +205,7 @@ private:
         bore.diameter = 2.0 * form.radius;
         bore.covers_degrees = covers;
         bore.origins = part_.faces[f].origins;
-        Rim top = rim(f, form, up), bottom = rim(f, form, -up);
+        Rim top = rim(f, form.origin, up), bottom = rim(f, form.origin, -up);
         // A bore that is closed above and open below was cut from below.
         const bool is_upside_down = top.is_closing && bottom.is_opening && !bottom.is_closing;
         if (is_upside_down) std::swap(top, bottom);
@@ -233,6 +242,114 @@ private:
             return BoreEnd::Ball;
         }
         return std::holds_alternative<Torus>(form) ? BoreEnd::Rounded : BoreEnd::Other;
+    }
+
+    // --- Cones and chamfers -----------------------------------------------------------------
+
+    // Adds the cone if it is a countersink. The tip of a drilled bore is none, because the wide end
+    // continues in the bore.
+    bool take_countersink(std::uint32_t f, const Cone& cone) {
+        const Face& face = part_.faces[f];
+        if (!face.surface.is_hollow) return false;
+        const auto loops = points_along(part_, face);
+        const AngularExtent round =
+            angular_extent(loops, cone.apex, cone.axis, any_perpendicular(cone.axis));
+        const double covers = round.is_full_turn ? 360.0 : 360.0 - round.gap;
+        if (covers <= 180.0 + kSame) return false;
+        const double slant = 1.0 / std::sqrt(1.0 + cone.slope * cone.slope);
+        const Rim mouth = rim(f, cone.apex, cone.axis, slant);
+        if (!mouth.is_opening || mouth.is_closing) return false;
+        Countersink sink;
+        sink.axis = cone.axis;
+        sink.mouth = cone.apex + mouth.along.high * cone.axis;
+        sink.diameter = 2.0 * cone.slope * mouth.along.high;
+        sink.has_tip = has_tip(part_, face);
+        Span along;
+        for (const auto& points : loops) {
+            for (const Vec3& p : points)
+                along.add(dot(p - cone.apex, cone.axis));
+        }
+        sink.depth = mouth.along.high - (sink.has_tip ? 0.0 : along.low);
+        sink.angle_degrees = 2.0 * half_angle_rad(cone) * 180.0 / std::numbers::pi;
+        sink.covers_degrees = covers;
+        sink.origins = face.origins;
+        features_.countersinks.push_back(std::move(sink));
+        return true;
+    }
+
+    // Convex edge of a face.
+    struct ConvexEdge {
+        Vec3 at, along;  // middle of the edge, and its direction there
+        Vec3 normal;     // of the face beyond
+        double length = 0.0;
+    };
+
+    // Returns the edges at which the angle inside the material is between 90° and 180°.
+    std::vector<ConvexEdge> blunt_edges(const Face& face) const {
+        std::vector<ConvexEdge> edges;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
+                if (beyond == kNone || part_.faces[beyond].is_facet) continue;
+                const Edge& edge = part_.edges[use.edge];
+                const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
+                const Vec3 p = track.at(0.5);
+                const Vec3 along =
+                    normalized((use.is_forward ? 1.0 : -1.0) * track.derivative(0.5));
+                const Vec3 own = outward(face.surface, p);
+                const Vec3 other = outward(part_.faces[beyond].surface, p);
+                const double cosine = dot(own, other);
+                if (dot(cross(own, along), other) > -kSame || cosine < kSame) continue;
+                double length = 0.0;
+                constexpr int kChords = 16;
+                for (int i = 0; i < kChords; ++i)
+                    length += norm(track.at((i + 1.0) / kChords) - track.at(i * 1.0 / kChords));
+                edges.push_back({p, along, other, length});
+            }
+        }
+        return edges;
+    }
+
+    // Adds the face if it has blunt edges to a level face and to an upright face. `cone` is null
+    // for a plane.
+    void take_chamfer(std::uint32_t f, const Cone* cone) {
+        const Face& face = part_.faces[f];
+        const std::vector<ConvexEdge> edges = blunt_edges(face);
+        std::optional<Chamfer> best;
+        for (const ConvexEdge& level : edges) {
+            if (std::abs(level.normal.z) < 1.0 - kAligned) continue;
+            for (const ConvexEdge& upright : edges) {
+                if (std::abs(upright.normal.z) > kSame) continue;
+                const auto chamfer = chamfer_between(face, cone, level, upright);
+                if (chamfer && (!best || chamfer->length > best->length)) best = chamfer;
+            }
+        }
+        if (!best) return;
+        best->origins = face.origins;
+        features_.chamfers.push_back(std::move(*best));
+    }
+
+    static std::optional<Chamfer> chamfer_between(const Face& face, const Cone* cone,
+                                                  const ConvexEdge& level,
+                                                  const ConvexEdge& upright) {
+        Chamfer chamfer;
+        chamfer.height = std::abs(level.at.z - upright.at.z);
+        if (cone) {
+            if (std::abs(cone->axis.z) < 1.0 - kAligned) return std::nullopt;
+            chamfer.width = chamfer.height * cone->slope;
+        } else {
+            // Edges at the ends of a chamfer are not parallel to the edges along it.
+            constexpr double kParallel = 1e-3;
+            if (norm(cross(level.along, upright.along)) > kParallel) return std::nullopt;
+            chamfer.width = std::abs(dot(level.at - upright.at, upright.normal));
+        }
+        if (chamfer.width < kSame || chamfer.height < kSame) return std::nullopt;
+        const Vec3 own = outward(face.surface, level.at);
+        chamfer.angle_degrees =
+            trig::angle_of(dot(own, level.normal), norm(cross(own, level.normal)));
+        chamfer.length = std::max(level.length, upright.length);
+        chamfer.at = level.at;
+        return chamfer;
     }
 
     // --- Floors -----------------------------------------------------------------------------

@@ -52,13 +52,19 @@ constexpr int kLenientRounds = 8, kStrictRounds = 16, kMostRounds = 100;
 constexpr std::size_t kManyFacets = 20'000, kTooManyFacets = 200'000;
 constexpr int kMostRoundsOfMany = 40, kMostRoundsWithCorners = 8;
 constexpr double kNoWidth = 1e-3;  // mm
+// Labels and the first solution of a facet cost as much as this number of rounds.
+constexpr std::uint64_t kFirstRounds = 5;
+// With this number of times the allowed work, the shell consists of facets.
+constexpr std::uint64_t kMostOverrun = 2;
 
 class ShellRecogniser {
 public:
     ShellRecogniser(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
-                    std::span<const std::uint32_t> faces)
+                    std::span<const std::uint32_t> faces, std::uint64_t most_work)
         : mesh_(facets, sources, faces),
           apex_(mesh_.point(mesh_.edges().front().from)),
+          most_work_(most_work),
+          work_(kFirstRounds * mesh_.size()),
           face_checks_(apex_) {}
 
     // The shell as a part without solids; nothing if it cannot be had.
@@ -68,6 +74,8 @@ public:
         for (int round = 0; round < (are_many ? kMostRoundsOfMany : kMostRounds); ++round) {
             if (are_many && round == kMostRoundsWithCorners && spent_[kCorners] == round)
                 return std::nullopt;
+            work_ += mesh_.size();
+            if (work_ / kMostOverrun > most_work_) return std::nullopt;
             failures_.clear();
             has_joined_ = false;
             if (!settle_groups()) return std::nullopt;
@@ -80,9 +88,10 @@ public:
             const int spent = spent_[stage]++;
             Part part;
             if (stage == kFaces) part = build();
-            const Strictness strictness = spent < kLenientRounds  ? Strictness::Low
-                                          : spent < kStrictRounds ? Strictness::High
-                                                                  : Strictness::Full;
+            const Strictness strictness = work_ > most_work_       ? Strictness::Full
+                                          : spent < kLenientRounds ? Strictness::Low
+                                          : spent < kStrictRounds  ? Strictness::High
+                                                                   : Strictness::Full;
             if (groups_.relabel(failures_, strictness) || has_joined_) continue;
             if (!failures_.empty() || !has_the_volume()) return std::nullopt;
             std::vector<bool> is_as_it_was = unmoved(part);
@@ -101,6 +110,7 @@ public:
 
     // As the last attempt left it.
     std::size_t demoted_count() const { return mesh_.demoted_count(); }
+    std::uint64_t work() const { return work_; }
     double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
 
 private:
@@ -394,6 +404,7 @@ private:
     double volume_ = 0.0;                       // of it, by cones from the apex
     FacetMesh mesh_;
     Vec3 apex_;
+    std::uint64_t most_work_, work_;  // facets times rounds
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
@@ -468,15 +479,17 @@ bool is_mostly_facets(const Part& part) {
 }  // namespace
 
 Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
-                     const std::function<Facets(double times)>& kept) {
+                     const std::function<Facets(double times)>& kept, std::uint64_t most_work) {
     Recognised result;
     const auto shells = shells_of(facets.boundary);
     std::optional<Facets> flat;
     std::vector<std::vector<std::uint32_t>> flat_shells;
     const auto add = [&](std::uint32_t s) {
-        ShellRecogniser recogniser(facets, sources, shells[s]);
+        ShellRecogniser recogniser(facets, sources, shells[s], most_work);
         const auto part = recogniser();
         result.facets_demoted += recogniser.demoted_count();
+        result.work += recogniser.work();
+        result.has_ended_early = result.has_ended_early || recogniser.work() > most_work;
         if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
         if (part && !is_mostly_facets(*part)) return append(result.part, *part);
         if (!flat) {

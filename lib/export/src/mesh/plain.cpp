@@ -31,7 +31,7 @@ Vec3 loop_area_vector(const std::vector<Vec3>& vertices, const LoopOfVertices& l
     return sum;
 }
 
-// True if each used vertex has at least three loops, all of different faces. Then no vertex is in
+// True if each vertex has at least three loops, all of different faces. Then no vertex is in
 // the middle of a chain between two faces, and no loop meets itself or another loop of its face.
 bool are_all_corners(const cda::Boundary& boundary) {
     constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
@@ -45,7 +45,7 @@ bool are_all_corners(const cda::Boundary& boundary) {
             }
         }
     }
-    return std::ranges::none_of(loops_at, [](std::uint32_t n) { return n == 1 || n == 2; });
+    return std::ranges::none_of(loops_at, [](std::uint32_t n) { return n < 3; });
 }
 
 double largest_distance(const std::vector<Vec3>& vertices, const cda::BoundaryFace& of,

@@ -353,6 +353,30 @@ void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     face.offset = 0.5 * (least + most);
 }
 
+// Removes vertices that no face uses; the others keep their order.
+void remove_unused_vertices(cda::Boundary& boundary) {
+    std::vector<std::uint8_t> is_used(boundary.vertices.size(), 0);
+    for (const auto& face : boundary.faces) {
+        for (const Loop& loop : face.loops) {
+            for (const Vertex v : loop)
+                is_used[v] = 1;
+        }
+    }
+    std::vector<Vertex> index(boundary.vertices.size());
+    Vertex count = 0;
+    for (std::size_t v = 0; v < index.size(); ++v) {
+        index[v] = count;
+        if (is_used[v] != 0) boundary.vertices[count++] = boundary.vertices[v];
+    }
+    boundary.vertices.resize(count);
+    for (auto& face : boundary.faces) {
+        for (Loop& loop : face.loops) {
+            for (Vertex& v : loop)
+                v = index[v];
+        }
+    }
+}
+
 Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh, double share,
                           const Provenance* lines) {
     remove_slivers(mesh, share);
@@ -367,6 +391,7 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
             merged.boundary.faces[f].origin = flats.origin(merged.group[f]);
     }
     Straightening(merged.boundary, share).run();
+    remove_unused_vertices(merged.boundary);
     for (auto& face : merged.boundary.faces) {
         const bool is_right_way =
             cda::dot(area_vector(merged.boundary.vertices, face), face.normal) > 0.0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Features that are measured with a calliper: bores, bosses, floors, distances between walls. All
-// values come from true surfaces; unrecognised facets are counted but not measured. mm.
+// Features that are measured with a calliper: bores, countersinks, bosses, chamfers, floors,
+// distances between walls. All values come from true surfaces; unrecognised facets are counted but
+// not measured. mm.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -51,6 +52,28 @@ struct Boss {
     std::vector<cda::Origin> origins;
 };
 
+/// Cone around void that covers more than half a turn and opens at its wide end.
+struct Countersink {
+    Vec3 mouth;                  ///< Centre of the wide end.
+    Vec3 axis;                   ///< Unit, out of the mouth.
+    double diameter = 0.0;       ///< At the mouth.
+    double depth = 0.0;          ///< From the mouth to the end of the cone.
+    double angle_degrees = 0.0;  ///< Included angle.
+    double covers_degrees = 360.0;
+    bool has_tip = false;  ///< True if the cone ends in its tip.
+    std::vector<cda::Origin> origins;
+};
+
+/// Plane or cone in the place of a convex edge between a level face and an upright face.
+struct Chamfer {
+    double width = 0.0,
+           height = 0.0;         ///< Lengths by which the level and the upright face end early.
+    double angle_degrees = 0.0;  ///< Angle to the level face.
+    double length = 0.0;         ///< Length of the longer edge.
+    Vec3 at;                     ///< Middle of the edge at the level face.
+    std::vector<cda::Origin> origins;
+};
+
 /// Rounded corner: cylinder that covers at most half a turn.
 struct Corner {
     double radius = 0.0;
@@ -82,6 +105,8 @@ struct Distance {
 struct Features {
     std::vector<Bore> bores;
     std::vector<Boss> bosses;
+    std::vector<Countersink> countersinks;
+    std::vector<Chamfer> chamfers;
     std::vector<Corner> corners;
     std::vector<Floor> floors;
     std::vector<Distance> distances;

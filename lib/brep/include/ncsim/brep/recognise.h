@@ -10,7 +10,9 @@
 #include "ncsim/brep/swept_surfaces.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -28,6 +30,9 @@ struct Recognised {
     /// Number of facets that fit a surface of their source but not the adjacent faces; smaller
     /// facets might fit both. For shells that are kept as facets, the number of the last attempt.
     std::size_t facets_demoted = 0;
+    /// Counted work: a unit for each facet in each round of corrections.
+    std::uint64_t work = 0;
+    bool has_ended_early = false;  ///< True if a shell had more work than was allowed.
     /// Largest height in mm by which a removed lune is lower than the surface in its place. Balls
     /// leave lunes at corners of the path.
     double mitred_mm = 0.0;
@@ -37,6 +42,8 @@ struct Recognised {
     bool is_sound = true;
 };
 
+inline constexpr std::uint64_t kUnlimitedWork = std::numeric_limits<std::uint64_t>::max();
+
 /// Returns the part with the facets `facets`, made of the surfaces of `sources`. Faces whose origin
 /// has no source stay facets.
 ///
@@ -44,6 +51,8 @@ struct Recognised {
 /// remaining facets are kept. If a shell cannot satisfy the guarantees, some faces or the whole
 /// shell stay facets. A shell as a whole comes from `kept`, which is called only in this case and
 /// returns the same part, joined into as few planar faces as possible within `times` its tolerance.
+/// After `most_work` units of work in a shell, all faces that fail become facets at once; after
+/// twice as many, the whole shell does.
 ///
 /// Guarantees: every shell with recognised faces is closed; edges lie on their surfaces within 3 µm
 /// (Part::miss_mm has the measured value), next to kept facets within about 2.5 times the error of
@@ -51,6 +60,7 @@ struct Recognised {
 /// most area times error. Equal input gives equal bytes.
 /// Cost: expected O(n log n) for n facets.
 Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
-                     const std::function<Facets(double times)>& kept);
+                     const std::function<Facets(double times)>& kept,
+                     std::uint64_t most_work = kUnlimitedWork);
 
 }  // namespace ncsim::brep

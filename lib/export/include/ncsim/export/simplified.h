@@ -13,8 +13,8 @@ namespace ncsim::exporter {
 /// A boundary with fewer faces.
 struct Simplified {
     /// The simplified boundary. The `origin` of a face is the smallest origin of the faces that
-    /// were joined, or, if simplify() kept program lines apart, that of the largest face. Some
-    /// vertices may be unused.
+    /// were joined, or, if simplify() kept program lines apart, that of the largest face. Each
+    /// vertex is used.
     cda::Boundary boundary;
     /// For each face the origins of the faces that were joined, ascending, without repetition.
     std::vector<std::vector<cda::Origin>> origins;

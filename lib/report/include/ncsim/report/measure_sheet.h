@@ -38,6 +38,28 @@ struct MeasuredBore {
     std::optional<double> tip_depth{}, tip_angle_degrees{};
     CutBy by{};
 };
+/// Cone around air, more than half of a circle, that opens at its wide end.
+struct MeasuredCountersink {
+    cda::Vec3 mouth, axis;
+    double diameter = 0.0, depth = 0.0, angle_degrees = 0.0, covers_degrees = 360.0;
+    bool has_tip = false;
+    CutBy by{};
+};
+/// Plane or cone in the place of an edge: lengths along the adjacent faces, angle to the first.
+struct MeasuredChamfer {
+    double width = 0.0, height = 0.0, angle_degrees = 0.0, length = 0.0;
+    cda::Vec3 at;
+    CutBy by{};
+};
+/// Thread by a tap or a thread mill, as the program says.
+struct MeasuredThread {
+    cda::Vec3 mouth;
+    double diameter = 0.0;
+    std::optional<double> pitch{};  ///< Unknown: a tap without a pitch.
+    double depth = 0.0;             ///< From the mouth to the lowest position of the tip.
+    bool is_inside = true;
+    CutBy by{};
+};
 /// Cylinder around material, more than half of a circle.
 struct MeasuredBoss {
     cda::Vec3 foot, axis;
@@ -73,7 +95,10 @@ struct MeasureSheet {
     cda::Box extents;
     double volume_mm3 = 0.0;
     std::vector<MeasuredBore> bores;
+    std::vector<MeasuredThread> threads{};
+    std::vector<MeasuredCountersink> countersinks{};
     std::vector<MeasuredBoss> bosses;
+    std::vector<MeasuredChamfer> chamfers{};
     std::vector<MeasuredCorner> corners;
     std::vector<MeasuredFloor> floors;
     std::vector<MeasuredDistance> distances;

@@ -48,6 +48,10 @@ struct SolidFacts {
     double mitred_mm = 0.0;
     /// Factor on the tolerance for shells of facets alone (FlatPart::tolerance_factor).
     double tolerance_factor = 1.0;
+    double polyhedron_mm3 = 0.0;  ///< Volume of the polyhedron.
+    /// Numbers of further cuts that were made, and that the budget did not allow.
+    int cuts = 0, cuts_not_tried = 0;
+    bool has_ended_early = false;  ///< True if the budget ended corrections of the surfaces.
 };
 
 /// Section of the part.
