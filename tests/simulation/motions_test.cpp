@@ -51,7 +51,7 @@ TEST(Motions, OfOneInterpretationServeAllResults) {
     const Simulation part = simulate(plan, seen, verification, {});
     EXPECT_NEAR(part.part_volume, 16000.0 - 6 * 40 * 5, 1e-6);
     (void)shading_of(plan, seen, part, *part.boundary);
-    EXPECT_FALSE(refined_solid(plan, seen, part, 1e-4, 2).recognised.part.faces.empty());
+    EXPECT_FALSE(refined_solid(plan, seen, part, 1e-4, {}).recognised.part.faces.empty());
     (void)assumptions_of(plan, seen, {});
     EXPECT_GT(machining_times(plan, seen, {}).feed_mm, 0.0);
     EXPECT_EQ(reads, 1);
