@@ -3,9 +3,10 @@
 // Strokes of taps and helices of thread mills, as the interpreter sends them.
 #include "threads.h"
 
-#include "ncsim/gcode/interpreter.h"
 #include "ncsim/toolpath/tool.h"
 #include "ncsim/trig/angles.h"
+
+#include "motions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,10 +164,7 @@ report::MeasuredThread thread_of(const Course& course, const report::MeasureShee
 std::vector<report::MeasuredThread> threads_of(const Plan& plan, const Survey& survey,
                                                const report::MeasureSheet& sheet) {
     ThreadFinder finder(survey);
-    gcode::InterpreterOptions silent = plan.job.interpreter;
-    silent.observe_frame = nullptr;
-    gcode::interpret(plan.job.program, silent,
-                     [&](const gcode::Motion& motion) { finder.take(motion); });
+    for_each_motion(plan, [&](const gcode::Motion& motion) { finder.take(motion); });
     // Three decimals of a centre are less than a turn by this much.
     constexpr double kFullTurn = 0.999;
     std::vector<report::MeasuredThread> threads;
