@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
 
         constexpr double kTolerance = 1e-4;  // mm, within which facets are joined
         const simulation::Solid solid =
-            simulation::refined_solid(plan, survey, part, kTolerance, 6);
+            simulation::refined_solid(plan, survey, part, kTolerance, {});
         for (const brep::Face& face : solid.recognised.part.faces) {
             std::cout << brep::kForms.at(face.surface.form.index());
             if (const auto* hole = std::get_if<brep::Cylinder>(&face.surface.form))

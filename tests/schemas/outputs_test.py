@@ -115,8 +115,11 @@ def outputs():
         add("report", ["run", "broken.nc"], ["-q"])
         add("report", ["run", "set.nc"], ["-q", "--tool", "T1=flat:D200:L50", "--stock", "1x1x0.5"])
         add("measure", ["measure", "holes.nc"], ["-q"])
-        for path in ("holes.nc", samples[1]):  # faces of an earlier run
-            call(["run", path, "--save-stock", "earlier.ncstock", "-q"], folder)
+        threads = os.path.join(SOURCE, "tests", "programs", "threads-and-chamfers", "program.nc")
+        mills = ["--tool", "T4=slot:D8:L1", "--tool", "T5=tap:D6:K1"]
+        add("measure", ["measure", threads], ["-q", *mills])
+        for path, tools in (("holes.nc", []), (samples[1], []), (threads, mills)):  # faces of an earlier run
+            call(["run", path, "--save-stock", "earlier.ncstock", "-q", *tools], folder)
             add("measure", ["measure", "set.nc"], ["-q", "--stock", "earlier.ncstock", "--tool", "T1=flat:D1:L20"])
         add("measure", ["measure", "set.nc"], ["-q", "--tool", "T1=flat:D200:L50", "--stock", "1x1x0.5"])
         add("tools", ["tools", "set.nc"], ["--job", "job.toml"])

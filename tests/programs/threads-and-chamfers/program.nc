@@ -1,0 +1,49 @@
+(a milled and a tapped thread, a countersink, and an edge that is chamfered)
+(T1 D=10. CR=0. - flat end mill)
+(T2 D=5. CR=0. TAPER=118deg - drill)
+(T3 D=20. CR=0. TAPER=45deg - chamfer mill)
+(STOCK/BLOCK,60.,50.,12.,0.,0.,12.)
+G21 G90 G17 G94 G54 F300
+T1 M6
+S5000 M3
+G0 X20 Y25 Z5
+G1 Z-13
+G1 X20.2
+G3 X20.2 Y25 I-0.2 J0
+G1 X20
+G0 Z5
+M5
+T3 M6
+S3000 M3
+G0 X20 Y25 Z5
+G1 Z-6
+G0 Z5
+G0 X-15 Y-3
+G1 Z-3.5
+G1 X75
+G0 Z5
+M5
+T2 M6
+S3000 M3
+G0 X45 Y25 Z5
+G1 Z-11
+G0 Z5
+M5
+T5 M6
+S500 M3
+G0 X45 Y25 Z5
+G84 Z-8 R2 F500
+G80
+G0 Z5
+M5
+T4 M6
+S3000 M3
+G0 X20 Y25 Z5
+G0 Z-10 F300
+G1 X22.25
+G3 X22.25 Y25 Z-8.25 I-2.25 J0
+G3 X22.25 Y25 Z-6.5 I-2.25 J0
+G1 X20
+G0 Z5
+M5
+M30
