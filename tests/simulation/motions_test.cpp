@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A program is interpreted once for all results.
+#include "motions.h"
+
 #include "ncsim/gcode/print.h"
 #include "ncsim/simulation/machine_time.h"
 #include "ncsim/simulation/program_check.h"
@@ -8,8 +10,6 @@
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/survey.h"
-
-#include "motions.h"
 
 #include <gtest/gtest.h>
 

@@ -626,8 +626,8 @@ Survey survey(Plan& plan) {
     plan.motions = nullptr;
     auto& of_file = plan.job.interpreter.of_file;
     if (!of_file)
-        of_file = std::make_shared<const gcode::DialectFindings>(
-            gcode::detect_dialect(plan.job.program));
+        of_file =
+            std::make_shared<const gcode::DialectFindings>(gcode::detect_dialect(plan.job.program));
     place_kinematics(plan);
     BlockEstimate look = estimate_block(plan, {});
     const Survey& first = look.survey;
