@@ -49,9 +49,9 @@ const verify::Finding* chosen_finding(const CheckOptions& options, const verify:
 Options drawing_options(const std::string& program, const CheckOptions& check,
                         const verify::Finding* finding) {
     Options options;
-    static_cast<ProgramOptions&>(options) = check;
-    static_cast<SimulationOptions&>(options) = check;
-    static_cast<PictureOptions&>(options) = check;
+    static_cast<ProgramOptions&>(options) = static_cast<const ProgramOptions&>(check);
+    static_cast<SimulationOptions&>(options) = static_cast<const SimulationOptions&>(check);
+    static_cast<PictureOptions&>(options) = static_cast<const PictureOptions&>(check);
     options.program = program;
     options.machine = check.machine;
     options.png = check.png;

@@ -235,8 +235,9 @@ private:
         std::vector<std::pair<std::string, std::vector<CutBy>>> equal;
         for (const MeasuredChamfer& c : sheet_.chamfers) {
             const std::string width = length_text(c.width), height = length_text(c.height);
-            const std::string size = (width == height ? width : width + " x " + height) + " x " +
-                                     degrees_text(c.angle_degrees);
+            const std::string size =
+                fmt::format("{}{} x {}", width, width == height ? "" : " x " + height,
+                            degrees_text(c.angle_degrees));
             auto found = std::ranges::find(equal, size, [](const auto& e) { return e.first; });
             if (found == equal.end()) found = equal.insert(equal.end(), {size, {}});
             found->second.push_back(c.by);

@@ -558,6 +558,24 @@ void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
     sweeps.set_place({}, {});
 }
 
+// Adds the surfaces of an element along the pieces of a path on which the tool turns.
+void sweep_turning(Sweeps& sweeps, const Element& e, bool is_corner,
+                   const std::vector<RotaryPath>& path) {
+    constexpr std::size_t kTwoTurns = 6;  // pieces
+    sweeps.floor_around(e, path.front(), path.size() >= kTwoTurns);
+    // On many turns, the walls between the ends usually vanish.
+    constexpr std::size_t kMostOfSides = 12, kMostOfRounds = 48, kEnds = 4;
+    const bool has_all = path.size() <= (e.fillet > 0.0 ? kMostOfRounds : kMostOfSides);
+    if (!has_all) sweeps.note_unlisted_surfaces();
+    for (std::size_t k = 0; k < path.size(); ++k) {
+        if (!has_all && k >= kEnds && k + kEnds < path.size()) continue;
+        if (path.size() > 1) sweeps.set_place({}, ends_of(path, k));
+        sweeps.envelope(e, path[k]);
+        if (is_corner) sweeps.rim(e, path[k]);
+    }
+    sweeps.set_place({}, {});
+}
+
 // Returns the unit direction of a line. Programs round the end of a motion along the tool's axis.
 Vec3 direction_of(Vec3 motion, Vec3 axis) {
     constexpr double kLargestLateral = 2e-3, kSteep = 1e-3;  // mm; of the length
@@ -603,20 +621,7 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
             } else if (!spline.empty()) {
                 sweep_spline(sweeps, e, is_corner, spline, axis);
             } else if (!turning.empty()) {
-                constexpr std::size_t kTwoTurns = 6;
-                sweeps.floor_around(e, turning.front(), turning.size() >= kTwoTurns);
-                // On many turns, the walls between the ends usually vanish.
-                const std::size_t kMostPieces = e.fillet > 0.0 ? 48 : 12;
-                constexpr std::size_t kEnds = 4;
-                if (turning.size() > kMostPieces) sweeps.note_unlisted_surfaces();
-                for (std::size_t k = 0; k < turning.size(); ++k) {
-                    if (turning.size() > kMostPieces && k >= kEnds && k + kEnds < turning.size())
-                        continue;
-                    if (turning.size() > 1) sweeps.set_place({}, ends_of(turning, k));
-                    sweeps.envelope(e, turning[k]);
-                    if (is_corner) sweeps.rim(e, turning[k]);
-                }
-                sweeps.set_place({}, {});
+                sweep_turning(sweeps, e, is_corner, turning);
             } else if (turns || !std::holds_alternative<gcode::Linear>(motion.action)) {
                 sweeps.note_unlisted_surfaces();
             } else if (start.translation != end.translation) {

@@ -187,8 +187,10 @@ private:
         };
         std::uint32_t next = kNone;
         const auto owner_of = [&](std::uint32_t k) { return half_edges_[k].owner; };
-        for (const std::uint32_t candidate :
-             std::ranges::equal_range(by_tail_.of(h.head), h.owner, {}, owner_of)) {
+        const std::span<const std::uint32_t> here = by_tail_.of(h.head);
+        for (auto it = std::ranges::lower_bound(here, h.owner, {}, owner_of);
+             it != here.end() && owner_of(*it) == h.owner; ++it) {
+            const std::uint32_t candidate = *it;
             if (next == kNone) {
                 next = candidate;
                 continue;

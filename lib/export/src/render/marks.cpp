@@ -191,6 +191,7 @@ private:
     static std::vector<Rgba8> usual_colours() {
         constexpr int kSteps = 64;
         std::vector<Rgba8> colours;
+        colours.reserve(kSteps);
         for (int i = 0; i < kSteps; ++i)
             colours.push_back(to_srgb(scale_colour((i + 0.5) / kSteps)));
         return colours;
