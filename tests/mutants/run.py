@@ -53,7 +53,7 @@ class Build:
 
     def __init__(self, folder, library, seed):
         self.folder = os.path.abspath(folder)
-        self.library = library
+        self.lib = library
         self.source = os.path.join(ROOT, 'lib', library, 'src')
         self.work = os.path.join(self.folder, 'mutants', f'{library}-{seed}')
         self.copy = os.path.join(self.work, 'src')
@@ -70,15 +70,15 @@ class Build:
 
     def units(self):
         """Translation units of the library: object, source, arguments of the compiler."""
-        objects = re.compile(rf'\S*lib/{self.library}/CMakeFiles/ncsim_{self.library}(_\w+)?\.dir/')
+        objects = re.compile(rf'\S*lib/{self.lib}/CMakeFiles/ncsim_{self.lib}(_\w+)?\.dir/')
         units = []
-        for command in self.ninja('-t', 'commands', f'lib/{self.library}/libncsim_{self.library}.a'
+        for command in self.ninja('-t', 'commands', f'lib/{self.lib}/libncsim_{self.lib}.a'
                                   ).splitlines():
             words = shlex.split(command)
             if '-c' in words and objects.match(words[words.index('-o') + 1]):
                 units.append((words[words.index('-o') + 1], words[words.index('-c') + 1], words))
         if not units:
-            fail(f'{self.folder} does not build lib/{self.library}')
+            fail(f'{self.folder} does not build lib/{self.lib}')
         return units
 
 
@@ -233,7 +233,7 @@ class Program:
                 self.tests.append(suite + line.strip())
 
     def link(self, command, output):
-        usual = f'lib/{self.build.library}/libncsim_{self.build.library}.a'
+        usual = f'lib/{self.build.lib}/libncsim_{self.build.lib}.a'
         words = [self.build.archive if word == usual else word for word in shlex.split(command)]
         words[words.index('-o') + 1] = output
         subprocess.run([word for word in words if word != ':'], cwd=self.build.folder, check=True)
@@ -364,9 +364,9 @@ def report(build, mutants, outcomes, seed):
         tally['equivalent' if reason else 'survived'] += 1
         tally['unreached'] += not reaching and not reason
         what = f'equivalent ({reason})' if reason else f'survived {reaching} tests'
-        print(f'lib/{build.library}/src/{site.file}:{site.line}:{site.column}: {number}: '
+        print(f'lib/{build.lib}/src/{site.file}:{site.line}:{site.column}: {number}: '
               f'{site.operator}: {text}: {what}\n    {line}')
-    print(f'{build.library}, seed {seed}: {len(outcomes)} mutants of {mutants.places} places, '
+    print(f'{build.lib}, seed {seed}: {len(outcomes)} mutants of {mutants.places} places, '
           f'{tally["killed"]} killed ({tally["late"]} by time), {tally["survived"]} survived '
           f'({tally["unreached"]} reached by no test), {tally["equivalent"]} equivalent')
     return tally
@@ -374,7 +374,7 @@ def report(build, mutants, outcomes, seed):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
-    parser.add_argument('library', choices=sorted(TESTS))
+    parser.add_argument('lib', metavar='library', choices=sorted(TESTS))
     parser.add_argument('--count', type=int, default=100)
     parser.add_argument('--seed', type=int, default=20261201)
     parser.add_argument('--build', default=os.path.join(ROOT, 'build/release'))
@@ -383,11 +383,11 @@ def main():
                         help='exit with 1 if fewer mutants are killed, or more than 5 are equivalent')
     parser.add_argument('--numbers', help='run these mutants alone, as in 3,17')
     options = parser.parse_args()
-    build = Build(options.build, options.library, options.seed)
-    build.ninja(*TESTS[options.library])
+    build = Build(options.build, options.lib, options.seed)
+    build.ninja(*TESTS[options.lib])
     mutants = Mutants(build, options.count, options.seed)
     mutants.compile()
-    programs = [Program(build, name, only) for name, only in TESTS[options.library].items()]
+    programs = [Program(build, name, only) for name, only in TESTS[options.lib].items()]
     judge = Judge(programs, mutants.chosen(), options.jobs)
     judge.record()
     numbers = ([int(n) for n in options.numbers.split(',')] if options.numbers else
