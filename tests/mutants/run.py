@@ -61,8 +61,11 @@ class Build:
         os.makedirs(self.work, exist_ok=True)
 
     def ninja(self, *arguments):
-        return subprocess.run(['ninja', '-C', self.folder, *arguments], check=True, text=True,
-                              stdout=subprocess.PIPE).stdout
+        ran = subprocess.run(['ninja', '-C', self.folder, *arguments], check=False, text=True,
+                             stdout=subprocess.PIPE)
+        if ran.returncode != 0:
+            fail(f'{self.folder} is no build with tests: {ran.stdout.strip()}')
+        return ran.stdout
 
     def link_command(self, target):
         last = self.ninja('-t', 'commands', target).splitlines()[-1]
