@@ -240,11 +240,40 @@ TEST(Picture, AFindingShowsTheMaterialBeforeARapidMove) {
     EXPECT_NE(picture({"--cut-view", "y=0"}), first);
 }
 
+// Two rapid moves through the block: the tool stands at its left, then at its right.
+TEST(Picture, AFindingIsChosenByItsNumber) {
+    Folder folder;
+    folder.write("a.nc",
+                 "G21 G90 G17 G54\n(STOCK/BLOCK,60,40,10,0,0,10)\n(T1 D=6)\nT1 M6\n"
+                 "S9000 M3\nG0 X8 Y20 Z5\nZ-4\nG1 Z5 F900\nG0 X52\nZ-4\n"
+                 "G1 Z5 F900\nM30\n");
+    const auto tool_at = [&](const std::string& number) {
+        const Ran ran = folder.run({"check", "a.nc", "-q", "--png", "a.png", "--view", "top",
+                                    "--size", "480x360", "--finding", number});
+        EXPECT_EQ(ran.exit_code, 4) << ran.err;
+        const Image image = exporter::test::read_png(folder.read("a.png"));
+        double sum = 0.0;
+        std::size_t pixels = 0;
+        for (std::uint32_t y = 0; y < image.height; ++y) {
+            for (std::uint32_t x = 0; x < image.width; ++x) {
+                if (!is_red(image.at(x, y))) continue;
+                sum += x;
+                ++pixels;
+            }
+        }
+        EXPECT_GT(pixels, 300U);
+        return sum / static_cast<double>(pixels) / image.width;
+    };
+    EXPECT_LT(tool_at("1"), 0.4);
+    EXPECT_GT(tool_at("2"), 0.6);
+}
+
 TEST(Picture, FindingsRefuseWhatTheyCannotShow) {
     Folder folder;
     copy_example(folder, "rapid-in-material");
-    expect_refused(folder.run({"check", "fails.nc", "--png", "a.png", "--finding", "9"}),
-                   "--finding 9: the program has 1 finding");
+    expect_refused(
+        folder.run({"check", "fails.nc", "--png", "a.png", "--finding", "9"}),
+        "--finding 9: the text lists 1 finding of the program; --notes lists the notes too");
     expect_refused(folder.run({"check", "fails.nc", "--finding", "1"}), "--png");
     expect_refused(folder.run({"check", "fails.nc", "passes.nc", "--png", "a.png"}),
                    "--png: the picture is of a finding of one program");

@@ -3,6 +3,7 @@
 // Simulates the program up to a finding, and draws the result as `ncsim run` does.
 #include "check/finding_picture.h"
 
+#include "ncsim/report/check_text.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/plan_reader.h"
 #include "ncsim/simulation/program_check.h"
@@ -18,10 +19,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -31,12 +34,14 @@ namespace {
 const verify::Finding* chosen_finding(const CheckOptions& options, const verify::Verdict& verdict) {
     const auto& findings = verdict.findings;
     if (options.finding) {
-        if (*options.finding > findings.size()) {
-            throw std::runtime_error(fmt::format("--finding {}: the program has {} finding{}",
-                                                 *options.finding, findings.size(),
-                                                 findings.size() == 1 ? "" : "s"));
+        const std::vector<std::size_t> listed = report::listed_findings(verdict, options.notes);
+        if (*options.finding > listed.size()) {
+            throw std::runtime_error(
+                fmt::format("--finding {}: the text lists {} finding{} of the program{}",
+                            *options.finding, listed.size(), listed.size() == 1 ? "" : "s",
+                            options.notes ? "" : "; --notes lists the notes too"));
         }
-        return &findings[*options.finding - 1];
+        return &findings[listed[*options.finding - 1]];
     }
     const auto weight = [](const verify::Finding& f) {
         return std::tuple(f.counts(), f.severity, f.category == verify::Category::Collision);

@@ -207,6 +207,15 @@ std::string rules_of(const Lines& skipped) {
 
 }  // namespace
 
+std::vector<std::size_t> listed_findings(const verify::Verdict& verdict, bool notes) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < verdict.findings.size(); ++i) {
+        const Finding& f = verdict.findings[i];
+        if (f.counts() && (notes || f.severity != Severity::Note)) places.push_back(i);
+    }
+    return places;
+}
+
 std::string text_of(const Checked& checked, const TextOptions& options) {
     std::string text;
     const std::string path = printable_path(name_of(checked));
@@ -215,11 +224,8 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
         return text;
     }
     const verify::Verdict& v = checked.verdict;
-    for (std::size_t i = 0; i < v.findings.size(); ++i) {
-        const Finding& f = v.findings[i];
-        if (!f.counts() || (f.severity == Severity::Note && !options.notes)) continue;
-        put_finding(text, checked, f, checked.lines[i], options.unit);
-    }
+    for (const std::size_t i : listed_findings(v, options.notes))
+        put_finding(text, checked, v.findings[i], checked.lines[i], options.unit);
     for (const auto& [rule, more] : v.unlisted) {
         append(text, "{}: {} more findings of {} are not listed\n", path, more, rule);
     }

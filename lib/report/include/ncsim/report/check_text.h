@@ -8,7 +8,9 @@
 #include "ncsim/report/length_unit.h"
 #include "ncsim/report/scope.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace ncsim::report {
 
@@ -23,6 +25,9 @@ struct TextOptions {
 
 /// Returns the text about one program, ending in a newline; may be empty.
 std::string text_of(const Checked& checked, const TextOptions& options);
+
+/// Returns the places in `verdict.findings` of the findings that text_of() lists, in its order.
+std::vector<std::size_t> listed_findings(const verify::Verdict& verdict, bool notes);
 
 /// Returns the numbers of findings and doubts; empty if the program was not verified.
 std::string counts_of(const Checked& checked);
