@@ -63,6 +63,18 @@ double across_bar(double y) {
     return 2.0 * (y * std::sqrt(900.0 - y * y) + 900.0 * std::asin(y / 30.0));
 }
 
+// Returns the volume of a groove of the ball, 20 mm long between two arcs of `reach` mm whose
+// centres are 1 mm below the top: outside each arc, a torus and a cylinder above it.
+double ball_lead_in(double reach) {
+    constexpr double kRadius = 4.0, kLength = 20.0, kAbove = 1.0;
+    const double level = 0.5 * kPi * kRadius * kRadius + 2.0 * kRadius * (reach + kAbove);
+    const double around =
+        0.25 * kPi * kRadius *
+        (2.0 * reach * reach + kPi * reach * kRadius + 4.0 / 3.0 * kRadius * kRadius);
+    const double above = kAbove * (2.0 * kRadius * reach + 0.5 * kPi * kRadius * kRadius);
+    return kLength * level + 2.0 * (around + above);
+}
+
 std::vector<Golden> goldens() {
     const double slope = std::tan(59.0 * kPi / 180.0), tip = 3.0 / slope;
     return {
@@ -136,6 +148,17 @@ std::vector<Golden> goldens() {
          "T3 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
          {7, 0, 0, 0, 1},
          kBlock - 30.0 * kPi * ball_section()},
+        // Lead-in arcs that are narrower than the ball: spindle tori whose axes are level.
+        {"ball_lead_in_narrow",
+         "T3 M6\nG0 X40 Y43 Z5\nG1 Z-5\nG19 G2 Y40 Z-8 J-3 K0\nG1 Y20\nG2 Y17 Z-5 J0 K3\n"
+         "G17\nG0 Z5\n",
+         {8, 3, 0, 0, 2},
+         kBlock - ball_lead_in(3.0)},
+        {"ball_lead_in_as_wide",
+         "T3 M6\nG0 X40 Y44 Z5\nG1 Z-5\nG19 G2 Y40 Z-9 J-4 K0\nG1 Y20\nG2 Y16 Z-5 J0 K4\n"
+         "G17\nG0 Z5\n",
+         {8, 3, 0, 0, 2},
+         kBlock - ball_lead_in(4.0)},
         {"dimple", "T3 M6\nG0 X40 Y30 Z5\nG1 Z-3\nG0 Z5\n", {6, 0, 0, 1, 0}, kBlock - ball_cap()},
         {"bull_groove",
          "T4 M6\nG0 X-10 Y30 Z5\nG1 Z-3\nG1 X90\nG0 Z5\n",
@@ -145,6 +168,17 @@ std::vector<Golden> goldens() {
          "T4 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
          {8, 2, 0, 0, 2},
          kBlock - 30.0 * kPi * bull_section()},
+        // The corner radius is larger than a quarter of the diameter: a spindle torus.
+        {"thick_bull_groove",
+         "(T6 D=10. CR=3. - bull nose end mill)\nT6 M6\nG0 X30 Y30 Z5\nG1 Z-4\nG1 X50\nG0 Z5\n",
+         {9, 4, 0, 0, 2},
+         kBlock - 20.0 * (22.0 + 4.5 * kPi) - kPi * (55.0 + 9.0 * kPi)},
+        // A torus as thick as wide, whose tips are one point.
+        {"thick_bull_ring",
+         "(T6 D=10. CR=3. - bull nose end mill)\nT6 M6\nG0 X40 Y30 Z5\nG1 Z-4\nG2 X40 Y30 J1\n"
+         "G0 Z5\n",
+         {7, 1, 0, 0, 1},
+         kBlock - kPi * (81.0 + 13.5 * kPi)},
         // A corner that is narrower than the tool. Inside the arc the torus is a spindle torus
         // (minor radius > major radius) and comes to a tip, which is a vertex of its face.
         {"narrow_corner",

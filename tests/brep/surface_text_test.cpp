@@ -82,12 +82,13 @@ CandidateSurface with_marks(const Form& form, int marks) {
     constexpr double kInf = std::numeric_limits<double>::infinity();
     if (marks & 4) candidate.place = cda::Box{{-1.5, -kInf, 2}, {kInf, 1e-7, 3}};
     if (marks & 8) candidate.ends = {Plane{{1, 2, 3}, {0, 0, 1}}, Plane{{1, 2, 9}, {0, 0.6, 0.8}}};
+    if (marks & 16) candidate.below_side = Vec3{0, 0.6, 0.8};
     return candidate;
 }
 
 TEST(SurfaceText, ComesBackAsItWas) {
     Draw draw(5);
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < 32; ++i) {
         for (const Form& form : random_forms(draw)) {
             const CandidateSurface candidate = with_marks(form, i);
             const std::string text = text_of(candidate);
@@ -98,6 +99,7 @@ TEST(SurfaceText, ComesBackAsItWas) {
             EXPECT_EQ(again->is_at_rest, candidate.is_at_rest);
             EXPECT_EQ(again->place, candidate.place);
             EXPECT_EQ(again->ends, candidate.ends);
+            EXPECT_EQ(again->below_side, candidate.below_side);
         }
     }
 }
@@ -105,11 +107,12 @@ TEST(SurfaceText, ComesBackAsItWas) {
 TEST(SurfaceText, OtherTextIsNoSurface) {
     Draw draw(6);
     for (const Form& form : random_forms(draw)) {
-        const std::string text = text_of(with_marks(form, 14));
+        const std::string text = text_of(with_marks(form, 30));
         for (std::size_t end = 0; end < text.size(); ++end) {
             // A shorter number is a number, and the marks may be missing.
             if (text[end] != ' ' || text.substr(end).starts_with(" rest") ||
-                text.substr(end).starts_with(" within") || text.substr(end).starts_with(" between"))
+                text.substr(end).starts_with(" within") ||
+                text.substr(end).starts_with(" between") || text.substr(end).starts_with(" below"))
                 continue;
             EXPECT_FALSE(candidate_of(text.substr(0, end))) << text.substr(0, end);
         }

@@ -41,7 +41,7 @@ set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQ
 # ncsim_judge_parts(<name> [<count> <first seed> | [--faceted] --seeds <seeds…>] [NIGHTLY <seeds…>]):
 # by day half of a count, and no seeds after NIGHTLY, which take OpenCASCADE 4 s and more each.
 add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/cam_parts.cpp
-  brep/random_parts.cpp brep/slot_parts.cpp brep/tilted_parts.cpp)
+  brep/groove_parts.cpp brep/random_parts.cpp brep/slot_parts.cpp brep/tilted_parts.cpp)
 target_include_directories(ncsim_brep_random PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation ncsim::trig fmt::fmt-header-only
   ncsim_build_flags)
@@ -87,6 +87,9 @@ ncsim_judge_parts(turned_cam_parts 24 8000000)
 # of these seeds were once invalid, because arcs that are tangent but for rounding crossed beside
 # their corner, or had a plane of which nothing was drawn at one deflection or another.
 ncsim_judge_parts(slots 12 9000000)
+# Vertical lead-in arcs, grooves and rings around bars, helices, grooves that cross.
+ncsim_judge_parts(grooves --seeds 10000201 10000202 10000203 10000205 10000207 10000208 10000210
+  10000211 10000214 10000215 NIGHTLY 10000200 10000204 10000206 10000209 10000212 10000213)
 ncsim_judge_parts(slots_that_were_faulty
   --seeds 9000019 9000020 9000025 9000049 9000050 9000052 9000106 9000113 9000121 9000140 9000155
   9000338)

@@ -11,6 +11,7 @@
 #include "ncsim/simulation/solid.h"
 
 #include "brep/cam_parts.h"
+#include "brep/groove_parts.h"
 #include "brep/random_parts.h"
 #include "brep/slot_parts.h"
 #include "brep/tilted_parts.h"
@@ -43,9 +44,10 @@ simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) 
             << "preset = \"" << part.machine << "\"\ncontrol = { tip_frame = \"table\" }\n";
         return plan_of(part, name);
     }
-    const std::string program = seed >= kSlots ? slot_part(seed)
-                                : seed >= kCam ? cam_part(seed)
-                                               : random_part(seed);
+    const std::string program = seed >= kGrooves ? groove_part(seed)
+                                : seed >= kSlots ? slot_part(seed)
+                                : seed >= kCam   ? cam_part(seed)
+                                                 : random_part(seed);
     out << program;
     simulation::Plan plan;
     plan.job = setup::job_of({name, program});

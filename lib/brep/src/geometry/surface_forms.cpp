@@ -381,6 +381,13 @@ bool is_spindle(const Torus& torus) {
     return torus.major <= torus.minor * (1.0 + kThicker);
 }
 
+double tip_degrees(const Torus& spindle) {
+    constexpr double kHalf = 180.0;
+    const double major = spindle.major, minor = spindle.minor;
+    if (major >= minor) return -kHalf;
+    return trig::angle_of(-major, -std::sqrt(minor * minor - major * major));
+}
+
 double half_angle_rad(const Cone& cone) {
     return trig::angle_of(1.0, cone.slope) * (std::numbers::pi / 180.0);
 }

@@ -22,6 +22,8 @@ using cda::norm;
 
 // Largest deviation of equal planes, as a chord.
 constexpr double kLevel = 1e-6;
+// Largest sine between a facet of an upright side and the axis.
+constexpr double kUpright = 1e-6;
 // Corners of adjacent hulls may lie farther out than corners of the tool's polygon.
 constexpr double kSlack = 1.5;
 // Coils: corners next to walls lie both beyond the wall and below the floor.
@@ -60,18 +62,18 @@ bool is_flank(const Form& form) {
     return envelope && envelope->sweep->flank();
 }
 
-// True if the face is above the centre of a spindle. Lollipop cutters leave such facets, and no
-// face of a spindle lies there.
-bool is_above_spindle(const FlatFace& face, const Surface& surface) {
+// True if the surface comes to a tip in the material, and the face may be at the tip: on a spindle,
+// not farther from the axis than a side of a polygon is wide.
+bool is_at_peak(const FlatFace& face, const Surface& surface, double error) {
+    if (std::holds_alternative<Cone>(surface.form)) return !surface.is_hollow;
     const auto* torus = std::get_if<Torus>(&surface.form);
-    return torus && is_spindle(*torus) && dot(face.centroid - torus->centre, torus->axis) >= 0.0;
-}
-
-// True if the surface comes to a tip in the material.
-bool is_peak(const Surface& surface) {
-    const auto* torus = std::get_if<Torus>(&surface.form);
-    return (torus && is_spindle(*torus)) ||
-           (!surface.is_hollow && std::holds_alternative<Cone>(surface.form));
+    if (!torus || !is_spindle(*torus)) return false;
+    const double side = std::sqrt(8.0 * torus->minor * error);
+    return std::ranges::any_of(face.loops, [&](const std::vector<std::uint32_t>& loop) {
+        return std::ranges::any_of(loop, [&](std::uint32_t v) {
+            return norm(radial_vector(torus->centre, torus->axis, face.points[v])) <= side;
+        });
+    });
 }
 
 // Returns the radius of a blunt tip. A hill inside an arc of a cutter that widens comes to a tip;
@@ -131,7 +133,6 @@ double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<c
 
 bool fits(const FlatFace& face, const Surface& surface, double most, double most_turn,
           double* score) {
-    if (is_above_spindle(face, surface)) return false;
     // The direction is compared at the centroid. If the centroid is off the surface (for a torus:
     // the bottom of a round groove), the direction is compared at the corners. The distance of the
     // corners is tested first, because a floor between walls may have thousands of corners.
@@ -194,11 +195,14 @@ const CandidateSurface* best_of(const FlatFace& face, std::span<const CandidateS
             if (candidate.ends && (distance((*candidate.ends)[0], face.centroid) < 0.0 ||
                                    distance((*candidate.ends)[1], face.centroid) >= 0.0))
                 continue;
+            if (candidate.below_side &&
+                std::abs(dot(*candidate.below_side, face.normal)) <= kUpright)
+                continue;
             double score = 0.0;
-            const double slack = is_coil                      ? kSlackOfCoils
-                                 : is_flank(form)             ? kSlackOfFlanks
-                                 : is_peak(candidate.surface) ? kSlackOfPeaks
-                                                              : kSlack;
+            const double slack = is_coil                                      ? kSlackOfCoils
+                                 : is_flank(form)                             ? kSlackOfFlanks
+                                 : is_at_peak(face, candidate.surface, error) ? kSlackOfPeaks
+                                                                              : kSlack;
             if (!fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score))
                 continue;
             const double beyond = is_moved ? beyond_end(form, face.centroid) : 0.0;

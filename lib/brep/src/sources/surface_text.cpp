@@ -287,7 +287,7 @@ bool emplace_by_name(Variant& variant, std::string_view name, const auto& names)
 constexpr std::array<std::string_view, 2> kMeridians{"fillet", "flank"};
 constexpr std::array<std::string_view, 3> kPaths{"line", "helix", "rotary"};
 constexpr std::string_view kHollow = "hollow", kAtRest = "rest", kWithin = "within",
-                           kBetween = "between";
+                           kBetween = "between", kBelowSide = "below-side";
 
 void write(Writer& writer, const Form& form) {
     writer.word(kForms[form.index()]);
@@ -395,6 +395,10 @@ std::string text_of(const CandidateSurface& candidate) {
         for (Plane end : *candidate.ends)
             visit_fields(end, writer);
     }
+    if (candidate.below_side) {
+        writer.word(kBelowSide);
+        writer.vector(*candidate.below_side);
+    }
     return std::move(writer.text);
 }
 
@@ -430,6 +434,10 @@ std::optional<CandidateSurface> candidate_of(std::string_view text) {
             visit_fields(end, reader);
         mark = reader.word();
     }
+    if (take(kBelowSide)) {
+        reader.direction(candidate.below_side.emplace());
+        mark = reader.word();
+    }
     if (!reader.is_good || !mark.empty()) return std::nullopt;
     return candidate;
 }
@@ -443,6 +451,7 @@ CandidateSurface moved(const CandidateSurface& candidate, const RigidMotion& mot
         for (Plane& end : *result.ends)
             visit_fields(end, mover);
     }
+    if (result.below_side) mover.direction(*result.below_side);
     return result;
 }
 

@@ -145,6 +145,9 @@ public:
 
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
 
+    /// Sets CandidateSurface::below_side of the surfaces that follow.
+    void set_below_side(std::optional<Vec3> axis) { below_side_ = axis; }
+
     /// Sets the box for surfaces that follow, except planes, and the end planes for surfaces that
     /// are not at rest.
     void set_place(const std::optional<cda::Box>& place,
@@ -164,7 +167,7 @@ public:
     void rest(const Element& e, Vec3 tip, Vec3 axis) {
         const Vec3 at = tip + e.height * axis;
         if (e.fillet > 0.0) {
-            tube(at, axis, e.radius, e.fillet);
+            tube(at, axis, e.radius, e.fillet, true);
         } else if (std::abs(e.rise()) <= kEqual) {
             disc(e, at, axis);
         } else if (std::abs(e.widening()) <= kEqual) {
@@ -213,11 +216,11 @@ public:
         const double reach = path.reach;
         if (e.fillet > 0.0) {
             if (!is_level) return envelope(e, path);
-            // On longer arcs, the tip of a spindle may be inside a face.
-            const bool is_at_most_half = std::abs(path.swept) <= std::numbers::pi + kEqual;
-            tube(at, axis, reach + e.radius, e.fillet, is_at_most_half);
+            const bool may_be_spindle = is_at_most_half(path.swept);
+            // The inner half of the tube is above the flat end of a bull nose.
+            tube(at, axis, reach + e.radius, e.fillet, may_be_spindle || e.radius > kEqual);
             if (e.radius > kEqual && reach > e.radius)
-                tube(at, axis, reach - e.radius, e.fillet, is_at_most_half);
+                tube(at, axis, reach - e.radius, e.fillet, may_be_spindle);
         } else if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, at, axis);
         } else if (std::abs(e.widening()) <= kEqual) {
@@ -417,18 +420,24 @@ public:
 
     // Adds the surfaces of an arc about an axis perpendicular to the tool's; upright sides leave
     // planes.
-    void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
+    void arc_across(const Element& e, const ArcPath& path, Vec3 axis) {
         if (e.fillet > 0.0) {
-            tube(centre + e.height * axis, about, reach, e.fillet);
+            tube(path.centre + e.height * axis, path.about, path.radius, e.fillet,
+                 is_at_most_half(path.swept));
         } else if (std::abs(e.widening()) <= kEqual) {
             for (const double sign : {-1.0, 1.0})
-                add(Plane{centre + (sign * e.radius) * about, -sign * about}, false);
+                add(Plane{path.centre + (sign * e.radius) * path.about, -sign * path.about}, false);
         } else if (std::abs(e.rise()) > kEqual) {
             note_unlisted_surfaces();
         }
     }
 
 private:
+    // On longer arcs, the tip of a spindle may be inside a face.
+    static bool is_at_most_half(double swept) {
+        return std::abs(swept) <= std::numbers::pi + kEqual;
+    }
+
     // Sets the chord factor for helices. Between a pose of a helix and the next, lower pose, a
     // ledge is left on the inner wall, as wide as two circles are apart next to their point of
     // tangency.
@@ -459,6 +468,7 @@ private:
         const bool is_plane = std::holds_alternative<Plane>(form);
         into_->push_back({{form, is_hollow && !is_plane}, at_rest_});
         if (is_plane) return;
+        into_->back().below_side = below_side_;
         into_->back().place = place_;
         if (!at_rest_) into_->back().ends = ends_;
     }
@@ -470,12 +480,10 @@ private:
     }
 
     void tube(Vec3 centre, Vec3 axis, double major, double minor, bool may_be_spindle = false) {
-        // A torus about as thick as wide has two tips that cannot be distinguished.
-        constexpr double kLeastApart = 0.01;
         const Torus torus{centre, axis, major, minor};
         if (major <= kEqual) {
             add(Sphere{centre, minor});
-        } else if (!is_spindle(torus) || (may_be_spindle && major < minor * (1.0 - kLeastApart))) {
+        } else if (!is_spindle(torus) || may_be_spindle) {
             add(torus);
         } else if (!at_rest_) {
             note_unlisted_surfaces();
@@ -505,6 +513,7 @@ private:
 
     std::vector<CandidateSurface>* into_;
     bool at_rest_ = false;
+    std::optional<Vec3> below_side_;
     std::optional<cda::Box> place_;
     std::optional<std::array<Plane, 2>> ends_;
     bool may_leave_other_surfaces_ = false;
@@ -524,7 +533,7 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcPath& 
         sweeps.arc(e, round, path.is_level);
         if (is_corner && !path.is_level) sweeps.rim_around(e, round, path.rise);
     } else if (!path.spiral && path.is_level && (is_ball || e.fillet <= 0.0)) {
-        sweeps.arc_across(e, path.centre, axis, path.about, path.radius);
+        sweeps.arc_across(e, path, axis);
         if (is_across) sweeps.level_across(e, path.fitted, axis, path.fitted_radius);
         if (is_corner) sweeps.rim_across(e, path, axis);
     } else {
@@ -615,6 +624,9 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
         for (std::size_t i = 0; i < elements.size(); ++i) {
             const Element& e = elements[i];
             const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
+            const bool is_below_side = e.fillet > 0.0 && i + 1 < elements.size() &&
+                                       std::abs(elements[i + 1].widening()) <= kEqual && !turns;
+            sweeps.set_below_side(is_below_side ? std::optional(axis) : std::nullopt);
             sweeps.set_at_rest(false);
             if (path) {
                 sweep_arc(sweeps, e, is_corner, *path, axis);

@@ -23,9 +23,7 @@ Local local_on(const Dome& dome, const Axes& axes, Vec3 p) {
 }
 
 double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus& torus) {
-    const double major = torus.major, minor = torus.minor;
-    if (is_spindle(torus))
-        return trig::angle_of(-major, -std::sqrt(std::max(0.0, minor * minor - major * major)));
+    if (is_spindle(torus)) return tip_degrees(torus);
     constexpr int kSteps = 32;
     struct Angle {
         double degrees;
@@ -41,13 +39,14 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
             const Local p = axes(at);
             const Vec3 n = outward(face.surface, at);
             const Vec3 radial = (1.0 / p.radius) * (p.x * axes.x + p.y * axes.y);
-            const Vec3 tangent = p.z * radial - (p.radius - major) * axes.z;
+            const Vec3 tangent = p.z * radial - (p.radius - torus.major) * axes.z;
             const double inwards =
                 -dot(normalized(tangent), normalized(sign * cross(n, track.derivative(t))));
             constexpr double kAcross = 0.9;
-            angles.push_back({trig::angle_of(p.radius - major, p.z), inwards > kAcross    ? 1
-                                                                     : inwards < -kAcross ? -1
-                                                                                          : 0});
+            angles.push_back({trig::angle_of(p.radius - torus.major, p.z), inwards > kAcross ? 1
+                                                                           : inwards < -kAcross
+                                                                               ? -1
+                                                                               : 0});
         }
     });
     std::sort(angles.begin(), angles.end());

@@ -91,10 +91,7 @@ private:
 std::optional<ParameterSurface> ParameterSurface::of(const Part& part, const Face& face,
                                                      std::shared_ptr<const Patch> patch) {
     const Form& form = face.surface.form;
-    const auto* torus = std::get_if<Torus>(&form);
-    if (std::holds_alternative<Plane>(form) || (torus && is_spindle(*torus)) ||
-        half_of_ramp(part, face))
-        return std::nullopt;
+    if (std::holds_alternative<Plane>(form) || half_of_ramp(part, face)) return std::nullopt;
     return ParameterSurface(form, frame_in_file(part, face), std::move(patch));
 }
 
@@ -119,14 +116,15 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
     if (const auto* form = std::get_if<Extrusion>(&form_))
         return {frame_.origin + form->radius * out + place[1] * form->along, form->radius * on,
                 form->along};
-    const auto v = trig::sin_cos(place[1] / kRadiansPerDegree);
+    const auto* torus = std::get_if<Torus>(&form_);
+    const double tip = torus && is_spindle(*torus) ? tip_degrees(*torus) : 0.0;
+    const auto v = trig::sin_cos(place[1] / kRadiansPerDegree + tip);
     if (const auto* form = std::get_if<Sphere>(&form_)) {
         const double r = form->radius;
         return turned(r * v.cos, r * v.sin, -r * v.sin, r * v.cos);
     }
-    const auto& form = std::get<Torus>(form_);
-    return turned(form.major + form.minor * v.cos, form.minor * v.sin, -form.minor * v.sin,
-                  form.minor * v.cos);
+    return turned(torus->major + torus->minor * v.cos, torus->minor * v.sin, -torus->minor * v.sin,
+                  torus->minor * v.cos);
 }
 
 std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) const {
@@ -162,7 +160,8 @@ std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) con
         along = (height + along + slope * radius) / (1.0 + slope * slope) - height;
     }
     if (const auto* torus = std::get_if<Torus>(&form_)) {
-        const double v = angle_rad(radius - torus->major, along);
+        double v = angle_rad(radius - torus->major, along);
+        if (is_spindle(*torus)) v -= tip_degrees(*torus) * kRadiansPerDegree;
         return Place{u, v < 0.0 ? v + kTurn : v};
     }
     return Place{u, along};

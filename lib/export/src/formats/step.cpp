@@ -687,15 +687,24 @@ private:
     }
 
     // Writes a spindle torus, for which readers do not accept TOROIDAL_SURFACE, as a surface of
-    // revolution: the arc of its circle from tip to tip, rotated about the axis.
+    // revolution: the arc of its circle from tip to tip, rotated about the axis. The circle begins
+    // in the lower tip.
     Entity spindle(const brep::Torus& form, const brep::Frame& frame) {
         const Vec3 y = cda::cross(frame.axis, frame.x);
-        const brep::Frame place{frame.origin + form.major * frame.x, -y, frame.x};
-        const Entity circle = add("CIRCLE(''," + place_of(place) + "," + real(form.minor) + ")");
         const double height =
             std::sqrt(std::max(0.0, form.minor * form.minor - form.major * form.major));
+        const Vec3 down = (-1.0 / form.minor) * (form.major * frame.x + height * frame.axis);
+        const brep::Frame place{frame.origin + form.major * frame.x, -y, down};
+        const Entity circle = add("CIRCLE(''," + place_of(place) + "," + real(form.minor) + ")");
         const Entity from = point(frame.origin - height * frame.axis);
-        const Entity to = point(frame.origin + height * frame.axis);
+        // If both tips are one point, a circle trimmed there would be ambiguous.
+        constexpr double kLeastApart = 1e-2, kMost = 175.0;
+        const auto last = trig::sin_cos(kMost);
+        const Entity to =
+            point(height > kLeastApart * form.minor
+                      ? frame.origin + height * frame.axis
+                      : frame.origin + (form.major + form.minor * last.cos) * frame.x +
+                            form.minor * last.sin * frame.axis);
         const Entity half = add("TRIMMED_CURVE(''," + ref(circle) + ",(" + ref(from) + "),(" +
                                 ref(to) + "),.T.,.CARTESIAN.)");
         const Entity axis = add("AXIS1_PLACEMENT(''," + ref(point(frame.origin)) + "," +

@@ -22,10 +22,11 @@ struct ParameterCurve {
 };
 
 /// Surface of a face with the parameters of ISO 10303-42: radians about the axis and mm along it
-/// (cylinders, cones, extrusions), two angles in radians (spheres, tori), or those of a patch.
+/// (cylinders, cones, extrusions), two angles in radians (spheres, tori; spindles from the lower
+/// tip), or those of a patch.
 class ParameterSurface {
 public:
-    /// Returns nothing for planes, on which readers need no help, and for half ramps and spindles.
+    /// Returns nothing for planes, on which readers need no help, and for half ramps.
     /// `patch` is patch_of() for forms that files store as splines, otherwise null.
     static std::optional<ParameterSurface> of(const Part& part, const Face& face,
                                               std::shared_ptr<const Patch> patch);

@@ -101,6 +101,9 @@ using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome,
 /// lie below the centre as seen along the axis, on the side away from the axis. A tip of the
 /// spindle may be a corner of a face.
 bool is_spindle(const Torus& torus);
+/// Returns the angle around the tube of the tip below the centre of a spindle, degrees from the
+/// outermost circle, from -180 to -90.
+double tip_degrees(const Torus& spindle);
 
 /// A form and the side of the form on which the material is.
 struct Surface {

@@ -27,6 +27,9 @@ struct CandidateSurface {
     /// Planes across the path at the start and the end of a piece of the path, with normals along
     /// the path. A facet belongs to the piece that contains its centroid.
     std::optional<std::array<Plane, 2>> ends{};
+    /// Axis of the tool, if the surface is that of a rounded element below an upright side. A facet
+    /// parallel to the axis is left by the side.
+    std::optional<Vec3> below_side{};
 };
 
 /// Candidate surfaces of the facets that a motion left. No vertex of a facet is farther than
@@ -66,8 +69,7 @@ struct SweptSurfaces {
 /// upright sides. No surface is returned for:
 /// - corners on lines that rise by less than 1 µm per mm,
 /// - arcs whose radius changes by more than a fifth of the radius per radian,
-/// - tori with minor radius nearly equal to the major radius, and spindles except on arcs about the
-///   tool's axis.
+/// - spindles of balls on arcs of more than half a turn, where the tip may be inside a face.
 ///
 /// A tool that changes its direction leaves envelopes on lines: of sides and balls, and of corner
 /// radii and rims unless the flat end is level somewhere; also the surfaces at rest.
