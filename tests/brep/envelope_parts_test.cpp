@@ -11,6 +11,7 @@
 
 #include "brep/golden.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -188,6 +189,34 @@ TEST(Recognise, KnowsTheSidesOfBallsThatTurn) {
         const double left = volume(make(golden, 0.025).solid.part);
         SCOPED_TRACE(moves);
         expect_at({0.05, 0.02}, golden, left);
+    }
+}
+
+// A ball goes down a quarter of a helix into a level line. Both surfaces meet twice at an angle of
+// a few degrees; one place is beyond the end of the helix. The lune of the ball between them is
+// left out, and its depth is reported.
+TEST(Recognise, KnowsHelicalLeadInsOfBalls) {
+    for (const double reach : {5.0, 8.0}) {
+        for (const double down : {0.2, 1.0, 2.0}) {
+            SCOPED_TRACE(testing::Message() << reach << ", " << down);
+            const std::string moves = fmt::format(
+                "T3 M6\nG0 X{} Y{} Z5\nG1 Z{}\nG3 X25 Y30 Z-3 I{} J0\nG1 X55\n"
+                "G3 X{} Y{} Z{} I0 J{}\nG0 Z5\n",
+                25.0 - reach, 30.0 + reach, down - 3.0, reach, 55.0 + reach, 30.0 + reach,
+                down - 3.0, reach);
+            for (const double tolerance : {0.05, 0.02}) {
+                const Made made = make({"lead-in", moves, {}, 0.0}, tolerance);
+                // With facets small enough, a lune may be there: a third sphere.
+                Kinds kinds = kinds_of(made.solid.part);
+                const int spheres = std::exchange(kinds[3], 0);
+                EXPECT_TRUE(spheres >= 2 && spheres < 4) << spheres;
+                EXPECT_EQ(kinds, (Kinds{6, 1, 0, 0, 0, 0, 0, 0, 0, 2}));
+                EXPECT_EQ(made.solid.facets_kept, 0U);
+                const double bend = std::atan(down / (0.5 * kPi * reach));
+                const double lune = 4.0 * (1.0 / std::cos(0.5 * bend) - 1.0);
+                EXPECT_NEAR(made.solid.mitred_mm, lune, 0.05 * lune);
+            }
+        }
     }
 }
 

@@ -191,6 +191,62 @@ private:
 
 }  // namespace
 
+namespace {
+
+// Returns the direction, forwards or backwards, in which a ball of `radius` passed the point
+// `centre` if it left `form`.
+std::optional<Vec3> direction_of_ball(const Form& form, double radius, Vec3 centre) {
+    if (const auto* pipe = std::get_if<Cylinder>(&form)) {
+        const double off = norm(radial_vector(pipe->origin, pipe->axis, centre));
+        if (is_near(pipe->radius, radius) && is_near(off, 0.0)) return pipe->axis;
+    } else if (const auto* ring = std::get_if<Torus>(&form)) {
+        const Vec3 out = radial_vector(ring->centre, ring->axis, centre);
+        const double height = dot(centre - ring->centre, ring->axis);
+        if (is_near(ring->minor, radius) && is_near(norm(out), ring->major) && is_near(height, 0.0))
+            return normalized(cross(ring->axis, out));
+    } else if (const auto* envelope = std::get_if<Envelope>(&form)) {
+        const Sweep& sweep = *envelope->sweep;
+        const auto t = end_at(*envelope, centre);
+        if (sweep.is_ball() && is_near(sweep.fillet()->radius, radius) && t)
+            return path_frame(sweep, sweep.at(*t)).ahead;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Plane> rough_mitre_plane(const Form& a, const Form& b) {
+    const auto* curved = std::get_if<Envelope>(&a);
+    const Form& other = curved ? b : a;
+    if (!curved) curved = std::get_if<Envelope>(&b);
+    if (!curved || !curved->sweep->is_ball() ||
+        !std::holds_alternative<HelixPath>(curved->sweep->path()))
+        return std::nullopt;
+    for (const double t : {0.0, 1.0}) {
+        const PathFrame at = path_frame(*curved->sweep, curved->sweep->at(t));
+        const auto along = direction_of_ball(other, curved->sweep->fillet()->radius, at.centre);
+        if (!along || is_parallel(*along, at.ahead)) continue;
+        const Vec3 ahead = dot(*along, at.ahead) < 0.0 ? -*along : *along;
+        return Plane{at.centre, normalized(at.ahead + ahead)};
+    }
+    return std::nullopt;
+}
+
+double depth_of_lune(const Form& a, const Form& b, const Track& edge) {
+    const auto corner = rough_mitre_plane(a, b);
+    if (!corner) return 0.0;
+    const Envelope* curved = std::get_if<Envelope>(&a);
+    if (!curved) curved = std::get_if<Envelope>(&b);
+    double depth = 0.0;
+    for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const Vec3 p = edge.at(s);
+        const double t = project_onto(*curved, p).t;
+        if (t != std::clamp(t, 0.0, 1.0))
+            depth = std::max(depth, norm(p - corner->origin) - curved->sweep->fillet()->radius);
+    }
+    return depth;
+}
+
 std::optional<double> end_at(const Envelope& envelope, Vec3 centre) {
     const Sweep& sweep = *envelope.sweep;
     std::vector<double> times{0.0, 1.0};

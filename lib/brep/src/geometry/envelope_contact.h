@@ -3,6 +3,7 @@
 // Contact of envelopes with surfaces of the same tool, on its path and at rest.
 #pragma once
 
+#include "ncsim/brep/curve.h"
 #include "ncsim/brep/surface_forms.h"
 
 #include <optional>
@@ -21,6 +22,16 @@ bool is_of_turning_tool(const Form& form);
 /// perpendicular to both directions of motion. The result is the tangency point on the curve from
 /// `from` past `past` to `to`.
 std::optional<Vec3> hinge_of(const Form& a, const Form& b, Vec3 from, Vec3 past, Vec3 to);
+
+/// Returns the plane, nearly, in which the envelope of a ball on an arc meets the surface that the
+/// ball left before or after it. The plane bisects the directions of motion, as the true curve does
+/// in the corner of the path. Empty if the forms have no ball and no end in common, or no corner.
+std::optional<Plane> rough_mitre_plane(const Form& a, const Form& b);
+
+/// Returns by how much the edge between two such surfaces is farther out than the ball in the
+/// corner, where it continues the envelope beyond the end of its path, mm: the depth of the lune
+/// that the ball leaves between both. 0 where the path bends to the other side.
+double depth_of_lune(const Form& a, const Form& b, const Track& edge);
 
 /// Returns the end of the path (0 or 1) at which the tool's axis is the given line.
 std::optional<double> end_on_axis(const Envelope& envelope, Vec3 origin, Vec3 axis);

@@ -80,6 +80,21 @@ void move_onto_path(const std::vector<const Form*>& forms, Vec3& p) {
     }
 }
 
+// Where the path of a ball has a corner, both surfaces meet twice at small angles. Moves `p` to the
+// plane of the corner, if there is one, for the right one to be found.
+void move_to_mitre(std::vector<const Form*> forms, std::size_t count, Vec3& p) {
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            const auto plane = rough_mitre_plane(*forms[i], *forms[j]);
+            if (!plane) continue;
+            const Form mitre = *plane;
+            forms.push_back(&mitre);
+            brep::solve(forms, p);
+            return;
+        }
+    }
+}
+
 // Planes, no two of them parallel but for what programs round.
 bool are_askew(std::span<const Form* const> planes) {
     constexpr double kLeastSine = 3e-3;
@@ -187,6 +202,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
     for (const Form& t : touching)
         forms.push_back(&t);
     if (!move_to_apex(forms, v.at)) {
+        move_to_mitre(forms, count, v.at);
         brep::solve(forms, v.at);
         move_onto_path(forms, v.at);
         snap_to_apex(forms, v.at);

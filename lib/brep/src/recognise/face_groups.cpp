@@ -55,9 +55,11 @@ Vec3 path_direction(const Form& across, Vec3 p) {
     const auto& characteristic = std::get<Characteristic>(across);
     const ClosestPoint at = closest_point_at(*characteristic.of.sweep, characteristic.t, p);
     const Vec3 velocity = velocity_at(at.tool, height_of_centre(*characteristic.of.sweep, at));
+    // Balls that turn have lunes beside the strips of their sides, and go with these.
     const Fillet* fillet = characteristic.of.sweep->fillet();
-    const bool is_torus = fillet && fillet->centre_radius > 0.0;
-    return cda::normalized(is_torus ? velocity : radial_vector({}, at.tool.axis, velocity));
+    const bool is_with_side =
+        !fillet || (fillet->centre_radius <= 0.0 && is_of_turning_tool(characteristic.of));
+    return cda::normalized(is_with_side ? radial_vector({}, at.tool.axis, velocity) : velocity);
 }
 
 // Where a corner radius stood, if the plane is that of its flat end there.
