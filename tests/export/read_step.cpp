@@ -136,15 +136,16 @@ Drawn draw(const TopoDS_Shape& shape) {
     return drawn;
 }
 
-// Returns the number of faces that have no triangles at a deflection.
-int undrawn(const TopoDS_Shape& shape, double deflection_mm) {
+// Returns the middles of faces that have no triangles at a deflection.
+std::string undrawn(const TopoDS_Shape& shape, double deflection_mm) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape);
     BRepMesh_IncrementalMesh(copy, deflection_mm, false, kAngleOfChords);
-    int faces = 0;
+    std::string where;
     for (TopExp_Explorer face(copy, TopAbs_FACE); face.More(); face.Next()) {
-        if (is_empty(mesh_of(face.Current()))) ++faces;
+        if (is_empty(mesh_of(face.Current())))
+            where += (where.empty() ? "" : ", ") + middle_of(face.Current());
     }
-    return faces;
+    return where;
 }
 
 double volume_of(const TopoDS_Shape& shape) {
@@ -229,9 +230,9 @@ bool check(const std::filesystem::path& path, const Strictness& strictness) {
            "volume " + std::to_string(properties.Mass()));
     const Drawn drawn = draw(shape);
     for (const double deflection : {0.1, 0.02, 0.003}) {
-        const int faces_undrawn = strictness.is_fine ? undrawn(shape, deflection) : 0;
-        expect(faces_undrawn == 0, std::to_string(faces_undrawn) + " faces without triangles at " +
-                                       std::to_string(deflection) + " mm");
+        const std::string where = strictness.is_fine ? undrawn(shape, deflection) : "";
+        expect(where.empty(), "faces without triangles at " + std::to_string(deflection) +
+                                  " mm deflection: " + where);
     }
     if (strictness.has_booleans) {
         const int complaints = complaints_of(shape);
