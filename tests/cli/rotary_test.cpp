@@ -72,5 +72,35 @@ TEST(Rotary, WrapWithoutYMillsFlats) {
     EXPECT_NE(derived.err.find("never sets Y; taken as 0"), std::string::npos) << derived.err;
 }
 
+/// Rings around a bar of 40 mm, 2 mm deep: of an O-ring by a ball, of a seat by a bull nose. By
+/// Pappus' theorem.
+TEST(Rotary, RingsAreTori) {
+    Folder folder;
+    const auto ring_of = [&](const std::string& tool, const std::string& move) {
+        folder.write("a.nc", "(T1 " + tool + ")\nG21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 X20 Y0 A0\n" +
+                                 "G1 Z18 F300\n" + move + "\nG0 Z40\nM30\n");
+        return report_of(folder, {"--stock", "DX40x60@0,0,0", "--step", "a.step"})["step"];
+    };
+    const double bar = kPi * 20 * 20 * 60;
+    const json ball = ring_of("D=6. CR=3. - ball end mill", "G1 A360 F3000");
+    EXPECT_EQ(ball["faces"], 5);
+    EXPECT_EQ(ball["surfaces"]["torus"], 1);
+    const double segment = 9.0 * std::acos(1.0 / 3.0) - std::sqrt(8.0);
+    const double moment = 21.0 * segment - 2.0 / 3.0 * std::pow(8.0, 1.5);
+    EXPECT_NEAR(ball["volume_mm3"], bar - 2.0 * kPi * moment, 1e-6 * bar);
+
+    const json bull = ring_of("D=6. CR=1. - bull nose end mill", "G1 A-360 F3000");
+    EXPECT_EQ(bull["faces"], 9);
+    EXPECT_EQ(bull["surfaces"]["torus"], 2);
+    const double corner = 18.5 + 1.0 / 3.0 - 19.0 * kPi / 4.0;
+    EXPECT_NEAR(bull["volume_mm3"], bar - 2.0 * kPi * (228.0 - 2.0 * corner), 1e-6 * bar);
+
+    // Part of a ring: at its ends the tool leaves its own torus and its flat end.
+    const json part = ring_of("D=6. CR=1. - bull nose end mill", "G1 A100 F3000");
+    EXPECT_EQ(part["faces"], 14);
+    EXPECT_EQ(part["facets_kept"], 0);
+    EXPECT_EQ(part["surfaces"]["torus"], 4);
+}
+
 }  // namespace
 }  // namespace ncsim::cli_test

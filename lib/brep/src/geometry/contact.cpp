@@ -188,9 +188,10 @@ struct Tangency {
         return plane_at(b.centre, cross(b.axis, separation));
     }
     Answer operator()(const Torus& a, const Torus& b) const {
+        if (!is_parallel(a.axis, b.axis)) return common_tube(a, b);
         const Vec3 separation = b.centre - a.centre;
         const double d = norm(separation);
-        if (!is_parallel(a.axis, b.axis) || !is_near(a.minor, b.minor) || d < kLeastAxisDistance ||
+        if (!is_near(a.minor, b.minor) || d < kLeastAxisDistance ||
             !is_near(dot(separation, a.axis), 0.0))
             return {};
         if (!is_near(d, a.major + b.major) && !is_near(d, std::abs(a.major - b.major))) return {};
@@ -206,6 +207,21 @@ struct Tangency {
     }
 
 private:
+    // Returns the plane of the circle that two tubes have in common where one goes over into the
+    // other: their lines of centres touch.
+    static Answer common_tube(const Torus& a, const Torus& b) {
+        if (!is_near(a.minor, b.minor)) return {};
+        const Vec3 along = normalized(cross(a.axis, b.axis));
+        const Vec3 out = a.major * cross(along, a.axis), other = b.major * cross(along, b.axis);
+        for (const double sign : {-1.0, 1.0}) {
+            for (const double second : {-1.0, 1.0}) {
+                const Vec3 at = a.centre + sign * out;
+                if (is_near(norm(at - b.centre - second * other), 0.0)) return plane_at(at, along);
+            }
+        }
+        return {};
+    }
+
     // Returns the plane of tangency of a cone with a tube about the cone's axis.
     static Answer round_end(const Cone& a, Vec3 centre, double major, double minor) {
         if (!is_near(norm(radial_vector(a.apex, a.axis, centre)), 0.0)) return {};

@@ -351,6 +351,41 @@ public:
         chords_ = std::max(chords_, kGain);
     }
 
+    // Adds the torus of a ball that turns about a fixed line at a fixed distance, without moving
+    // along the line: a ring around a bar. A corner radius leaves two if its tool points at the
+    // line. Returns false on any other path.
+    bool ring_around(const Element& e, const RotaryPath& path) {
+        if (e.fillet <= 0.0) return false;
+        constexpr double kOff = 1e-6;  // mm; path and solution are as accurate
+        const auto ball_at = [&](double t) {
+            const ToolFrame at = tool_frame(path, t);
+            return at.tip + e.height * at.axis;
+        };
+        // The perpendicular bisectors of two chords meet in the centre.
+        const Vec3 start = ball_at(0.0), one = ball_at(0.5) - start, two = ball_at(1.0) - start;
+        const Vec3 normal = cross(one, two);
+        const double square = dot(normal, normal);
+        constexpr double kLeastSine = 1e-3;
+        if (square <= kLeastSine * kLeastSine * dot(one, one) * dot(two, two)) return false;
+        const Vec3 to_centre =
+            (0.5 / square) * cross(dot(one, one) * two - dot(two, two) * one, normal);
+        const Vec3 centre = start + to_centre, about = normalized(normal);
+        const double radius = norm(to_centre);
+        for (const double t : {0.125, 0.25, 0.375, 0.625, 0.75, 0.875}) {
+            const Vec3 v = ball_at(t) - centre;
+            if (std::abs(norm(v) - radius) > kOff || std::abs(dot(v, about)) > kOff) return false;
+        }
+        if (e.radius <= kEqual) {
+            tube(centre, about, radius, e.fillet);
+            return true;
+        }
+        const Vec3 axis = tool_frame(path, 0.0).axis;
+        if (norm(start - radius * axis - centre) > kOff) return false;
+        for (const double sign : {-1.0, 1.0})
+            tube(centre + (sign * e.radius) * about, about, radius, e.fillet);
+        return true;
+    }
+
     // Adds the walls of an arc whose ends have different radii. `left` is half of the angle that is
     // missing to a full turn, radians.
     void spiral(const Element& e, const Spiral& path, double left, Vec3 axis, bool is_level) {
@@ -571,6 +606,7 @@ void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
 void sweep_turning(Sweeps& sweeps, const Element& e, bool is_corner,
                    const std::vector<RotaryPath>& path) {
     constexpr std::size_t kTwoTurns = 6;  // pieces
+    if (sweeps.ring_around(e, path.front())) return;
     sweeps.floor_around(e, path.front(), path.size() >= kTwoTurns);
     // On many turns, the walls between the ends usually vanish.
     constexpr std::size_t kMostOfSides = 12, kMostOfRounds = 48, kEnds = 4;

@@ -72,7 +72,8 @@ struct SweptSurfaces {
 /// - spindles of balls on arcs of more than half a turn, where the tip may be inside a face.
 ///
 /// A tool that changes its direction leaves envelopes on lines: of sides and balls, and of corner
-/// radii and rims unless the flat end is level somewhere; also the surfaces at rest.
+/// radii and rims unless the flat end is level somewhere; also the surfaces at rest. On a circle
+/// around a fixed line, balls and corner radii leave tori, and flat ends a cylinder.
 ///
 /// A null machine stands for the default machine; the machine may hold the tool or the part at any
 /// angle. SweptSurfaces::may_leave_other_surfaces is true if any surface is missing. The caller
