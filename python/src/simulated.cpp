@@ -31,7 +31,7 @@ namespace py = pybind11;
 namespace {
 
 // Number of further cuts for measures, as in `ncsim measure`.
-constexpr int kRefinementsToMeasure = 2;
+constexpr simulation::Refinement kRefinementToMeasure{2};
 
 void set_results(simulation::Plan& plan, const SimulateRequest& request) {
     if (plan.model.empty()) plan.model = simulation::models().front().name;
@@ -119,8 +119,9 @@ std::shared_ptr<const std::vector<MotionRecord>> Simulated::motions() {
     return motions_;
 }
 
-std::shared_ptr<SolidData> Simulated::solid_with(int refinements, const std::stop_token& stop) {
-    std::shared_ptr<SolidData>& known = solids_[refinements];
+std::shared_ptr<SolidData> Simulated::solid_with(const simulation::Refinement& limit,
+                                                 const std::stop_token& stop) {
+    std::shared_ptr<SolidData>& known = solids_[{limit.most_cuts, limit.has_budget}];
     if (known) return known;
     if (!simulation::find_model(prepared_.plan.model)->exact)
         throw UsageFailure(fmt::format(
@@ -130,20 +131,20 @@ std::shared_ptr<SolidData> Simulated::solid_with(int refinements, const std::sto
     simulation::Plan plan = prepared_.plan;
     plan.budget = setup::Budget(accuracy_.max_memory_gb, accuracy_.max_seconds);
     plan.budget.stop_with(stop);
-    simulation::Solid solid = simulation::refined_solid(
-        plan, survey_, result_, exporter::kStepTolerance, {refinements, false});
+    simulation::Solid solid =
+        simulation::refined_solid(plan, survey_, result_, exporter::kStepTolerance, limit);
     solid.provenance.assumed = simulation::reasons_of(assumed());
     return known = std::make_shared<SolidData>(std::move(solid));
 }
 
 std::shared_ptr<SolidData> Simulated::solid(int refinements, const std::stop_token& stop) {
     const std::scoped_lock lock(mutex_);
-    return solid_with(refinements, stop);
+    return solid_with({refinements, false}, stop);
 }
 
 std::string Simulated::measures(const std::stop_token& stop) {
     const std::scoped_lock lock(mutex_);
-    const std::shared_ptr<SolidData> data = solid_with(kRefinementsToMeasure, stop);
+    const std::shared_ptr<SolidData> data = solid_with(kRefinementToMeasure, stop);
     report::MeasureSheet sheet =
         simulation::measures_of(prepared_.plan, survey_, data->solid, *result_.boundary);
     sheet.program = prepared_.plan.job.program.name;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/survey.h"
 
 #include "mesh_data.h"
@@ -20,6 +21,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::python {
@@ -50,7 +52,8 @@ public:
 
 private:
     const std::vector<std::string>& assumed();
-    std::shared_ptr<SolidData> solid_with(int refinements, const std::stop_token& stop);
+    std::shared_ptr<SolidData> solid_with(const simulation::Refinement& limit,
+                                          const std::stop_token& stop);
 
     simulation::SimulationOptions accuracy_;
     PreparedPlan prepared_;
@@ -61,7 +64,7 @@ private:
     std::optional<std::vector<std::string>> assumed_;
     std::shared_ptr<MeshData> mesh_;
     std::shared_ptr<const std::vector<MotionRecord>> motions_;
-    std::map<int, std::shared_ptr<SolidData>> solids_;  // by refinements
+    std::map<std::pair<int, bool>, std::shared_ptr<SolidData>> solids_;  // by Refinement
 };
 
 /// Adds the class Simulation and the function simulate() to `module`.

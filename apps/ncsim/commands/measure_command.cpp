@@ -101,7 +101,7 @@ int run(const MeasureOptions& options) {
     nothing.history = simulation::read_stock_history(*survey.stock);
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
     print_findings(plan.job.program, milled.diagnostics);
-    constexpr simulation::Refinement kLimit{2, false};
+    constexpr simulation::Refinement kLimit{2};
     const simulation::Solid solid =
         simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kLimit);
     report::MeasureSheet sheet = simulation::measures_of(plan, survey, solid, *milled.boundary);
