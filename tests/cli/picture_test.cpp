@@ -148,6 +148,40 @@ TEST(Picture, CutViewRefusesPlanesThatDoNotCutThePart) {
     EXPECT_FALSE(folder.has("a.png"));
 }
 
+TEST(Picture, ShadeAndTransparencyChangeEachPicture) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const auto run = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"run",    "slot.nc", "-q",    "--size", "240x240",
+                                           "--view", "top",     "--png", "a.png",  "--apng",
+                                           "a.apng", "--every", "1"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = folder.run(arguments);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return std::pair{folder.read("a.png"), folder.read("a.apng")};
+    };
+    const auto usual = run({}), plain = run({"--shade", "none"}), open = run({"--see-through"});
+    EXPECT_EQ(run({"--shade", "recesses"}), usual);
+    EXPECT_NE(plain.first, usual.first);
+    EXPECT_NE(plain.second, usual.second);
+    EXPECT_NE(open.first, usual.first);
+    EXPECT_NE(open.second, usual.second);
+    EXPECT_EQ(run({"--see-through", "--shade", "none"}), open);
+    EXPECT_EQ(run({"--see-through", "--model", "cda-flat"}).first, open.first);
+
+    const auto refused = [&](std::vector<std::string> more, const char* message) {
+        more.insert(more.begin(), {"run", "slot.nc", "-q"});
+        expect_refused(folder.run(more), message);
+    };
+    refused({"--png", "b.png", "--shade", "x"}, "--shade 'x': expected recesses or none");
+    refused({"--see-through"}, "--see-through changes pictures: it needs --png");
+    refused({"--png", "b.png", "--see-through", "--renderer", "osmesa"},
+            "--see-through: OSMesa draws no transparent part; omit --renderer");
+    EXPECT_FALSE(folder.has("b.png"));
+    expect_refused(folder.run({"check", "slot.nc", "--see-through"}),
+                   "--see-through changes pictures: it needs --png");
+}
+
 TEST(Picture, AnimationsHaveTheirEndings) {
     Folder folder;
     folder.write("slot.nc", kSlot);
