@@ -182,6 +182,29 @@ TEST(Picture, ShadeAndTransparencyChangeEachPicture) {
                    "--see-through changes pictures: it needs --png");
 }
 
+// Facts of the last frame are longer than those of the first frame.
+TEST(Picture, FramesWithCaptionsHaveOneSize) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    for (const char* size : {"240x240", "320x240", "300x200"}) {
+        std::filesystem::remove_all(folder.path() / "film");
+        EXPECT_EQ(folder
+                      .run({"run", "slot.nc", "-q", "--caption", "--size", size, "--frames", "film",
+                            "--every", "1", "--png", "a.png"})
+                      .exit_code,
+                  0);
+        const Image last = exporter::test::read_png(folder.read("a.png"));
+        std::size_t frames = 0;
+        for (const auto& file : std::filesystem::directory_iterator(folder.path() / "film")) {
+            const Image frame =
+                exporter::test::read_png(folder.read("film/" + file.path().filename().string()));
+            EXPECT_EQ(frame.height, last.height);
+            ++frames;
+        }
+        EXPECT_GT(frames, 2U);
+    }
+}
+
 TEST(Picture, AnimationsHaveTheirEndings) {
     Folder folder;
     folder.write("slot.nc", kSlot);
