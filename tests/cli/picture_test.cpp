@@ -148,6 +148,63 @@ TEST(Picture, CutViewRefusesPlanesThatDoNotCutThePart) {
     EXPECT_FALSE(folder.has("a.png"));
 }
 
+TEST(Picture, ShadeAndTransparencyChangeEachPicture) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const auto run = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"run",    "slot.nc", "-q",    "--size", "240x240",
+                                           "--view", "top",     "--png", "a.png",  "--apng",
+                                           "a.apng", "--every", "1"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = folder.run(arguments);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return std::pair{folder.read("a.png"), folder.read("a.apng")};
+    };
+    const auto usual = run({}), plain = run({"--shade", "none"}), open = run({"--see-through"});
+    EXPECT_EQ(run({"--shade", "recesses"}), usual);
+    EXPECT_NE(plain.first, usual.first);
+    EXPECT_NE(plain.second, usual.second);
+    EXPECT_NE(open.first, usual.first);
+    EXPECT_NE(open.second, usual.second);
+    EXPECT_EQ(run({"--see-through", "--shade", "none"}), open);
+    EXPECT_EQ(run({"--see-through", "--model", "cda-flat"}).first, open.first);
+
+    const auto refused = [&](std::vector<std::string> more, const char* message) {
+        more.insert(more.begin(), {"run", "slot.nc", "-q"});
+        expect_refused(folder.run(more), message);
+    };
+    refused({"--png", "b.png", "--shade", "x"}, "--shade 'x': expected recesses or none");
+    refused({"--see-through"}, "--see-through changes pictures: it needs --png");
+    refused({"--png", "b.png", "--see-through", "--renderer", "osmesa"},
+            "--see-through: OSMesa draws no transparent part; omit --renderer");
+    EXPECT_FALSE(folder.has("b.png"));
+    expect_refused(folder.run({"check", "slot.nc", "--see-through"}),
+                   "--see-through changes pictures: it needs --png");
+}
+
+// Facts of the last frame are longer than those of the first frame.
+TEST(Picture, FramesWithCaptionsHaveOneSize) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    for (const char* size : {"240x240", "320x240", "300x200"}) {
+        std::filesystem::remove_all(folder.path() / "film");
+        EXPECT_EQ(folder
+                      .run({"run", "slot.nc", "-q", "--caption", "--size", size, "--frames", "film",
+                            "--every", "1", "--png", "a.png"})
+                      .exit_code,
+                  0);
+        const Image last = exporter::test::read_png(folder.read("a.png"));
+        std::size_t frames = 0;
+        for (const auto& file : std::filesystem::directory_iterator(folder.path() / "film")) {
+            const Image frame =
+                exporter::test::read_png(folder.read("film/" + file.path().filename().string()));
+            EXPECT_EQ(frame.height, last.height);
+            ++frames;
+        }
+        EXPECT_GT(frames, 2U);
+    }
+}
+
 TEST(Picture, AnimationsHaveTheirEndings) {
     Folder folder;
     folder.write("slot.nc", kSlot);

@@ -262,6 +262,110 @@ TEST(Render, OverlaysAndColoursByDepthAreSampledWhereTheyHaveEdges) {
     }
 }
 
+// A plate with pockets 1, 3 and 9 mm deep, and a hole.
+cda::FlatCda plate_with_pockets() {
+    cda::FlatCda part(box({0, 0, 0}, {40, 30, 10}, 0), kLattice);
+    part.subtract(box({3, 5, 9}, {11, 25, 11}, 1));
+    part.subtract(box({15, 5, 7}, {23, 25, 11}, 1));
+    part.subtract(box({27, 5, 1}, {35, 25, 11}, 1));
+    part.subtract(box({37, 12, 2}, {39, 14, 11}, 2));
+    return part;
+}
+
+TEST(Render, RecessesAreDarkerTheDeeperTheyAre) {
+    const cda::Boundary boundary = plate_with_pockets().boundary();
+    RenderOptions options = options_for(boundary, View::Top);
+    const Image shaded = render_boundary(boundary, kTwoSlots, options);
+    options.shades_recesses = false;
+    const Image plain = render_boundary(boundary, kTwoSlots, options);
+    const double scale = options.height / options.camera.height;
+    const auto loss = [&](double x, double y) {
+        const auto column = static_cast<std::uint32_t>(200.0 + (x - 20.0) * scale);
+        const auto row = static_cast<std::uint32_t>(150.0 - (y - 15.0) * scale);
+        return plain.at(column, row).g - shaded.at(column, row).g;
+    };
+    // At the walls of the pockets.
+    EXPECT_GT(loss(3.3, 15), 3);
+    EXPECT_GT(loss(15.3, 15), loss(3.3, 15) + 5);
+    EXPECT_GT(loss(27.3, 15), loss(15.3, 15) + 5);
+    EXPECT_GT(loss(38, 13), 30);  // the hole
+    EXPECT_LT(loss(31, 15), loss(27.3, 15) - 10) << "far from the walls there is more light";
+    // The top is as bright as before, up to its edges.
+    for (const double x : {1.0, 2.7, 11.3, 13.0, 23.3, 26.7, 35.3, 36.0})
+        EXPECT_EQ(loss(x, 15), 0) << x;
+}
+
+TEST(Render, AConvexPartHasNoRecess) {
+    cda::FlatCda block(box({0, 0, 0}, {40, 30, 10}, 0), kLattice);
+    block.subtract(box({-1, -1, 8}, {41, 31, 11}, 1));
+    const cda::Boundary boundary = block.boundary();
+    for (const View view : {View::Iso, View::Top, View::Left}) {
+        for (const Projection projection : {Projection::Orthographic, Projection::Perspective}) {
+            RenderOptions options = options_for(boundary, view, projection);
+            const Image shaded = render_boundary(boundary, kTwoSlots, options);
+            options.shades_recesses = false;
+            EXPECT_TRUE(shaded == render_boundary(boundary, kTwoSlots, options));
+        }
+    }
+}
+
+// Bodies make no recess in the part, and are not darker.
+TEST(Render, BodiesAreOutsideOfRecesses) {
+    cda::FlatCda block(box({0, 0, 0}, {40, 30, 10}, 0), kLattice);
+    RenderOptions options = options_for(block.boundary(), View::Top);
+    options.camera.depth *= 3.0;
+    test::BoxPart body;
+    body.stock = {{10, 10, 10}, {20, 20, 30}};
+    Overlay overlay;
+    overlay.bodies.push_back({test::boundary_of(body), {200, 40, 90}});
+    const Image shaded = render_boundary(block.boundary(), kTwoSlots, options, overlay);
+    options.shades_recesses = false;
+    EXPECT_TRUE(shaded == render_boundary(block.boundary(), kTwoSlots, options, overlay));
+}
+
+// Seen from above, a transparent part shows an opaque bar in its bore, and the bore.
+TEST(Render, ATransparentPartShowsItsInside) {
+    cda::FlatCda part(box({0, 0, 0}, {40, 30, 20}, 0), kLattice);
+    part.subtract(box({-1, 10, 8}, {41, 20, 14}, 1));
+    const cda::Boundary boundary = part.boundary();
+    RenderOptions options = options_for(boundary, View::Top);
+    options.edges = false;
+    test::BoxPart body;
+    body.stock = {{5, 12, 10}, {15, 18, 12}};
+    Overlay overlay;
+    overlay.bodies.push_back({test::boundary_of(body), {200, 20, 20}});
+    const auto draw = [&] { return render_boundary(boundary, kTwoSlots, options, overlay); };
+    const auto at = [&](const Image& image, double x, double y) {
+        const double scale = options.height / options.camera.height;
+        return image.at(static_cast<std::uint32_t>(200.0 + (x - 20.0) * scale),
+                        static_cast<std::uint32_t>(150.0 - (y - 15.0) * scale));
+    };
+    const Image opaque = draw();
+    EXPECT_EQ(at(opaque, 10, 15), at(opaque, 30, 5));
+    options.see_through = true;
+    const Image image = draw();
+    const Rgba8 bar = at(image, 10, 15), bore = at(image, 30, 15), block = at(image, 30, 5);
+    EXPECT_GT(bar.r, bar.b + 20);
+    // Four surfaces hide more of the background than two.
+    EXPECT_LT(bore.r + 10, block.r);
+    EXPECT_GT(block.r, at(opaque, 30, 5).r + 20);
+    EXPECT_EQ(image.at(0, 0), (Rgba8{255, 255, 255}));
+    // The faces above and below are 0.35 of the surface, and 0.65 of the pixels behind.
+    const auto expected = [&](double face, double background) {
+        return 0.35 * face + 0.65 * (0.35 * face + 0.65 * background);
+    };
+    EXPECT_NEAR(block.g, expected(at(opaque, 30, 5).g, 255), 8);
+    // The same bytes in bands, and sample by sample.
+    options.edges = true;
+    const Image expected_image = draw();
+    options.band_samples = 1;
+    EXPECT_TRUE(draw() == expected_image);
+    options.samples_everywhere = true;
+    EXPECT_TRUE(draw() == expected_image);
+    options.renderer = Renderer::Osmesa;
+    EXPECT_THROW(draw(), std::runtime_error);
+}
+
 // The faces of a body cross faces of the part where no edge is drawn.
 TEST(Render, FacesThatCrossEachOtherAreSampled) {
     const cda::FlatCda plate = slotted_plate();

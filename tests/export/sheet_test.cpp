@@ -120,7 +120,7 @@ TEST(ContactSheet, ALongLineLeavesTheOthersAsTheyWere) {
     const Image brief = contact_sheet(one, std::vector<std::string>{"pocket.nc", ""});
     const Image full =
         contact_sheet(one, std::vector<std::string>{"pocket.nc", std::string(60, 'M')});
-    const auto above = static_cast<std::ptrdiff_t>(std::size_t{400} * (300 + 26));
+    const auto above = static_cast<std::ptrdiff_t>(std::size_t{400} * (300 + 24));
     EXPECT_TRUE(
         std::equal(brief.pixels.begin(), brief.pixels.begin() + above, full.pixels.begin()));
     EXPECT_NE(brief, full);
@@ -161,11 +161,23 @@ TEST(ContactSheet, WrapsLongLinesAtSpaces) {
     EXPECT_GT(lines.size(), 1U);
     std::string joined;
     for (const std::string& line : lines) {
-        EXPECT_LT(text_width(300 / 36.0, line), 300);
+        EXPECT_LT(text_width(7.0, line), 300);
         joined += (joined.empty() ? "" : " ") + line;
     }
     EXPECT_EQ(joined, text);
-    EXPECT_EQ(wrapped(std::string(200, 'M'), 100, 100).size(), 1U);
+    // A long word, of ASCII or of letters with two bytes.
+    for (const std::string letter : {"M", "\xC3\xA4"}) {
+        std::string word;
+        for (int i = 0; i < 200; ++i)
+            word += letter;
+        std::string parts;
+        for (const std::string& line : wrapped("x " + word, 100, 100)) {
+            EXPECT_LE(text_width(7.0, line), 100.0 - 2.0 * 1.5 * 7.0);
+            EXPECT_EQ(line.size() % letter.size(), line == "x" ? 1 % letter.size() : 0U);
+            parts += line;
+        }
+        EXPECT_EQ(parts, "x" + word);
+    }
     EXPECT_EQ(wrapped("", 100, 100), (std::vector<std::string>{""}));
 }
 
@@ -178,19 +190,25 @@ TEST(ContactSheet, RefusesWhatCannotBe) {
     EXPECT_THROW(contact_sheet(wide, {}), std::runtime_error);
 }
 
-TEST(ContactSheet, LettersShrinkSoThatTheCaptionFits) {
+// All lines have letters of one size; a line that does not fit ends in "...".
+TEST(ContactSheet, LinesThatDoNotFitAreAbbreviated) {
     const std::vector<LabelledImage> one{{"", plain(600, 600, {255, 255, 255})}};
-    const auto ink_in_last_columns = [&](const std::string& line) {
-        const Image sheet = contact_sheet(one, std::vector<std::string>{line});
-        std::size_t ink = 0;
-        for (std::uint32_t y = 610; y < sheet.height; ++y) {
-            for (std::uint32_t x = sheet.width - 4; x < sheet.width; ++x)
-                ink += sheet.at(x, y).r < 128;
-        }
-        return ink;
+    const auto sheet = [&](const std::string& line) {
+        return contact_sheet(one, std::vector<std::string>{line});
     };
-    EXPECT_EQ(ink_in_last_columns(std::string(60, 'M')), 0U);
-    EXPECT_EQ(ink_in_last_columns("short"), 0U);
+    const double capitals = 600 / 46.0;
+    std::string longest;
+    while (text_width(capitals, longest + "M") <= 600 - 3.0 * capitals)
+        longest += "M";
+    const std::string shown = longest.substr(3) + "...";
+    EXPECT_EQ(sheet(std::string(200, 'M')), sheet(shown));
+    EXPECT_EQ(sheet(longest + "MM"), sheet(shown));
+    EXPECT_NE(sheet(longest), sheet(shown));
+    EXPECT_EQ(sheet(longest + "M").height, sheet("").height);
+    // Nothing fits.
+    const std::vector<LabelledImage> narrow{{"", plain(8, 60, {255, 255, 255})}};
+    EXPECT_EQ(contact_sheet(narrow, std::vector<std::string>{"MM"}),
+              contact_sheet(narrow, std::vector<std::string>{""}));
 }
 
 }  // namespace

@@ -307,7 +307,7 @@ void complete(CheckOptions& o) {
             "--isolate: what a page or picture shows does not come out of another process"};
     refuse_foreign_ending("--png", o.png, {".png"});
     if (!o.png.empty()) require_one_picture(o);
-    if (o.png.empty() && o.cut_view) throw Refusal{"--cut-view changes pictures: it needs --png"};
+    require_pictures(o, !o.png.empty(), "--png");
     if (o.shard.empty() != o.out.empty())
         throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
                                     : "--out: of which shard? --shard I/N"};

@@ -61,6 +61,12 @@ exporter::Background read_background(const std::string& name) {
     throw Refusal{fmt::format("--background '{}': expected white or dark", name)};
 }
 
+bool read_shade(const std::string& name) {
+    if (name == "recesses") return true;
+    if (name == "none") return false;
+    throw Refusal{fmt::format("--shade '{}': expected recesses or none", name)};
+}
+
 MarkOptions read_marks(const std::string& list) {
     MarkOptions marks;
     if (list == "all") return marks;
@@ -87,6 +93,15 @@ MarkOptions read_marks(const std::string& list) {
 }
 
 }  // namespace
+
+void require_pictures(const PictureOptions& options, bool has_pictures, const char* outputs) {
+    if (has_pictures) return;
+    const char* const option = options.cut_view      ? "--cut-view"
+                               : options.see_through ? "--see-through"
+                                                     : nullptr;
+    if (option != nullptr)
+        throw Refusal{fmt::format("{} changes pictures: it needs {}", option, outputs)};
+}
 
 brep::SectionPlane read_plane(const char* option, const std::string& text) {
     const auto plane = brep::parse_section_plane(text);
@@ -125,6 +140,12 @@ void add_picture_options(cli::App& command, PictureOptions& o) {
             "--marks", [&o](Text list) { o.marks = read_marks(list); },
             "axes, zero, scale, legend; all or none [all]")
         ->type_name("MARKS");
+    command
+        .add_option_function<std::string>(
+            "--shade", [&o](Text name) { o.shades_recesses = read_shade(name); },
+            "Darker pockets and holes: recesses, none [recesses]")
+        ->type_name("WHAT");
+    command.add_flag("--see-through", o.see_through, "Draw the part transparent");
     command
         .add_option_function<std::string>(
             "--cut-view", [&o](Text plane) { o.cut_view = read_plane("--cut-view", plane); },

@@ -30,6 +30,8 @@ struct PictureOptions {
     std::uint32_t width = 1280, height = 960;  ///< Size of each view in pixels.
     exporter::Background background = exporter::Background::White;
     MarkOptions marks;
+    bool shades_recesses = true;  ///< Recesses of the part are darker.
+    bool see_through = false;     ///< The part is transparent.
     /// Plane at which pictures show the part and the fixtures cut open.
     std::optional<brep::SectionPlane> cut_view;
 };
@@ -37,6 +39,10 @@ struct PictureOptions {
 /// Adds the options to the current group of `command`, which reads into `options`.
 /// Requires: `options` outlives `command`.
 void add_picture_options(cli::App& command, PictureOptions& options);
+
+/// Throws: Refusal if an option changes pictures that are not written. `outputs`: the options that
+///     write pictures.
+void require_pictures(const PictureOptions& options, bool has_pictures, const char* outputs);
 
 /// Reads a plane such as "z=-4". `option` is the option of the message.
 /// Throws: Refusal.

@@ -104,7 +104,8 @@ std::vector<std::string> outputs_of(const Options& o) {
 
 bool draws_cells(const Options& o) {
     const simulation::ModelInfo* model = simulation::find_model(o.model);
-    return model && model->shows_cells && !o.cut_view && o.colouring != exporter::Colouring::Design;
+    return model && model->shows_cells && !o.cut_view && !o.see_through &&
+           o.colouring != exporter::Colouring::Design;
 }
 
 bool has_pictures(const Options& o) {
@@ -352,8 +353,9 @@ void complete(Options& options) {
             "--every says how often pictures are taken: it needs --frames, --gif, --apng or "
             "--html"};
     }
-    if (options.cut_view && !has_pictures(options))
-        throw Refusal{"--cut-view changes pictures: it needs --png, --gif, --apng or --frames"};
+    require_pictures(options, has_pictures(options), "--png, --gif, --apng or --frames");
+    if (options.see_through && options.renderer != exporter::Renderer::Own)
+        throw Refusal{"--see-through: OSMesa draws no transparent part; omit --renderer"};
     require_finished_part(options);
     complete_tile(options);
     require_watchable(options, inputs_of(options), !options.tile.empty());

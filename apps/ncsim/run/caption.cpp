@@ -27,11 +27,11 @@ std::string line_at(const Outcome& outcome) {
     return std::string(gcode::line_text(outcome.plan.job.program, outcome.simulation->line));
 }
 
-std::vector<std::string> facts_of(const Outcome& outcome) {
+// Returns the facts after the path `path`, which removed `removed` mm3.
+std::vector<std::string> facts_of(const Outcome& outcome, double removed,
+                                  const verify::Distances& path) {
     const simulation::Simulation& s = *outcome.simulation;
     const cda::Vec3 size = outcome.survey.stock->box.size();
-    const double removed = s.stock_volume - s.part_volume;
-    const verify::Distances& path = s.distances;
     const auto shown = [&](const std::string& text) {
         return report::in_unit(text, outcome.options.report_unit);
     };
@@ -51,11 +51,14 @@ std::vector<std::string> facts_of(const Outcome& outcome) {
     if (o.views.size() > 1)
         lines.emplace_back(third_angle(o.views).empty() ? "one scale" : "third angle, one scale");
     if (o.cut_view) lines.push_back("cut at " + brep::name_of(*o.cut_view) + " mm");
-    if (o.at_line || !o.gif.empty() || !o.frames.empty()) {
-        lines.push_back(s.line == 0 ? std::string("before the first move")
-                                    : fmt::format("after line {}: {}", s.line, line_at(outcome)));
-    }
     return lines;
+}
+
+// Returns the line after which the part is shown.
+std::string line_of(const Outcome& outcome) {
+    const std::uint32_t line = outcome.simulation->line;
+    return line == 0 ? std::string("before the first move")
+                     : fmt::format("after line {}: {}", line, line_at(outcome));
 }
 
 // Adds the assumptions of a preview.
@@ -103,20 +106,71 @@ void add_finding(const Outcome& outcome, std::vector<std::string>& lines) {
     lines.emplace_back(gcode::line_text(outcome.plan.job.program, f.place.span.line));
 }
 
+// Divides lines into rows that fit.
+class Rows {
+public:
+    explicit Rows(const Options& options)
+        : width_(options.width * columns_of(options.views)), height_(options.height) {}
+
+    void add(const std::string& line) {
+        std::ranges::move(wrapped(line), std::back_inserter(rows_));
+    }
+    void add(const std::vector<std::string>& lines) {
+        for (const std::string& line : lines)
+            add(line);
+    }
+    // Adds as many rows as the line `most` needs.
+    void add_like(const std::string& most, const std::string& line) {
+        const std::size_t count = wrapped(most).size();
+        std::vector<std::string> rows = wrapped(line);
+        for (; rows.size() > count; rows.pop_back())
+            rows[rows.size() - 2] += " " + rows.back();
+        rows.resize(count);
+        std::ranges::move(rows, std::back_inserter(rows_));
+    }
+    // Adds a row, which may be too long.
+    void add_row(const std::string& line) { rows_.push_back(line); }
+    std::vector<std::string> take() { return std::move(rows_); }
+
+private:
+    std::vector<std::string> wrapped(const std::string& line) const {
+        return exporter::wrapped(line, width_, height_);
+    }
+
+    std::uint32_t width_, height_;
+    std::vector<std::string> rows_;
+};
+
+// Adds the facts and the line. Frames of a film have one size, so in films the facts have the rows
+// that they need after the whole program, and the line has one row.
+void add_facts(const Outcome& outcome, Rows& rows) {
+    const simulation::Simulation& s = *outcome.simulation;
+    const std::vector<std::string> facts =
+        facts_of(outcome, s.stock_volume - s.part_volume, s.distances);
+    if (!has_frames(outcome.options)) {
+        rows.add(facts);
+        if (outcome.options.at_line) rows.add(line_of(outcome));
+        return;
+    }
+    const std::vector<std::string> most =
+        facts_of(outcome, s.stock_volume, verify::total(outcome.survey.distances));
+    for (std::size_t i = 0; i < facts.size(); ++i)
+        rows.add_like(most[i], facts[i]);
+    rows.add_row(line_of(outcome));
+}
+
 }  // namespace
 
 std::vector<std::string> caption_of(const Outcome& outcome) {
     const Options& o = outcome.options;
-    std::vector<std::string> lines;
-    if (o.views.size() > 1 || o.has_caption) lines = facts_of(outcome);
+    Rows rows(o);
+    if (o.views.size() > 1 || o.has_caption) add_facts(outcome, rows);
     std::vector<std::string> more;
     if (o.draft) add_guesses(outcome, more);
     if (outcome.design) add_design(outcome, more);
     if (outcome.finding) add_finding(outcome, more);
-    const std::uint32_t width = o.width * columns_of(o.views);
-    for (const std::string& line : more)
-        std::ranges::move(exporter::wrapped(line, width, o.height), std::back_inserter(lines));
-    return lines;
+    rows.add(more);
+    return rows.take();
 }
 
 }  // namespace ncsim::app

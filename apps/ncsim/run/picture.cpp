@@ -202,6 +202,8 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.background = o.background;
     options.renderer = o.renderer;
     options.colouring = o.colouring;
+    options.shades_recesses = o.shades_recesses;
+    options.see_through = o.see_through;
     options.ghost_stock = outcome.survey.stock->specified_by == toolpath::ValueSource::Assumption;
     options.depth_top = stock.max.z;
     options.depth_bottom = std::max(stock.min.z, tips.min.z);

@@ -118,6 +118,7 @@ function showFinding(item) {
       player.meet(line, point);
       view.setAlarm(true, bodies);
       view.showTip();
+      if (view.machine) view.machine.showFinding(item.dataset.finding);
     }
   }
   document.getElementById("part").scrollIntoView({ block: "nearest" });
@@ -167,7 +168,14 @@ async function makeMachine(packed, renderer) {
   }
   // Places the bodies as after the line, or after the last line before it that moves.
   function show(line) {
-    const i = indexOf(line), [x, y, z] = packed.zero;
+    showPose(indexOf(line));
+  }
+  // Places the bodies where they meet.
+  function showFinding(number) {
+    if (packed.findings[number] !== undefined) showPose(packed.findings[number]);
+  }
+  function showPose(i) {
+    const [x, y, z] = packed.zero;
     let toPart = Matrix.unit();
     for (const joint of packed.part_moved_by)
       toPart = Matrix.product(jointMatrix(joint, -value(i, joint[0])), toPart);
@@ -188,7 +196,7 @@ async function makeMachine(packed, renderer) {
   const start = frame;
   // Returns the frame of a machine at rest in the frame of the part that moves.
   const rest = () => Matrix.product(frame, Matrix.inverseOfRigid(start));
-  return { lines: lineOf, items, bodies, show, place, rest };
+  return { lines: lineOf, items, bodies, show, showFinding, place, rest };
 }
 
 // Returns the corners of the box around points, three numbers each.
@@ -422,7 +430,16 @@ async function makeView(holder) {
           colour: met.includes(body.name) ? kMetColour : body.colour });
       }
     }
-    if (shown.machine && machine) meshes.push(...machine.items.filter((item) => item.isShown));
+    if (shown.machine && machine) {
+      const isToolMet = met.includes("the tool") || !met.some((name) => name.startsWith("the link "));
+      const colours = isDark ? kDark : kLight;
+      machine.items.forEach((item, k) => {
+        const { name, tool } = machine.bodies[k];
+        const isMet = alarm && (tool >= 0 ? isToolMet : met.includes(`the link '${name}'`));
+        const colour = isMet ? (tool >= 0 ? colours.error : kMetColour) : item.colour;
+        if (item.isShown) meshes.push({ ...item, colour });
+      });
+    }
     if (shown.tool && tip && !(shown.machine && machine)) {
       for (const piece of tools[tip.tool]) {
         meshes.push({ mesh: piece.mesh, kind: kTool, matrix: toolMatrix(),

@@ -231,13 +231,22 @@ Json machine_json(const MachinePageData& machine) {
     json["part_moved_by"] = joints_json(machine.part_moved_by);
     json["zero"] = {machine.zero.x, machine.zero.y, machine.zero.z};
     Numbers lines, values, tools;
-    for (const auto& [line, stand] : machine.line_poses) {
-        lines.push_back(line);
-        for (const double value : stand.values) {
+    const auto add = [&](const MachinePageData::LinePose& pose) {
+        for (const double value : pose.values) {
             values.push_back(static_cast<std::uint32_t>(
                 static_cast<std::int64_t>(std::llround(value / kPageUnit))));
         }
-        tools.push_back(static_cast<std::uint32_t>(stand.tool));
+        tools.push_back(static_cast<std::uint32_t>(pose.tool));
+    };
+    for (const auto& [line, pose] : machine.line_poses) {
+        lines.push_back(line);
+        add(pose);
+    }
+    // Poses of findings follow those of lines.
+    json["findings"] = Json::object();
+    for (const auto& [finding, pose] : machine.finding_poses) {
+        json["findings"][std::to_string(finding)] = tools.size();
+        add(pose);
     }
     json["lines"] = packed(lines);
     json["values"] = packed(values, 9);

@@ -264,6 +264,36 @@ await reader.run(async () => {
   await click(page, -38, -38, 0);
   expect(await selected(page) === 0, "the stock's corner is a face");
 
+  // At a finding the machine is where the bodies meet, and the bodies have other colours. The second
+  // finding is in the middle of the move down, which ends at Z-25.
+  call("check", join(samples, "..", "examples", "rules", "machine-collision", "fails.nc"), "--html",
+    "meets.html");
+  page = await open("meets.html");
+  const orange = () => page.evaluate(() => {
+    window.ncsim.view.draw();
+    const copy = document.createElement("canvas"), { canvas } = window.ncsim.view;
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext("2d");
+    context.drawImage(canvas, 0, 0);
+    const { data: bytes } = context.getImageData(0, 0, copy.width, copy.height);
+    let count = 0;
+    for (let i = 0; i < bytes.length; i += 4)
+      if (bytes[i] > 120 && bytes[i] > bytes[i + 1] + 40 && bytes[i + 1] > bytes[i + 2] + 40) count += 1;
+    return count;
+  });
+  near((await tipAfter(8))[2], -25, 1e-3, "tip after the line");
+  expect(await orange() < 50, "orange without a finding");
+  await page.locator(".finding").nth(1).click();
+  const atFinding = await page.evaluate(() => window.ncsim.view.machine.place("tool", 0, 0,
+    window.ncsim.view.machine.bodies.find((body) => body.name === "tool").corners.reduce(
+      (z, c, i) => (i % 3 === 2 ? Math.min(z, c) : z), 0)));
+  near(atFinding[0], 120, 1e-3, "tip at the second finding, X");
+  near(atFinding[2], 37.5, 0.4, "tip at the second finding, Z");
+  expect(await orange() < 50, "orange without links that meet");
+  await page.locator(".finding").nth(0).click();
+  expect(await orange() > 1000, "the table is not orange");
+  await picture(page, "meets");
+
   // Distances from the design: the finding is in the list for a screen reader, and the gouge of 1 mm
   // in the picture. The address of the page says what the page shows.
   call("check", join(samples, "..", "examples", "rules", "gouge", "fails.nc"), "--html", "design.html");
@@ -289,6 +319,6 @@ await reader.run(async () => {
   const earlier = await click(page, -30, 3, -4);
   expect(earlier.startsWith("cut in an earlier set-up") && earlier.includes("T1"), earlier);
 
-  expect(reader.requests.filter((url) => url.startsWith("file:")).length === 6,
+  expect(reader.requests.filter((url) => url.startsWith("file:")).length === 7,
     `loaded: ${reader.requests}`);
 }, (url) => url.startsWith("file:") || url.startsWith("data:"));

@@ -19,8 +19,8 @@ namespace {
 
 // Heights of capitals as shares of the height of a picture, and the smallest readable height in
 // pixels.
-constexpr double kLabelHeight = 1.0 / 42.0;
-constexpr double kCaptionHeight = 1.0 / 36.0;
+constexpr double kLabelHeight = 1.0 / 46.0;
+constexpr double kCaptionHeight = 1.0 / 46.0;
 constexpr double kLeastHeight = 7.0;
 constexpr double kCaptionMargin = 1.5;  // margin of text lines, in heights of capitals
 constexpr double kLineSpacing = 2.1;    // distance of text lines, in heights of capitals
@@ -36,11 +36,28 @@ SheetColours sheet_colours(Background background) {
     return {{30, 33, 38, 255}, {216, 220, 226, 255}, {70, 75, 83, 255}};
 }
 
-// Returns the height of capitals in a line: `wanted`, or less if the line would not fit.
-double line_height(const std::string& line, std::uint64_t width, double margin, double wanted) {
-    const double room = std::max(0.0, static_cast<double>(width) - 2.0 * margin);
-    const double needed = text_width(wanted, line);
-    return needed > room ? std::max(kLeastHeight, wanted * room / needed) : wanted;
+// Returns the width below the pictures that a line can take.
+double room_for_text(double width, double capitals) {
+    return std::max(0.0, width - 2.0 * kCaptionMargin * capitals);
+}
+
+// Returns the longest beginning of `text` that is at most `room` wide. Characters stay whole.
+std::string beginning_of(const std::string& text, double capitals, double room) {
+    std::size_t end = 0;
+    for (std::size_t next = 1; next <= text.size(); ++next) {
+        const bool is_within = next < text.size() && (text[next] & 0xC0) == 0x80;
+        if (is_within) continue;
+        if (text_width(capitals, text.substr(0, next)) > room) break;
+        end = next;
+    }
+    return text.substr(0, end);
+}
+
+// Returns the line, or a beginning of the line and "...".
+std::string abbreviated(const std::string& line, double capitals, double room) {
+    if (text_width(capitals, line) <= room) return line;
+    const std::string dots = beginning_of("...", capitals, room);
+    return beginning_of(line, capitals, room - text_width(capitals, dots)) + dots;
 }
 
 void paste(Image& sheet, const Image& picture, std::uint32_t left, std::uint32_t top) {
@@ -136,8 +153,9 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const She
     double base_line = rows_end + margin + 0.5 * capitals;
     const double left = kCaptionMargin * capitals;
     for (const std::string& line : caption) {
-        draw_text(sheet, left, base_line, line_height(line, sheet_width, left, capitals),
-                  colours.text, line);
+        draw_text(
+            sheet, left, base_line, capitals, colours.text,
+            abbreviated(line, capitals, room_for_text(static_cast<double>(sheet_width), capitals)));
         base_line += kLineSpacing * capitals;
     }
     return sheet;
@@ -146,7 +164,7 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const She
 std::vector<std::string> wrapped(const std::string& line, std::uint32_t width,
                                  std::uint32_t height) {
     const double capitals = std::max(kLeastHeight, kCaptionHeight * height);
-    const double room = width - 2.0 * kCaptionMargin * capitals;
+    const double room = room_for_text(width, capitals);
     std::vector<std::string> lines{""};
     for (std::size_t begin = 0; begin < line.size();) {
         // A word with the spaces before it.
@@ -154,10 +172,18 @@ std::vector<std::string> wrapped(const std::string& line, std::uint32_t width,
         end = std::min(end, line.size());
         std::string longer = lines.back() + line.substr(begin, end - begin);
         if (!lines.back().empty() && text_width(capitals, longer) > room) {
-            lines.push_back(line.substr(line.find_first_not_of(' ', begin), end - begin - 1));
-        } else {
-            lines.back() = std::move(longer);
+            longer = line.substr(line.find_first_not_of(' ', begin), end - begin - 1);
+            lines.emplace_back();
         }
+        // A word that is longer than a line.
+        for (;;) {
+            const std::string first = beginning_of(longer, capitals, room);
+            if (first.empty() || first.size() == longer.size()) break;
+            lines.back() = first;
+            lines.emplace_back();
+            longer.erase(0, first.size());
+        }
+        lines.back() = std::move(longer);
         begin = end;
     }
     return lines;

@@ -70,6 +70,10 @@ void OpenGlBuffer::begin(const SampleRect& rect) {
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+void OpenGlBuffer::peel(SurfaceId /*last*/) {
+    throw std::runtime_error("cannot render a transparent part with OSMesa");
+}
+
 // Appends the triangles of the polygon in clip coordinates. Rows of the framebuffer run downwards,
 // like rows of the picture.
 void OpenGlBuffer::append_fan(std::span<const ScreenPoint> polygon, SurfaceId id) {

@@ -24,6 +24,7 @@ public:
     OpenGlBuffer& operator=(const OpenGlBuffer&) = delete;
 
     void begin(const SampleRect& rect) override;
+    void peel(SurfaceId last) override;
     void draw(std::span<const ScreenPoint> polygon, SurfaceId id) override;
     void draw(std::span<const ScreenPoint> polygon, SurfaceId id,
               std::span<const std::vector<ScreenPoint>> masks) override;

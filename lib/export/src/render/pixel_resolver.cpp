@@ -51,6 +51,23 @@ double square(double x) {
 
 constexpr LinearColour kWhiteLight{1, 1, 1};
 
+// True if the next kRun samples see the same surface as the sample before `ids`.
+constexpr std::size_t kRun = 8;
+bool continue_run(const SurfaceId* ids) {
+    SurfaceId changes = 0;
+    for (std::size_t i = 0; i < kRun; ++i)
+        changes |= ids[i] ^ *(ids - 1);
+    return changes == 0;
+}
+
+// Returns `colour` with `share` of its sRGB values.
+Rgba8 darkened(Rgba8 colour, float share) {
+    const auto scaled = [share](std::uint8_t channel) {
+        return static_cast<std::uint8_t>(share * static_cast<float>(channel) + 0.5F);
+    };
+    return {scaled(colour.r), scaled(colour.g), scaled(colour.b), colour.a};
+}
+
 // Returns the change of depth per mm across the picture, along x plus along y.
 double slope(const Surface& surface) {
     return (std::abs(surface.n_C.x) + std::abs(surface.n_C.y)) / surface.n_C.z;
@@ -62,12 +79,14 @@ LinearColour colour_of(Background background) {
     return to_linear(background == Background::White ? kWhite : kDark);
 }
 
-Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table)
+Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table,
+                   RecessShade* shade)
     : map_(map),
       options_(options),
       surfaces_(table.surfaces),
       bends_(table.bends),
       ramps_(table.ramps),
+      shade_(shade),
       ink_colour_(to_linear(kInk)) {
     lit_.push_back(colour_of(options.background));
     plain_.push_back(mean_of(lit_.back()));
@@ -103,43 +122,45 @@ void Resolver::light_new_surfaces() {
     for (std::size_t i = lit_.size() - 1; i < surfaces_.size(); ++i) {
         const Surface& surface = surfaces_[i];
         LinearColour colour = surface.colour;
-        if (!surface.is_line) {
-            const Lighting light = lighting(surface.n_C);
-            colour = light.diffuse * surface.colour + light.sheen * kWhiteLight;
-        }
+        if (!surface.is_line) colour = lit(colour, surface.n_C);
         lit_.push_back(colour);
         plain_.push_back(mean_of(colour));
     }
 }
 
-// Returns the colour of a surface at (x, y), in mm from the centre of the picture.
-LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
-    if (id == kBackground) return lit_[id];
-    const Surface& surface = surfaces_[id - 1];
-    if (surface.pattern == Pattern::Plain && surface.bend == 0) return lit_[id];
-    const double depth = depth_at(surface, x, y);
-    LinearColour colour = surface.colour;
-    switch (surface.pattern) {
-        case Pattern::Plain: break;
-        case Pattern::Depth: {
-            const Camera& camera = map_.camera();
-            const Vec3 p = point_at(x, y, depth);
-            const double z_W =
-                camera.target.z + p.x * camera.right.z + p.y * camera.up.z + p.z * camera.back.z;
-            colour = scale_colour((options_.depth_top - z_W) /
-                                  (options_.depth_top - options_.depth_bottom));
-            break;
-        }
-        case Pattern::Distance:
-            colour =
-                distance_colour(ramps_[surface.ramp].value_at(point_at(x, y, depth)),
-                                options_.distances->tolerance_mm, options_.distances->largest_mm);
-            break;
-        case Pattern::PartHatch:
-        case Pattern::BodyHatch: return hatched(surface, point_at(x, y, depth));
+// Returns the colour of the material at a point of a surface without a hatch.
+LinearColour Resolver::material_at(const Surface& surface, Vec3 p_C) const {
+    if (surface.pattern == Pattern::Depth) {
+        const Camera& camera = map_.camera();
+        const double z_W =
+            camera.target.z + p_C.x * camera.right.z + p_C.y * camera.up.z + p_C.z * camera.back.z;
+        return scale_colour((options_.depth_top - z_W) /
+                            (options_.depth_top - options_.depth_bottom));
     }
-    const Lighting light = lighting(normal_at(surface, x, y, depth));
-    return light.diffuse * colour + light.sheen * kWhiteLight;
+    if (surface.pattern == Pattern::Distance)
+        return distance_colour(ramps_[surface.ramp].value_at(p_C), options_.distances->tolerance_mm,
+                               options_.distances->largest_mm);
+    return surface.colour;
+}
+
+LinearColour Resolver::lit(LinearColour material, Vec3 n_C) {
+    const Lighting light = lighting(n_C);
+    return light.diffuse * material + light.sheen * kWhiteLight;
+}
+
+// Returns the point of a surface at (x, y), in mm from the centre of the picture.
+Vec3 Resolver::point_of(const Surface& surface, double x, double y) const {
+    return map_.point_at(x, y, map_.depth_of(surface.n_C, surface.offset, x, y));
+}
+
+// Returns the colour of a flat surface at (x, y), in mm from the centre of the picture.
+LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
+    if (!has_pattern(id)) return lit_[id];
+    const Surface& surface = surfaces_[id - 1];
+    const Vec3 p = point_of(surface, x, y);
+    const bool is_hatched =
+        surface.pattern == Pattern::PartHatch || surface.pattern == Pattern::BodyHatch;
+    return is_hatched ? hatched(surface, p) : lit(material_at(surface, p), surface.n_C);
 }
 
 // Returns the colour of a point of a cut: the surface's, with parallel lines.
@@ -155,28 +176,10 @@ LinearColour Resolver::hatched(const Surface& surface, Vec3 p_C) const {
     return (1.0F - ink) * surface.colour + ink * ink_colour_;
 }
 
-// Returns the point at (x, y) and `depth` in the camera frame. (x, y) is in mm at the target, from
-// the centre of the picture.
-Vec3 Resolver::point_at(double x, double y, double depth) const {
-    const Camera& camera = map_.camera();
-    const double scale = camera.is_orthographic() ? 1.0 : 1.0 - depth / camera.distance;
-    return {scale * x, scale * y, depth};
-}
-
 // Returns the normal at (x, y) and `depth`, in mm from the centre of the picture.
 Vec3 Resolver::normal_at(const Surface& surface, double x, double y, double depth) const {
     if (surface.bend == 0) return surface.n_C;
-    return bends_[surface.bend - 1].normal_at(point_at(x, y, depth));
-}
-
-// Returns the depth at which the line of sight through (x, y) meets the plane of the surface: z in
-// the camera frame. (x, y) is in mm at the target, from the centre of the picture.
-double Resolver::depth_at(const Surface& surface, double x, double y) const {
-    const Vec3 n = surface.n_C;
-    if (map_.camera().is_orthographic()) return (surface.offset - n.x * x - n.y * y) / n.z;
-    const double d = map_.camera().distance;
-    const double s = (n.z * d - surface.offset) / (n.z * d - n.x * x - n.y * y);
-    return d * (1.0 - s);
+    return bends_[surface.bend - 1].normal_at(map_.point_at(x, y, depth));
 }
 
 bool Resolver::is_same_plane(SurfaceId a, SurfaceId b) const {
@@ -210,7 +213,8 @@ float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const
     const Surface& q = surfaces_[b - 1];
     // Both are triangles of one face.
     if (p.n_C == q.n_C && p.offset == q.offset) return 0.0F;
-    const double depth = depth_at(p, x, y), other = depth_at(q, x, y);
+    const double depth = map_.depth_of(p.n_C, p.offset, x, y);
+    const double other = map_.depth_of(q.n_C, q.offset, x, y);
     const double step = std::abs(depth - other);
     // If two faces meet between the samples, their depths differ by at most half a sample times the
     // sum of their slopes.
@@ -220,6 +224,30 @@ float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const
                : 0.0F;
 }
 
+// Finds the runs of samples that see one surface, row by row.
+void Resolver::find_runs() {
+    const std::uint32_t width = rect_.width;
+    runs_.clear();
+    first_runs_.clear();
+    for (std::uint32_t row = 0; row < rect_.height; ++row) {
+        first_runs_.push_back(runs_.size());
+        const SurfaceId* const ids = &ids_[std::size_t{row} * width];
+        for (std::uint32_t i = 0; i < width;) {
+            const std::uint32_t begin = i++;
+            while (i + kRun <= width && continue_run(ids + i))
+                i += kRun;
+            while (i < width && ids[i] == ids[begin])
+                ++i;
+            runs_.push_back({begin, i, ids[begin]});
+        }
+    }
+    first_runs_.push_back(runs_.size());
+}
+
+std::span<const Resolver::Run> Resolver::runs(std::size_t row) const {
+    return std::span(runs_).subspan(first_runs_[row], first_runs_[row + 1] - first_runs_[row]);
+}
+
 // Rounding can separate the edges of adjacent facets. A sample can then see through the gap, or see
 // a facet that is masked there. A sample is a speck if none of its four neighbours sees the same
 // plane; the speck gets the surface that most neighbours see.
@@ -227,9 +255,9 @@ void Resolver::remove_specks() {
     const std::size_t width = rect_.width;
     specks_.clear();
     for (std::size_t y = 1; y + 1 < rect_.height; ++y) {
-        for (std::size_t x = 1; x + 1 < width; ++x) {
-            const std::size_t i = y * width + x;
-            if (ids_[i] == ids_[i - 1] || ids_[i] == ids_[i + 1]) continue;
+        for (const Run& run : runs(y)) {
+            if (run.begin == 0 || run.end == width || run.end - run.begin > 1) continue;
+            const std::size_t i = y * width + run.begin;
             const std::array<SurfaceId, 4> around{ids_[i - 1], ids_[i + 1], ids_[i - width],
                                                   ids_[i + width]};
             const bool is_alone = std::none_of(around.begin(), around.end(), [&](SurfaceId id) {
@@ -249,31 +277,56 @@ void Resolver::remove_specks() {
     // Specks are replaced last, so the result does not depend on where tiles begin.
     for (const auto& [i, id] : specks_)
         ids_[i] = id;
+    if (!specks_.empty()) find_runs();
 }
 
-void Resolver::find_lines() {
-    ink_.assign(ids_.size(), 0.0F);
-    if (!options_.edges) return;
-    const std::size_t width = rect_.width;
+// Removes the ink of the tile before.
+void Resolver::clear_ink() {
+    for (const std::size_t i : inked_)
+        ink_[i] = 0.0F;
+    inked_.clear();
+    ink_.resize(ids_.size(), 0.0F);
+}
+
+// Finds the pixels that see changes of the surface, and the lines at the changes.
+void Resolver::find_changes(const PixelRect& tile) {
+    mixed_.assign(std::size_t{tile.width} * tile.height, 0);
+    clear_ink();
+    const std::size_t width = rect_.width, samples = options_.samples;
     const double h = map_.sample_size();
     const double left = static_cast<double>(rect_.x) - 0.5 * options_.samples * options_.width;
     const double top = static_cast<double>(rect_.y) - 0.5 * options_.samples * options_.height;
-    const auto mark = [&](std::size_t i, float ink) {
-        if (ids_[i] != kBackground) ink_[i] = std::max(ink_[i], ink);
+    const auto mark = [&](std::size_t row, std::size_t column, float ink) {
+        const std::size_t i = row * width + column;
+        if (ids_[i] != kBackground && ink > ink_[i]) {
+            ink_[i] = ink;
+            inked_.push_back(i);
+        }
+        if (row < kTileMargin || column < kTileMargin) return;
+        const std::size_t x = (column - kTileMargin) / samples, y = (row - kTileMargin) / samples;
+        if (x < tile.width && y < tile.height) mixed_[y * tile.width + x] = 1;
     };
-    const auto compare = [&](std::size_t i, std::size_t j, double x, double y) {
-        if (ids_[i] == ids_[j]) return;
-        const float ink = line_between(ids_[i], ids_[j], h * x, h * y);
-        mark(i, ink);
-        mark(j, ink);
+    // (x, y) is the point between the samples.
+    const auto compare = [&](std::size_t row, std::size_t column, std::size_t down,
+                             std::size_t right, double x, double y) {
+        const SurfaceId a = ids_[row * width + column];
+        const SurfaceId b = ids_[(row + down) * width + column + right];
+        const float ink = options_.edges ? line_between(a, b, h * x, h * y) : 0.0F;
+        mark(row, column, ink);
+        mark(row + down, column + right, ink);
     };
     for (std::size_t row = 0; row + 1 < rect_.height; ++row) {
-        for (std::size_t column = 0; column + 1 < width; ++column) {
-            const std::size_t i = row * width + column;
-            const double x = left + static_cast<double>(column);
-            const double y = top + static_cast<double>(row);
-            compare(i, i + 1, x + 1.0, -(y + 0.5));
-            compare(i, i + width, x + 0.5, -(y + 1.0));
+        const double y = top + static_cast<double>(row);
+        auto below = runs(row + 1).begin();
+        for (const Run& run : runs(row)) {
+            if (run.end < width) compare(row, run.end - 1, 0, 1, left + run.end, -(y + 0.5));
+            for (std::uint32_t column = run.begin; column < run.end;) {
+                if (below->end <= column) ++below;
+                const std::uint32_t end = std::min(run.end, below->end);
+                if (below->id == run.id) column = end;
+                for (; column < end; ++column)
+                    compare(row, column, 1, 0, left + column + 0.5, -(y + 1.0));
+            }
         }
     }
 }
@@ -287,18 +340,49 @@ Rgba8 Resolver::mean_of(LinearColour colour) const {
     return to_srgb((1.0F / static_cast<float>(count)) * sum);
 }
 
-// Returns the colour of a surface in the middle of the pixel.
-LinearColour Resolver::colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
-    const double h = map_.sample_size();
-    const double samples = options_.samples;
-    return colour_at(id, h * (samples * (x + 0.5 - 0.5 * options_.width)),
-                     -h * (samples * (y + 0.5 - 0.5 * options_.height)));
+// True if the flat surface is in a recess at some pixel of the tile.
+bool Resolver::is_darker(SurfaceId id) const {
+    return shade_ != nullptr && id != kBackground && surfaces_[id - 1].has_shade &&
+           shade_->is_darker(id, surfaces_[id - 1]);
 }
 
-// Returns pixel (x, y) of the picture, whose samples all see the surface. The surface must not
-// have a pattern.
-Rgba8 Resolver::uniform_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
-    return is_round(id) ? mean_of(colour_of_pixel(id, x, y)) : plain_[id];
+// Returns the brightness of a flat surface in the middle of the pixel, 1 outside of recesses.
+float Resolver::brightness(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
+    return is_darker(id) ? shade_->brightness(id, surfaces_[id - 1], x, y, 1).front() : 1.0F;
+}
+
+// Returns the colour of a round surface in the middle of the pixel.
+LinearColour Resolver::colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const {
+    const Surface& surface = surfaces_[id - 1];
+    const double h = map_.sample_size();
+    const double samples = options_.samples;
+    const Vec3 p = point_of(surface, h * (samples * (x + 0.5 - 0.5 * options_.width)),
+                            -h * (samples * (y + 0.5 - 0.5 * options_.height)));
+    const Vec3 n = bends_[surface.bend - 1].normal_at(p);
+    const LinearColour colour = lit(material_at(surface, p), n);
+    if (shade_ == nullptr || !surface.has_shade) return colour;
+    const float share = shade_->brightness(n, cda::dot(n, p), x, y);
+    return (share * share) * colour;
+}
+
+// Fills `count` pixels of the picture from (x, y) to the right, whose samples all see the surface.
+// The surface must not have a pattern.
+void Resolver::fill_pixels(SurfaceId id, std::uint32_t x, std::uint32_t y, std::uint32_t count,
+                           Image& image) const {
+    Rgba8* const pixels = &image.at(x, y);
+    if (is_round(id)) {
+        for (std::uint32_t i = 0; i < count; ++i)
+            pixels[i] = mean_of(colour_of_pixel(id, x + i, y));
+        return;
+    }
+    if (!is_darker(id)) {
+        std::fill_n(pixels, count, plain_[id]);
+        return;
+    }
+    const std::span<const float> brightness =
+        shade_->brightness(id, surfaces_[id - 1], x, y, count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        pixels[i] = darkened(plain_[id], brightness[i]);
 }
 
 // Returns pixel (x, y) of the picture, whose first sample is at `first` in ids_.
@@ -308,7 +392,9 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
     const double left = samples * (x - 0.5 * options_.width) + 0.5;
     const double top = samples * (y - 0.5 * options_.height) + 0.5;
     LinearColour sum, light;
-    SurfaceId lit = kBackground;  // round surface whose light is known for the pixel
+    SurfaceId lit = kBackground;     // round surface whose light is known for the pixel
+    SurfaceId shaded = kBackground;  // flat surface whose brightness is known for the pixel
+    float share = 1.0F;
     for (std::uint32_t s = 0; s < samples * samples; ++s) {
         const std::uint32_t row = s / samples, column = s % samples;
         const std::size_t i = first + std::size_t{row} * rect_.width + column;
@@ -316,6 +402,9 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
         const bool round = is_round(id);
         if (!round) {
             light = colour_at(id, h * (left + column), -h * (top + row));
+            if (id != shaded) share = brightness(id, x, y);
+            shaded = id;
+            light = (share * share) * light;
         } else if (id != lit) {
             // Round surfaces are lit once per pixel, in its middle, because the light hardly
             // changes within a pixel.
@@ -327,7 +416,7 @@ Rgba8 Resolver::mixed_pixel(std::uint32_t x, std::uint32_t y, std::size_t first)
     return to_srgb((1.0F / static_cast<float>(samples * samples)) * sum);
 }
 
-// True if all samples of a pixel see the same surface, without lines and without a pattern.
+// True if all samples of a pixel see the same surface, without lines.
 bool Resolver::is_uniform(std::size_t first) const {
     const SurfaceId id = ids_[first];
     for (std::uint32_t row = 0; row < options_.samples; ++row) {
@@ -336,11 +425,12 @@ bool Resolver::is_uniform(std::size_t first) const {
             if (ids_[i] != id || ink_[i] != 0.0F) return false;
         }
     }
-    return !has_pattern(id);
+    return true;
 }
 
 void Resolver::fill(SurfaceId id, const PixelRect& tile, Image& image) {
     light_new_surfaces();
+    if (shade_ != nullptr) shade_->begin(tile);
     if (has_pattern(id)) {
         const std::uint32_t samples = options_.samples;
         const SampleRect all{0, 0, tile.width * samples + 2 * kTileMargin,
@@ -348,18 +438,12 @@ void Resolver::fill(SurfaceId id, const PixelRect& tile, Image& image) {
         rect_ = {std::int64_t{tile.x} * samples - kTileMargin,
                  std::int64_t{tile.y} * samples - kTileMargin, all.width, all.height};
         ids_.assign(std::size_t{all.width} * all.height, id);
-        ink_.assign(ids_.size(), 0.0F);
+        clear_ink();
+        mixed_.assign(std::size_t{tile.width} * tile.height, 0);
         return resolve_pixels(tile, image);
     }
-    for (std::uint32_t y = tile.y; y < tile.y + tile.height; ++y) {
-        Rgba8* const row = &image.at(tile.x, y);
-        if (!is_round(id)) {
-            std::fill_n(row, tile.width, plain_[id]);
-            continue;
-        }
-        for (std::uint32_t x = 0; x < tile.width; ++x)
-            row[x] = uniform_pixel(id, tile.x + x, y);
-    }
+    for (std::uint32_t y = tile.y; y < tile.y + tile.height; ++y)
+        fill_pixels(id, tile.x, y, tile.width, image);
 }
 
 void Resolver::resolve(std::span<const SurfaceId> ids, const SampleRect& seen,
@@ -370,31 +454,42 @@ void Resolver::resolve(std::span<const SurfaceId> ids, const SampleRect& seen,
              tile.height * samples + 2 * kTileMargin};
     light_new_surfaces();
     ids_.resize(std::size_t{rect_.width} * rect_.height);
-    bool is_one = true;
     for (std::uint32_t row = 0; row < rect_.height; ++row) {
         const auto from = ids.begin() + ((rect_.y - seen.y + row) * std::int64_t{seen.width} +
                                          (rect_.x - seen.x));
-        const auto to = ids_.begin() + std::int64_t{row} * rect_.width;
-        std::copy_n(from, rect_.width, to);
-        is_one = is_one && std::all_of(to, to + rect_.width, [first = ids_.front()](SurfaceId id) {
-                     return id == first;
-                 });
+        std::copy_n(from, rect_.width, ids_.begin() + std::int64_t{row} * rect_.width);
     }
+    find_runs();
+    const bool is_one =
+        std::ranges::all_of(runs_, [&](const Run& run) { return run.id == ids_.front(); });
     if (is_one) return fill(ids_.front(), tile, image);
+    if (shade_ != nullptr) shade_->begin(tile);
     remove_specks();
-    find_lines();
+    find_changes(tile);
     resolve_pixels(tile, image);
 }
 
 void Resolver::resolve_pixels(const PixelRect& tile, Image& image) const {
     const std::uint32_t samples = options_.samples;
     for (std::uint32_t y = 0; y < tile.height; ++y) {
-        for (std::uint32_t x = 0; x < tile.width; ++x) {
-            const std::size_t first = std::size_t{kTileMargin + y * samples} * rect_.width +
-                                      kTileMargin + std::size_t{x} * samples;
+        const std::size_t row = std::size_t{kTileMargin + y * samples} * rect_.width + kTileMargin;
+        const auto is_mixed = [&](std::uint32_t x) {
+            const std::size_t first = row + std::size_t{x} * samples;
+            return has_pattern(ids_[first]) ||
+                   (mixed_[std::size_t{y} * tile.width + x] != 0 && !is_uniform(first));
+        };
+        for (std::uint32_t x = 0; x < tile.width;) {
+            const SurfaceId id = ids_[row + std::size_t{x} * samples];
+            const std::uint32_t begin = x;
+            while (x < tile.width && ids_[row + std::size_t{x} * samples] == id && !is_mixed(x))
+                ++x;
+            if (x > begin) {
+                fill_pixels(id, tile.x + begin, tile.y + y, x - begin, image);
+                continue;
+            }
             image.at(tile.x + x, tile.y + y) =
-                is_uniform(first) ? uniform_pixel(ids_[first], tile.x + x, tile.y + y)
-                                  : mixed_pixel(tile.x + x, tile.y + y, first);
+                mixed_pixel(tile.x + x, tile.y + y, row + std::size_t{x} * samples);
+            ++x;
         }
     }
 }

@@ -14,6 +14,7 @@
 #include "render/overlay_art.h"
 #include "render/palette.h"
 #include "render/pixel_resolver.h"
+#include "render/recess_shade.h"
 #include "render/surface.h"
 #include "render/visibility.h"
 
@@ -51,6 +52,8 @@ void check(const RenderOptions& options) {
     }
     if (options.colouring == Colouring::Design && options.distances == nullptr)
         throw std::runtime_error("cannot colour by distance: no distances are specified");
+    if (options.see_through && options.renderer != Renderer::Own)
+        throw std::runtime_error("cannot render a transparent part with OSMesa");
     if (options.samples < 1 || options.samples > kMaxSamples) {
         throw std::runtime_error("cannot render with " + std::to_string(options.samples) +
                                  " samples: 1 to " + std::to_string(kMaxSamples) + " are possible");
@@ -73,18 +76,56 @@ std::unique_ptr<SampleBuffer> buffer_of(Renderer renderer) {
     return std::make_unique<VisibilityBuffer>();
 }
 
+// Sum of the layers of a transparent part, front to back. A layer is a picture of the scene without
+// the surfaces of the layers before.
+class LayerSum {
+public:
+    /// Adds the pixels of `tile`, the next layer, with `weight` of kWhole.
+    void add(const Image& layer, const PixelRect& tile, std::uint32_t weight) {
+        sums_.resize(layer.pixels.size());
+        for (std::uint32_t y = tile.y; y < tile.y + tile.height; ++y) {
+            for (std::uint32_t x = tile.x; x < tile.x + tile.width; ++x) {
+                const Rgba8& pixel = layer.at(x, y);
+                auto& sum = sums_[std::size_t{y} * layer.width + x];
+                sum[0] += weight * pixel.r;
+                sum[1] += weight * pixel.g;
+                sum[2] += weight * pixel.b;
+            }
+        }
+    }
+    /// Replaces the pixels by the means of all layers.
+    void write(Image& image) const {
+        const auto mean = [](std::uint32_t sum) {
+            return static_cast<std::uint8_t>((sum + kWhole / 2) / kWhole);
+        };
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            image.pixels[i] = {mean(sums_[i][0]), mean(sums_[i][1]), mean(sums_[i][2])};
+    }
+    /// Returns the weight of the layer after layers that left `rest` of kWhole.
+    static std::uint32_t weight(std::uint32_t rest) { return rest * 7 / 20; }
+
+    static constexpr std::uint32_t kWhole = 1U << 16;
+
+private:
+    std::vector<std::array<std::uint32_t, 3>> sums_;
+};
+
 // Draws the picture of a scene, in bands. If no edge is near a tile and its four corners see the
 // same surface, the whole tile sees that surface: depth is linear over a tile, so a plane that is
 // nearest at the corners is nearest between them. Only the remaining tiles are drawn sample by
 // sample.
 class Painter {
 public:
+    /// `table` contains the surfaces of the part.
     Painter(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table,
             Scene& scene)
         : options_(options),
           scene_(scene),
           tiles_(options.width, options.height, options.samples, kTileMargin),
-          resolver_(map, options, table),
+          table_(table),
+          last_of_part_(static_cast<SurfaceId>(table.surfaces.size())),
+          shade_(map, options),
+          resolver_(map, options, table, has_shade() ? &shade_ : nullptr),
           image_{options.width, options.height, {}} {
         const std::uint32_t row = tiles_.columns() * tiles_.side() * tiles_.side();
         rows_at_once_ = std::clamp(options.band_samples / row, 1U, tiles_.rows());
@@ -94,6 +135,11 @@ public:
     Image paint() {
         const std::unique_ptr<SampleBuffer> made = buffer_of(options_.renderer);
         SampleBuffer& buffer = *made;
+        if (has_shade()) {
+            buffer.begin(shade_.cells());
+            scene_.draw(buffer);
+            shade_.gather(buffer.ids(), table_.surfaces);
+        }
         if (options_.samples_everywhere) {
             tiles_.mark_all();
         } else {
@@ -102,10 +148,13 @@ public:
         }
         for (std::uint32_t row = 0; row < tiles_.rows(); row += rows_at_once_)
             draw_tiles(buffer, row);
+        if (options_.see_through) sum_.write(image_);
         return std::move(image_);
     }
 
 private:
+    bool has_shade() const { return options_.shades_recesses && !options_.see_through; }
+
     // Returns the pixels of the tile.
     PixelRect pixels(std::uint32_t column, std::uint32_t row) const {
         const std::uint32_t x = column * kTilePixels, y = row * kTilePixels;
@@ -113,26 +162,59 @@ private:
                 std::min(kTilePixels, options_.height - y)};
     }
 
-    // Fills the tiles without an edge whose corners see the same surface; marks all remaining
-    // tiles.
+    // Draws the scene into `rect`, and calls `use` with the surfaces and the weight of each layer:
+    // one layer, or several of a transparent part.
+    template <class Use>
+    void draw_layers(SampleBuffer& buffer, const SampleRect& rect, const Use& use) {
+        buffer.begin(rect);
+        std::uint32_t rest = LayerSum::kWhole;
+        for (std::uint32_t layer = 1;; ++layer) {
+            scene_.draw(buffer);
+            const std::span<const SurfaceId> ids = buffer.ids();
+            const bool is_last = !options_.see_through || layer == kLayers ||
+                                 std::ranges::none_of(ids, [&](SurfaceId id) {
+                                     return id != kBackground && id <= last_of_part_;
+                                 });
+            const std::uint32_t weight = is_last ? rest : LayerSum::weight(rest);
+            use(ids, weight);
+            if (is_last) break;
+            rest -= weight;
+            buffer.peel(last_of_part_);
+        }
+    }
+
+    // Adds the pixels of a tile to the sum of layers.
+    void add(const PixelRect& tile, std::uint32_t weight) {
+        if (options_.see_through) sum_.add(image_, tile, weight);
+    }
+
+    // Fills the tiles without an edge whose corners see the same surface in each layer; marks all
+    // remaining tiles.
     void fill_plain_tiles(SampleBuffer& buffer) {
         // The centres of these cells are the corners of the tiles.
         const auto half = static_cast<std::int64_t>(tiles_.side() / 2);
         const SampleRect corners{-half, -half, tiles_.columns() + 1, tiles_.rows() + 1,
                                  tiles_.side()};
-        buffer.begin(corners);
-        scene_.draw(buffer);
-        const std::span<const SurfaceId> ids = buffer.ids();
+        std::vector<std::pair<std::vector<SurfaceId>, std::uint32_t>> layers;
+        draw_layers(buffer, corners, [&](std::span<const SurfaceId> ids, std::uint32_t weight) {
+            layers.emplace_back(std::vector(ids.begin(), ids.end()), weight);
+        });
         for (std::uint32_t row = 0; row < tiles_.rows(); ++row) {
             for (std::uint32_t column = 0; column < tiles_.columns(); ++column) {
                 if (tiles_.is_marked(column, row)) continue;
                 const std::size_t i = std::size_t{row} * corners.width + column;
-                const SurfaceId id = ids[i];
-                if (id == ids[i + 1] && id == ids[i + corners.width] &&
-                    id == ids[i + corners.width + 1]) {
-                    resolver_.fill(id, pixels(column, row), image_);
-                } else {
+                const bool is_plain = std::ranges::all_of(layers, [&](const auto& layer) {
+                    const std::vector<SurfaceId>& ids = layer.first;
+                    return ids[i] == ids[i + 1] && ids[i] == ids[i + corners.width] &&
+                           ids[i] == ids[i + corners.width + 1];
+                });
+                if (!is_plain) {
                     tiles_.mark(column, row);
+                    continue;
+                }
+                for (const auto& [ids, weight] : layers) {
+                    resolver_.fill(ids[i], pixels(column, row), image_);
+                    add(pixels(column, row), weight);
                 }
             }
         }
@@ -156,23 +238,27 @@ private:
         const SampleRect seen{
             std::int64_t{left} * side - kTileMargin, std::int64_t{top} * side - kTileMargin,
             (right - left) * side + 2 * kTileMargin, (bottom - top) * side + 2 * kTileMargin};
-        buffer.begin(seen);
-        scene_.draw(buffer);
-        const std::span<const SurfaceId> ids = buffer.ids();
-        for (std::uint32_t row = top; row < bottom; ++row) {
-            for (std::uint32_t column = left; column < right; ++column) {
-                if (tiles_.is_marked(column, row))
+        draw_layers(buffer, seen, [&](std::span<const SurfaceId> ids, std::uint32_t weight) {
+            for (std::uint32_t row = top; row < bottom; ++row) {
+                for (std::uint32_t column = left; column < right; ++column) {
+                    if (!tiles_.is_marked(column, row)) continue;
                     resolver_.resolve(ids, seen, pixels(column, row), image_);
+                    add(pixels(column, row), weight);
+                }
             }
-        }
+        });
     }
 
     const RenderOptions& options_;
     Scene& scene_;
     EdgeTiles tiles_;
     std::uint32_t rows_at_once_ = 1;  // rows of tiles
+    const SurfaceTable& table_;
+    SurfaceId last_of_part_;
+    RecessShade shade_;
     Resolver resolver_;
     Image image_;
+    LayerSum sum_;
 };
 
 ScreenMap screen_map(const RenderOptions& options) {
@@ -199,6 +285,7 @@ public:
         Surface result;
         result.n_C = n_C;
         result.offset = cda::dot(n_C, map_.point_in_camera(point));
+        result.has_shade = true;
         const bool is_cut = origin != cda::kStockOrigin;
         if (is_cut && colouring_ == Colouring::Line) {
             // Origins are numbered in the order of cutting; program lines may repeat in loops.
@@ -212,7 +299,9 @@ public:
     }
 
     Surface cut(const CutPlane& plane) const {
-        return cut_surface(map_, plane, cut_, Pattern::PartHatch);
+        Surface result = cut_surface(map_, plane, cut_, Pattern::PartHatch);
+        result.has_shade = true;
+        return result;
     }
 
 private:
@@ -277,7 +366,7 @@ public:
     /// Requires: `boundary` and `table` outlive the object.
     BoundaryArt(const ScreenMap& map, const cda::Boundary& boundary, const brep::Shading& shading,
                 const RenderOptions& options, const Paint& paint, SurfaceTable& table)
-        : boundary_(boundary), surfaces_(table.surfaces) {
+        : boundary_(boundary), surfaces_(table.surfaces), sees_backs_(options.see_through) {
         const DesignDistances* const distances =
             options.colouring == Colouring::Design ? options.distances : nullptr;
         cda::TriangleMesh whole = distances ? distances->mesh : cda::triangulate(boundary);
@@ -323,18 +412,23 @@ private:
         const std::size_t count =
             whole_triangle.empty() ? mesh_.triangles.size() : whole_triangle.size();
         std::vector<SurfaceId> of_face(boundary_.faces.size(), kBackground);
+        const auto is_visible = [&](Vec3 normal, Vec3 point) {
+            return faces_camera(map.camera(), normal, point);
+        };
         for (std::size_t t = 0; t < count; ++t) {
             const std::uint32_t f = mesh_.face[t];
             const cda::BoundaryFace& face = boundary_.faces[f];
             const Vec3 point = boundary_.vertices[face.loops.front().front()];
-            if (!faces_camera(map.camera(), face.normal, point)) {
+            const bool is_back = sees_backs_ && is_visible(-face.normal, point);
+            if (!is_back && !is_visible(face.normal, point)) {
                 ids_.push_back(kBackground);
                 continue;
             }
             const bool is_round = shading.recognition(f) == brep::Shading::Recognition::Curved;
             const bool is_alone = is_round || distances;
             if (is_alone || of_face[f] == kBackground) {
-                table.surfaces.push_back(paint.surface(face.normal, point, face.origin));
+                table.surfaces.push_back(
+                    paint.surface(is_back ? -face.normal : face.normal, point, face.origin));
                 of_face[f] = static_cast<SurfaceId>(table.surfaces.size());
                 if (!is_alone) flat_faces_.push_back(f);
             }
@@ -348,9 +442,11 @@ private:
             }
             if (is_round) {
                 std::array<Vec3, 3> normals;
-                for (std::size_t i = 0; i < 3; ++i)
-                    normals[i] = map.direction_in_camera(
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const Vec3 n = map.direction_in_camera(
                         shading.normal_or_none(f, face.normal, vertices[i], points[i]));
+                    normals[i] = is_back ? -n : n;
+                }
                 table.bends.emplace_back(corners, normals);
                 table.surfaces.back().bend = static_cast<std::uint32_t>(table.bends.size());
             }
@@ -397,10 +493,11 @@ private:
 
     const cda::Boundary& boundary_;
     const std::vector<Surface>& surfaces_;
+    bool sees_backs_;                        // also faces that face away are drawn
     std::vector<std::uint32_t> flat_faces_;  // flat faces that are drawn
     cda::TriangleMesh mesh_;
     std::vector<ScreenPoint> points_;
-    // Surface of each triangle; kBackground: the triangle faces away from the camera.
+    // Surface of each triangle; kBackground: the triangle is not drawn.
     std::vector<SurfaceId> ids_;
 };
 

@@ -34,6 +34,8 @@ struct Surface {
     LinearColour colour;  ///< Colour of the material without light.
     Pattern pattern = Pattern::Plain;
     bool is_line = false;  ///< True: drawn over the part, without light and edges.
+    /// True: darker in recesses, and makes recesses (RecessShade).
+    bool has_shade = false;
     /// 1 + the index of the Bend of a round surface; 0: flat.
     std::uint32_t bend = 0;
     /// For Pattern::Distance, the index of the Ramp.

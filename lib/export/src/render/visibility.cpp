@@ -78,6 +78,18 @@ ScreenPoint ScreenMap::operator()(cda::Vec3 p_W) const {
             ((far + near) * w - 2.0 * far * near) / (far - near), w};
 }
 
+cda::Vec3 ScreenMap::point_at(double x, double y, double depth) const {
+    const double scale = camera_.is_orthographic() ? 1.0 : 1.0 - depth / camera_.distance;
+    return {scale * x, scale * y, depth};
+}
+
+double ScreenMap::depth_of(cda::Vec3 n_C, double offset, double x, double y) const {
+    if (camera_.is_orthographic()) return (offset - n_C.x * x - n_C.y * y) / n_C.z;
+    const double d = camera_.distance;
+    const double s = (n_C.z * d - offset) / (n_C.z * d - n_C.x * x - n_C.y * y);
+    return d * (1.0 - s);
+}
+
 bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point) {
     const cda::Vec3 towards_eye =
         camera.is_orthographic()
@@ -94,6 +106,18 @@ void VisibilityBuffer::begin(const SampleRect& rect) {
     if (ids_.size() < size_) {
         ids_.resize(size_);
         depths_.resize(size_);
+    }
+    std::fill_n(ids_.begin(), size_, kBackground);
+    std::fill_n(depths_.begin(), size_, kNothing);
+    stencil_.clear();
+    peeled_.clear();
+    facets_with_masks_ = 0;
+}
+
+void VisibilityBuffer::peel(SurfaceId last) {
+    if (peeled_.empty()) peeled_.assign(size_, -kNothing);
+    for (std::size_t i = 0; i < size_; ++i) {
+        if (ids_[i] != kBackground && ids_[i] <= last) peeled_[i] = depths_[i];
     }
     std::fill_n(ids_.begin(), size_, kBackground);
     std::fill_n(depths_.begin(), size_, kNothing);
@@ -212,6 +236,7 @@ void VisibilityBuffer::for_each_run(const Draw& draw) const {
 
 // Draws the polygon of corners_; if `is_masked`, not where the latest masks are.
 void VisibilityBuffer::fill(const Depth& depth, SurfaceId id, bool is_masked) {
+    const bool is_peeled = !peeled_.empty();
     const double first_column = static_cast<double>(left_) / static_cast<double>(kUnit);
     const double first_row = static_cast<double>(top_) / static_cast<double>(kUnit);
     for_each_run([&](std::uint32_t row, Run cells) {
@@ -222,7 +247,9 @@ void VisibilityBuffer::fill(const Depth& depth, SurfaceId id, bool is_masked) {
                                         depth.least, depth.most);
             const auto rounded = static_cast<std::int32_t>(z);
             const std::size_t i = begin + column;
-            if (rounded >= depths_[i] || (is_masked && stencil_[i] == facets_with_masks_)) continue;
+            if (rounded >= depths_[i] || (is_masked && stencil_[i] == facets_with_masks_) ||
+                (is_peeled && rounded <= peeled_[i]))
+                continue;
             depths_[i] = rounded;
             ids_[i] = id;
         }

@@ -43,6 +43,12 @@ public:
     cda::Vec3 direction_in_camera(cda::Vec3 v_W) const;
     /// Returns the side of a sample in mm, at the target.
     double sample_size() const { return camera_.height / height_; }
+    /// Returns the point at (x, y) and `depth` in the camera frame. (x, y) is in mm at the target,
+    /// from the centre of the picture.
+    cda::Vec3 point_at(double x, double y, double depth) const;
+    /// Returns the depth at which the line of sight through (x, y) meets the plane n_C · p =
+    /// offset: z in the camera frame. (x, y) is as for point_at().
+    double depth_of(cda::Vec3 n_C, double offset, double x, double y) const;
 
 private:
     Camera camera_;
@@ -70,6 +76,10 @@ public:
     /// Clears the buffer and sets the rectangle for the following polygons.
     /// Requires: `rect.x` and `rect.y` are multiples of half a cell.
     virtual void begin(const SampleRect& rect) = 0;
+    /// Clears the buffer after drawing. Where the content was a number up to `last`, only polygons
+    /// behind this content are drawn from then on.
+    /// Throws: std::runtime_error if the buffer does not support this.
+    virtual void peel(SurfaceId last) = 0;
     /// Returns the visible numbers, row by row from the top. Valid until the next call of begin().
     virtual std::span<const SurfaceId> ids() = 0;
 };
@@ -83,10 +93,11 @@ public:
 ///
 /// Guarantees: the same numbers on every machine. For a given size of cells, the number at a sample
 ///     does not depend on the rectangle.
-/// Cost: 8 bytes a sample of the largest rectangle, 12 if there are masks.
+/// Cost: 8 bytes a sample of the largest rectangle; 4 more with masks, and 4 after peel().
 class VisibilityBuffer final : public SampleBuffer {
 public:
     void begin(const SampleRect& rect) override;
+    void peel(SurfaceId last) override;
     void draw(std::span<const ScreenPoint> polygon, SurfaceId id) override;
     void draw(std::span<const ScreenPoint> polygon, SurfaceId id,
               std::span<const std::vector<ScreenPoint>> masks) override;
@@ -121,6 +132,7 @@ private:
     std::int64_t left_ = 0, top_ = 0;  // corner of the rectangle, in 1 / kUnit of a cell
     std::vector<SurfaceId> ids_;
     std::vector<std::int32_t> depths_;
+    std::vector<std::int32_t> peeled_;  // depths of the peeled content; empty: none
     std::vector<std::uint32_t> stencil_;  // number of the latest facet with a mask there
     std::uint32_t facets_with_masks_ = 0;
     std::vector<Corner> corners_;  // of the current polygon

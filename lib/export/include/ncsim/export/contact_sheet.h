@@ -32,8 +32,8 @@ std::uint32_t columns_for(std::size_t pictures);
 
 /// Puts `pictures` side by side and the lines of `caption` below. Up to three pictures are in a
 /// row; more are in a grid that is as square as possible. Text is ASCII; any other character is
-/// drawn as a box. The letters scale with the pictures; a line of the caption that would not fit
-/// gets smaller letters. The size of the sheet depends on the size of the pictures and the number
+/// drawn as a box. The letters scale with the pictures, and all lines of the caption have one size; a
+/// line that does not fit ends in "...", see wrapped(). The size of the sheet depends on the size of the pictures and the number
 /// of lines only. The number of rows is even, as video formats require, if the pictures have an
 /// even number of rows.
 ///
@@ -47,7 +47,7 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const She
                     std::span<const std::string> caption, Background background);
 
 /// Divides a line at spaces so that each part fits below pictures of `width` by `height` pixels in
-/// letters of the usual size. A word that is longer stays whole.
+/// letters of the usual size. A word that is longer is divided, too.
 std::vector<std::string> wrapped(const std::string& line, std::uint32_t width,
                                  std::uint32_t height);
 

@@ -16,6 +16,9 @@ namespace ncsim::exporter {
 /// Largest width or height of a picture, in pixels.
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 
+/// Number of surfaces of a transparent part that are visible on a line of sight.
+inline constexpr std::uint32_t kLayers = 6;
+
 /// Colour behind the part.
 enum class Background { White, Dark };
 
@@ -59,6 +62,10 @@ struct RenderOptions {
     std::optional<CutPlane> cut;
     /// Each pixel is the mean of samples × samples; 1 to 4.
     std::uint32_t samples = 2;
+    /// Draws the part transparent: the nearest kLayers surfaces of the part on each line of sight,
+    /// and the bodies between them; no recess is darker. Only for render_boundary() with the
+    /// rasteriser of ncsim.
+    bool see_through = false;
     /// Approximate number of samples drawn at once, at some 16 bytes each. Limits the memory of a
     /// picture and changes no byte of the result.
     std::uint32_t band_samples = 1U << 19;
@@ -66,6 +73,9 @@ struct RenderOptions {
     bool samples_everywhere = false;
     /// Draws uncut stock pale, as if the background shone through, because the stock was assumed.
     bool ghost_stock = false;
+    /// Less light in recesses of the part, such as pockets and holes. A convex part does not
+    /// change.
+    bool shades_recesses = true;
     bool edges = true;  ///< Draws lines where faces meet at an angle and around the silhouette.
 };
 

@@ -40,7 +40,7 @@ struct MachinePageData {
         std::vector<Joint> moved_by;           ///< Joints that move the body, from the bed on.
         std::int32_t tool = -1;  ///< Body of this tool (Stand::tool); -1: body of the machine.
     };
-    /// Positions of the joints at the end of a line of the program, and the tool in the spindle.
+    /// Positions of the joints at a time of the program, and the tool in the spindle.
     struct LinePose {
         std::array<double, 9> values{};
         std::int32_t tool = -1;
@@ -50,6 +50,8 @@ struct MachinePageData {
     cda::Vec3 zero;  ///< Origin of the program's frame, with all joints at 0.
     /// By line; for a line that runs several times, the last time.
     std::map<std::uint32_t, LinePose> line_poses;
+    /// By index of a finding in which bodies meet: where the bodies meet.
+    std::map<std::size_t, LinePose> finding_poses;
 };
 
 /// Form of a face, as CAD systems name it.
