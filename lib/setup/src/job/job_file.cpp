@@ -13,6 +13,7 @@
 #include "files/toml_text.h"
 #include "files/tool_keys.h"
 #include "job/job_keys.h"
+#include "job/option_reader.h"
 #include "job/three_points.h"
 #include "machines/fixture_reader.h"
 
@@ -32,14 +33,6 @@
 namespace ncsim::setup {
 
 namespace {
-
-// Options of commands that a job file may contain. A key is the name of the option, with '_'
-// instead of '-'.
-constexpr std::string_view kSettings[] = {
-    "machine",     "tool_table", "subprograms", "tolerance", "tool_tolerance", "model",
-    "rapid",       "design",     "design_tol",  "select",    "ignore",         "severity",
-    "baseline",    "cut_free",   "air_cuts",    "max_time",  "max_memory",     "warnings_as_errors",
-    "report_units"};
 
 // Formats of outputs in a job file, with the endings of their files.
 constexpr std::pair<std::string_view, std::string_view> kOutputs[] = {
@@ -156,9 +149,11 @@ public:
                      job.tools.push_back(std::move(entry));
                  });
              }}};
-        for (const std::string_view key : kSettings) {
-            keys[std::string(key)] = [&, key](const auto& n, const auto& k) {
-                job.settings.push_back(read_setting(std::string(key), n, k));
+        for (const std::string_view option : kJobOptions) {
+            std::string key(option);
+            std::ranges::replace(key, '-', '_');
+            keys[key] = [&, option](const auto& n, const auto& k) {
+                job.settings.push_back(read_option(r_, std::string(option), k, n));
             };
         }
         r_.each(r_.root(), "", keys);
@@ -243,29 +238,6 @@ private:
         }
         r_.each(r_.table(node, key), key, keys);
         return outputs;
-    }
-
-    // Returns an option as in ncsim.toml.
-    ProjectSetting read_setting(std::string name, const toml::node& node,
-                                const std::string& key) const {
-        ProjectSetting setting;
-        std::ranges::replace(name, '_', '-');
-        setting.option = std::move(name);
-        setting.where = r_.place_of(node);
-        const auto value_of = [&](const toml::node& n) {
-            if (n.is_number()) return fmt::format("{}", r_.number(n, key));
-            return r_.text(n, key);
-        };
-        if (node.is_boolean()) {
-            setting.is_flag = true;
-            setting.is_on = r_.yes_or_no(node, key);
-        } else if (node.is_array()) {
-            for (const toml::node& one : *node.as_array())
-                setting.values.push_back(value_of(one));
-        } else {
-            setting.values.push_back(value_of(node));
-        }
-        return setting;
     }
 
     JobSetUp read_set_up(const toml::table& t, const std::string& key) const {

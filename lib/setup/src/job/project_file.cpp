@@ -7,6 +7,7 @@
 #include "ncsim/setup/program_folder.h"
 
 #include "files/toml_reader.h"
+#include "job/option_reader.h"
 
 #include <fmt/format.h>
 
@@ -54,7 +55,7 @@ public:
                     sections.push_back(section(n, k));
                 });
             } else {
-                sections[0].settings.push_back(setting(name, node));
+                sections[0].settings.push_back(read_option(r_, name, name, node));
             }
         }
         if (!has_version) r_.fail(r_.root(), "expected version = 1");
@@ -73,7 +74,7 @@ private:
                     section.places.push_back(r_.place_of(pattern));
                 }
             } else {
-                section.settings.push_back(setting(name, value));
+                section.settings.push_back(read_option(r_, name, name, value));
             }
         }
         if (section.files.empty())
@@ -90,29 +91,6 @@ private:
         const std::vector<std::string> names = names_of(pattern);
         if (names.empty() || std::ranges::any_of(names, is_no_name))
             r_.fail(node, fmt::format("'{}': expected a path below this file", pattern));
-    }
-
-    ProjectSetting setting(const std::string& name, const toml::node& node) {
-        ProjectSetting result;
-        result.option = name;
-        result.where = fmt::format("{}:{}:{}", r_.name(), node.source().begin.line,
-                                   node.source().begin.column);
-        if (node.is_boolean()) {
-            result.is_flag = true;
-            result.is_on = r_.yes_or_no(node, name);
-        } else if (node.is_array()) {
-            for (const toml::node& item : *node.as_array())
-                result.values.push_back(value(name, item));
-        } else {
-            result.values.push_back(value(name, node));
-        }
-        return result;
-    }
-
-    std::string value(const std::string& name, const toml::node& node) {
-        if (node.is_string()) return r_.text(node, name);
-        if (node.is_number()) return fmt::format("{}", r_.number(node, name));
-        r_.fail(node, fmt::format("'{}': expected a text, a number, true, false or a list", name));
     }
 
     const TomlReader& r_;
@@ -238,14 +216,14 @@ ProjectFile read_project_file(const std::string& path, InputSet& inputs) {
     return project;
 }
 
-std::vector<ProjectSetting> settings_for(const ProjectFile& project, const std::string& program) {
+std::vector<OptionSetting> settings_for(const ProjectFile& project, const std::string& program) {
     const fs::path folder = fs::absolute(project.name).lexically_normal().parent_path();
     const std::string path = seen_below(folder, program);
-    std::vector<ProjectSetting> settings;
+    std::vector<OptionSetting> settings;
     for (const ProjectFile::Section& section : project.sections) {
         const auto is_meant = [&](const std::string& pattern) { return matches(pattern, path); };
         if (!section.files.empty() && std::ranges::none_of(section.files, is_meant)) continue;
-        for (const ProjectSetting& setting : section.settings) {
+        for (const OptionSetting& setting : section.settings) {
             std::erase_if(settings,
                           [&](const auto& earlier) { return earlier.option == setting.option; });
             settings.push_back(setting);
