@@ -8,10 +8,10 @@
 namespace ncsim::setup {
 
 OptionSetting read_option(const TomlReader& reader, const std::string& option,
-                           const std::string& key, const toml::node& node) {
+                          const std::string& key, const toml::node& node) {
     const auto value_of = [&](const toml::node& value) {
-        if (value.is_string()) return reader.text(value, key);
-        if (value.is_number()) return fmt::format("{}", reader.number(value, key));
+        if (value.is_string()) return TomlReader::text(value);
+        if (value.is_number()) return fmt::format("{}", TomlReader::number(value));
         reader.fail(value,
                     fmt::format("'{}': expected a text, a number, true, false or a list", key));
     };
@@ -20,7 +20,7 @@ OptionSetting read_option(const TomlReader& reader, const std::string& option,
     setting.where = reader.place_of(node);
     if (node.is_boolean()) {
         setting.is_flag = true;
-        setting.is_on = reader.yes_or_no(node, key);
+        setting.is_on = node.as_boolean()->get();
     } else if (node.is_array()) {
         for (const toml::node& one : *node.as_array())
             setting.values.push_back(value_of(one));

@@ -14,6 +14,6 @@ namespace ncsim::setup {
 /// Reads the value of `option` under `key`: a text, a number, true, false, or a list.
 /// Throws: std::runtime_error with file, line and column.
 OptionSetting read_option(const TomlReader& reader, const std::string& option,
-                           const std::string& key, const toml::node& node);
+                          const std::string& key, const toml::node& node);
 
 }  // namespace ncsim::setup

@@ -6,6 +6,7 @@
 #include "ncsim/setup/input_observer.h"
 #include "ncsim/setup/program_folder.h"
 
+#include "files/schema.h"
 #include "files/toml_reader.h"
 #include "job/option_reader.h"
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -44,32 +46,34 @@ public:
 
     std::vector<ProjectFile::Section> read() {
         std::vector<ProjectFile::Section> sections(1);
-        bool has_version = false;
         for (const auto& [key, node] : r_.root()) {
             const std::string name(key.str());
             if (name == "version") {
-                (void)r_.integer(node, name, 1, 1);
-                has_version = true;
+                if (node.value_exact<std::int64_t>() != 1) r_.fail(node, "'version': expected 1");
             } else if (name == "program") {
-                r_.each_of(node, name, [&](const toml::node& n, const std::string& k) {
-                    sections.push_back(section(n, k));
+                TomlReader::each_of(node, name, [&](const toml::node& n, const std::string&) {
+                    sections.push_back(section(n));
                 });
             } else {
                 sections[0].settings.push_back(read_option(r_, name, name, node));
             }
         }
-        if (!has_version) r_.fail(r_.root(), "expected version = 1");
+        if (!r_.root().contains("version")) r_.fail(r_.root(), "expected version = 1");
         return sections;
     }
 
+    static bool is_option(const std::string& key) {
+        return key != "version" && key != "program" && key != "files";
+    }
+
 private:
-    ProjectFile::Section section(const toml::node& node, const std::string& where) {
+    ProjectFile::Section section(const toml::node& node) {
         ProjectFile::Section section;
-        for (const auto& [key, value] : r_.table(node, where)) {
+        for (const auto& [key, value] : TomlReader::table(node)) {
             const std::string name(key.str());
             if (name == "files") {
-                section.files = r_.texts(value, name);
-                for (const toml::node& pattern : r_.list(value, name)) {
+                section.files = TomlReader::texts(value);
+                for (const toml::node& pattern : TomlReader::list(value)) {
                     check_pattern(pattern);
                     section.places.push_back(r_.place_of(pattern));
                 }
@@ -84,7 +88,7 @@ private:
 
     // Refuses a pattern that cannot match any path.
     void check_pattern(const toml::node& node) const {
-        const std::string pattern = r_.text(node, "files");
+        const std::string pattern = TomlReader::text(node);
         const auto is_no_name = [](const std::string& name) {
             return name.empty() || name == "." || name == "..";
         };
@@ -211,7 +215,8 @@ ProjectFile read_project_file(const std::string& path, InputSet& inputs) {
     ProjectFile project;
     project.name = path;
     project.folder = fs::path(path).parent_path().string();
-    const TomlReader reader(path, inputs.read(path, kMostSetUpBytes));
+    const TomlReader reader(path, inputs.read(path, kMostSetUpBytes), kProjectSchema,
+                            ProjectReader::is_option);
     project.sections = ProjectReader(reader).read();
     return project;
 }
