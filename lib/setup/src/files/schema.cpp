@@ -156,16 +156,18 @@ private:
     }
 
     // True if a rule gives the keys of a table, such as names of axes; the reader checks the names.
-    static bool is_of_names(const Json& schema) {
+    static bool is_of_names(const Json& schema, const Json& known) {
         return schema.contains("patternProperties") ||
-               std::ranges::all_of(schema["properties"].items(), [](const auto& property) {
+               std::ranges::all_of(known.items(), [](const auto& property) {
                    return property.key() == "A" || property.key() == "B" || property.key() == "C";
                });
     }
 
     void table(const toml::table& t, const Json& schema, const std::string& where) const {
-        const Json known = schema.value("properties", Json::object());
-        const bool of_names = is_of_names(schema);
+        static const Json kNone = Json::object();
+        const auto properties = schema.find("properties");
+        const Json& known = properties == schema.end() ? kNone : *properties;
+        const bool of_names = is_of_names(schema, known);
         for (const auto& [key, node] : t) {
             const std::string name(key.str());
             if (check_.is_option && check_.is_option(name)) continue;
