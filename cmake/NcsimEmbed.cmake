@@ -1,10 +1,11 @@
-# ncsim_embed(<target> <name> <file>): <file> becomes part of <target> as
-#     extern const std::string_view <name>;   (namespace ncsim::report)
+# ncsim_embed(<target> <name> <file>): <file> becomes part of <target>, ncsim_LIBRARY, as
+#     extern const std::string_view <name>;   (namespace ncsim::LIBRARY)
 # Made anew when the file changes.
 function(ncsim_embed target name file)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.cpp)
+  string(REPLACE "ncsim_" "ncsim::" namespace ${target})
   add_custom_command(OUTPUT ${source}
-    COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D INPUT=${file} -D OUTPUT=${source}
+    COMMAND ${CMAKE_COMMAND} -D NAMESPACE=${namespace} -D NAME=${name} -D INPUT=${file} -D OUTPUT=${source}
       -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${file} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     COMMENT "Embedding ${file}"

@@ -482,7 +482,7 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
         std::string text, message;
     };
     const std::vector<Case> cases{
-        {"preset = \"robot\"\n", "m.toml:1:10: 'preset': no machine of this name"},
+        {"preset = \"robot\"\n", "m.toml:1:10: 'preset': expected \"xyzac-trt\""},
         {"along_tool = \"Z\"\n", "m.toml:1:14: 'along_tool': expected \"U\", \"V\" or \"W\""},
         {"along_tool = \"W\"\n", "m.toml:1:14: 'along_tool' needs to know how the machine turns"},
         {"preset = \"bridge-cb\"\ncontrol = { at_start = \"nose\" }\n",

@@ -3,12 +3,16 @@
 // Parsing of the command line: options, values and error messages.
 #include "commands/options.h"
 
+#include "ncsim/setup/job_file.h"
+
 #include "commands/help_topics.h"
 #include "commands/libraries.h"
 #include "system/progress.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <sstream>
 
 namespace ncsim::app {
@@ -61,6 +65,161 @@ TEST(Options, RefusalsOfferOnlyWhatTheCommandAccepts) {
     EXPECT_EQ(message({"diff", "a.nc", "b.nc"}), "ncsim: --model '?': expected cda\n");
     EXPECT_EQ(message({"measure", "a.nc"}), "ncsim: --model '?': expected cda or cda-flat\n");
     EXPECT_EQ(message({"run", "a.nc"}), "ncsim: --model '?': expected cda, cda-flat or dexel\n");
+}
+
+// Value that an option accepts, by its name or its kind of value in help.
+std::string example_of(const cli::Option& option) {
+    static const std::map<std::string, std::string> values{{"--dialect", "haas"},
+                                                           {"--model", "cda"},
+                                                           {"--units", "inch"},
+                                                           {"--views", "iso"},
+                                                           {"--rapid", "dog-leg"},
+                                                           {"--renderer", "own"},
+                                                           {"--frame", "part"},
+                                                           {"--rays", "z"},
+                                                           {"--report-units", "inch"},
+                                                           {"--colour", "line"},
+                                                           {"--job", "a.toml"},
+                                                           {"--step-schema", "ap214"},
+                                                           {"FILE", "a"},
+                                                           {"DIR", "a"},
+                                                           {"--step-surfaces", "faceted"},
+                                                           {"N", "2"},
+                                                           {"MM", "1"},
+                                                           {"--background", "dark"},
+                                                           {"GB", "1"},
+                                                           {"S", "1"},
+                                                           {"X,Y,Z", "1,2,3"},
+                                                           {"D1=R", "D1=1"},
+                                                           {"WORDS", "G187"},
+                                                           {"NAME=VALUE", "#500=1"},
+                                                           {"STOCK", "1x2x3"},
+                                                           {"TURNS", "X90"},
+                                                           {"RULES", "plunge"},
+                                                           {"THINGS", "holder"},
+                                                           {"REASONS", "all"},
+                                                           {"RULE=S", "plunge=note"},
+                                                           {"VIEW", "top"},
+                                                           {"WxH", "10x10"},
+                                                           {"--assume-tool", "flat:D6"},
+                                                           {"MARKS", "none"},
+                                                           {"x=N", "x=1"},
+                                                           {"TOOL", "T1=flat:D6"},
+                                                           {"z=N", "z=1"},
+                                                           {"I/N", "0/2"},
+                                                           {"SETUP", "1"},
+                                                           {"LINKS", "a"},
+                                                           {"TOL", "0.1"}};
+    const auto named = values.find("--" + option.long_names().front());
+    const auto found = named != values.end() ? named : values.find(option.type_name());
+    EXPECT_NE(found, values.end()) << option.name() << ": add a value to this table";
+    return found == values.end() ? "" : found->second;
+}
+
+// Returns `shown` of the command line `words` of a command with the options of type Of.
+template <class Of, class Shown>
+auto shown_of(const std::vector<std::string>& words, const Shown& shown) {
+    cli::App app("", "ncsim");
+    Of options;
+    cli::App* const command = app.add_subcommand("command", "");
+    add_options(*command, options);
+    app.parse(words);
+    return shown(*command);
+}
+
+// Returns the options that `shown` does not depend on.
+template <class Of, class Shown>
+std::vector<std::string> options_without_effect_on(const Shown& shown) {
+    cli::App app("", "");
+    Of ignored;
+    add_options(app, ignored);
+    std::vector<std::string> without;
+    for (const cli::Option* option : app.options()) {
+        if (option->is_positional() || option->name() == "--help") continue;
+        const std::string name = "--" + option->long_names().front();
+        std::vector<std::string> words{"command", "a.nc"};
+        if (name == "--finding") words.emplace_back("--png=a");
+        if (name == "--block-volumes") words.emplace_back("--report=a");
+        if (name == "--frame" || name == "--transparent") words.emplace_back("--show-machine");
+        const auto before = shown_of<Of>(words, shown);
+        words.push_back(option->is_flag() ? name : name + "=" + example_of(*option));
+        if (shown_of<Of>(words, shown) == before) without.push_back(name);
+    }
+    std::ranges::sort(without);
+    return without;
+}
+
+// A new option of check belongs to the key of cached verdicts, or to this list of options that
+// cannot change a verdict.
+TEST(Options, OfCheckAreInTheKeyOfTheCacheUnlessTheyCannotChangeAVerdict) {
+    const std::vector<std::string> files{
+        "--csv",   "--github", "--html",    "--json",     "--junit",          "--out",
+        "--sarif", "--png",    "--finding", "--tile-out", "--write-baseline", "--exit-zero"};
+    const std::vector<std::string> look_of_png{"--background", "--cut-view", "--marks",
+                                               "--size",       "--view",     "--views"};
+    const std::vector<std::string> division{"--cache", "--isolate", "--jobs", "--list",
+                                            "--shard", "--threads", "--tile", "--watch"};
+    const std::vector<std::string> limits{"--max-memory", "--max-time"};  // keep no verdict
+    std::vector<std::string> all{"--no-project"};  // the key has the settings of the project
+    for (const auto* some : {&files, &look_of_png, &division, &limits})
+        all.insert(all.end(), some->begin(), some->end());
+    std::ranges::sort(all);
+    EXPECT_EQ(options_without_effect_on<CheckOptions>(settings_of), all);
+}
+
+// A new option of run belongs to the words of tiles, or to this list of options that cannot change
+// what merge makes of the tiles.
+TEST(Options, OfRunAreInTheWordsOfTilesUnlessTheyCannotChangeThePart) {
+    std::vector<std::string> all{"--max-memory", "--max-time", "--quiet", "--threads",
+                                 "--tile",       "--tile-out", "--watch"};
+    // ncsim run refuses files to write with --tile.
+    for (const OutputFile& file : output_files())
+        all.emplace_back(file.option);
+    all.emplace_back("--frames");
+    std::ranges::sort(all);
+    EXPECT_EQ(options_without_effect_on<Options>(words_of_tile), all);
+}
+
+TEST(Options, OfProjectsAndJobsAreOptionsOfCheck) {
+    cli::App app("", "");
+    CheckOptions ignored;
+    add_options(app, ignored);
+    for (const cli::Option* option : app.options()) {
+        const std::string name = option->is_positional() ? "" : option->long_names().front();
+        EXPECT_EQ(kind_of_check_option(name).has_value(), option->counts().project) << name;
+    }
+    for (const std::string_view name : setup::kJobOptions)
+        EXPECT_TRUE(kind_of_check_option(std::string(name))) << name;
+    EXPECT_FALSE(kind_of_check_option("quiet") || kind_of_check_option("json"));
+    EXPECT_TRUE(kind_of_check_option("tool-table")->is_file);
+    EXPECT_TRUE(kind_of_check_option("block-delete")->is_switch);
+}
+
+TEST(Options, ThatWriteJobFilesAreThoseOfCommandsThatWriteThem) {
+    for (const char* command : {"check", "measure", "sheet", "explain"})
+        EXPECT_NE(refusal({command, "a.nc", "--save-job", "a.toml"}).find("no option --save-job"),
+                  std::string::npos)
+            << command;
+}
+
+TEST(Options, OfMergeAreThoseOfRunForTiles) {
+    const Command command = parse_options({"merge", "tiles", "--stl", "a.stl", "--view", "top"});
+    const auto* merge = std::get_if<MergeOptions>(&command);
+    ASSERT_TRUE(merge);
+    EXPECT_EQ(merge->of_run, (std::vector<std::pair<std::string, std::string>>{{"stl", "a.stl"},
+                                                                               {"view", "top"}}));
+    EXPECT_EQ(refusal({"merge", "tiles", "--step", "a.step"}),
+              "ncsim: there is no option --step; did you mean --stl?\nTry: ncsim merge --help\n");
+}
+
+TEST(Options, NumbersOutsideTheirRangeAreRefusedWithTheRange) {
+    EXPECT_EQ(refusal({"run", "a.nc", "--threads", "0"}),
+              "ncsim: --threads: expected 1 to 1024, not 0\nTry: ncsim run --help\n");
+    EXPECT_EQ(refusal({"run", "a.nc", "--tolerance", "20"}),
+              "ncsim: --tolerance: expected 0.0001 to 10 mm, not 20\nTry: ncsim run --help\n");
+    EXPECT_EQ(refusal({"run", "a.nc", "--step-refine", "7"}),
+              "ncsim: --step-refine: expected 0 to 6, not 7\nTry: ncsim run --help\n");
+    EXPECT_EQ(refusal({"run", "a.nc", "--step-refine", "1.5"}).find("ncsim: "), 0U);
 }
 
 TEST(Options, OfAPlainRunAreTheDefaults) {

@@ -118,7 +118,7 @@ TEST(Shards, AreRefusedWhereOneIsMissingForeignOrCutOff) {
     shard("1/3");
     EXPECT_EQ(folder.read(name), whole);
 
-    shard("1/3", {"--redo", "--ignore", "plunge"});
+    shard("1/3", {"--ignore", "plunge"});
     const Ran foreign = folder.run({"merge", "out"});
     EXPECT_EQ(foreign.exit_code, 2);
     EXPECT_TRUE(contains(foreign.err, "other options were asked for")) << foreign.err;
@@ -138,8 +138,8 @@ TEST(Shards, ThatContradictEachOtherAreRefused) {
             0);
     EXPECT_EQ(folder.run({"merge", "a", "b", "-q"}).out, folder.run({"merge", "a", "-q"}).out);
     folder.write("p0/part 0.nc", replaced(kSlot, "G1 X30. F500.", "G0 X30. F500."));
-    EXPECT_EQ(folder.run({"check", "--list", "list.txt", "--shard", "0/1", "--out", "b", "--redo"})
-                  .exit_code,
+    std::filesystem::remove_all(folder.path() / "b");
+    EXPECT_EQ(folder.run({"check", "--list", "list.txt", "--shard", "0/1", "--out", "b"}).exit_code,
               0);
     const Ran ran = folder.run({"merge", "a", "b"});
     EXPECT_EQ(ran.exit_code, 2);
@@ -149,18 +149,23 @@ TEST(Shards, ThatContradictEachOtherAreRefused) {
 TEST(Shards, TakeTheirNumberFromTheScheduler) {
     Folder folder;
     many_programs(folder);
-    const auto specified = [&](const std::string& environment, const std::string& more = "") {
-        return folder.shell(environment + " \"$0\" check --list list.txt --shard auto --out out " +
-                            more);
+    const auto specified = [&](const std::string& environment, const char* number = "auto") {
+        return folder.shell(environment + " \"$0\" check --list list.txt --out out --shard " +
+                            number);
     };
     EXPECT_TRUE(contains(specified("SLURM_ARRAY_TASK_ID=11 SLURM_ARRAY_TASK_MIN=10 "
                                    "SLURM_ARRAY_TASK_COUNT=4")
                              .out,
                          "shard 1 of 4: "));
-    EXPECT_TRUE(contains(specified("JOB_COMPLETION_INDEX=2", "--shards 3").out, "shard 2 of 3: "));
+    EXPECT_TRUE(contains(
+        specified("JOB_COMPLETION_INDEX=2; export JOB_COMPLETION_INDEX;", "$JOB_COMPLETION_INDEX/3")
+            .out,
+        "shard 2 of 3: "));
     EXPECT_TRUE(contains(specified("CI_NODE_INDEX=3 CI_NODE_TOTAL=3").out, "shard 2 of 3: "));
-    EXPECT_EQ(specified("JOB_COMPLETION_INDEX=2").exit_code, 2);
-    EXPECT_EQ(specified("JOB_COMPLETION_INDEX=3", "--shards 3").exit_code, 2);
+    EXPECT_EQ(specified("CI_NODE_INDEX=4 CI_NODE_TOTAL=3").exit_code, 2);
+    const Ran uncounted = specified("SLURM_ARRAY_TASK_ID=2");
+    EXPECT_EQ(uncounted.exit_code, 2);
+    EXPECT_TRUE(contains(uncounted.err, "SLURM_ARRAY_TASK_COUNT is not")) << uncounted.err;
     EXPECT_EQ(specified("").exit_code, 2);
     for (const char* number : {"3/3", "-1/3", "1", "1/0", "1/x", "a/3", ""})
         EXPECT_EQ(

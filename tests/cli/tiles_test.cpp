@@ -204,8 +204,6 @@ TEST(Tiles, AreCutAgainWhereTheyAreNotWhole) {
     EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut: " + name + "\n");
     const std::string whole = folder.read(name);
     EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut before: " + name + "\n");
-    EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3, {"--redo"}).out,
-              "tile 1 of 3 was cut: " + name + "\n");
     std::string changed = whole;
     changed[changed.size() / 2] ^= 1;
     for (const std::string& text : {std::string(), whole.substr(0, whole.size() / 2),
@@ -281,7 +279,7 @@ TEST(Tiles, TakeOptionsThatMakeSense) {
     const Folder folder;
     folder.write("slot.nc", kSlot);
     for (const Words& wrong :
-         {Words{"--tile", "0/2"}, Words{"--tile-out", "tiles"}, Words{"--redo"},
+         {Words{"--tile", "0/2"}, Words{"--tile-out", "tiles"},
           Words{"--tile", "2/2", "--tile-out", "tiles"},
           Words{"--tile", "0/4097", "--tile-out", "tiles"},
           Words{"--tile", "auto", "--tile-out", "tiles"},

@@ -40,7 +40,7 @@ set(headers_cda base:int128 base:mix base:vec base:tile_number exact:origin poly
 set(headers_toolpath polytope:tool_pose polytope:side)
 set(headers_brep geometry:facets)
 set(headers_export mesh:cut_plane render:image render:overlay render:render_options formats:drawing formats:moving_scene mesh:simplified)
-set(headers_setup machines:specified_kinematics job:job_options)
+set(headers_setup machines:specified_kinematics job:job_options job:option_setting)
 # Values that all floors hand on: every floor may include the public headers of these libraries.
 set(open_headers gcode)
 

@@ -52,7 +52,7 @@ TEST(ProjectFile, OfSettingsOfOneOptionTheLastHolds) {
         const auto settings = settings_for(project, program);
         EXPECT_EQ(settings.size(), 2U) << program;
         std::string result;
-        for (const ProjectSetting& setting : settings) {
+        for (const OptionSetting& setting : settings) {
             if (setting.option == "machine") result = setting.values.at(0);
         }
         return result;

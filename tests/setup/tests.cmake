@@ -1,5 +1,6 @@
+find_package(tomlplusplus REQUIRED)
 ncsim_add_test(setup
-  LIBRARIES ncsim::setup zip
+  LIBRARIES ncsim::setup zip tomlplusplus::tomlplusplus
   SOURCES
     budget_test.cpp
     digest_test.cpp
@@ -10,6 +11,7 @@ ncsim_add_test(setup
     mesh_text_test.cpp
     messages_test.cpp
     project_file_test.cpp
+    schema_test.cpp
     set_ups_test.cpp
     three_points_test.cpp
     tool_library_test.cpp

@@ -36,7 +36,7 @@ simulation::Plan plan_to_check(const std::string& path, const CheckOptions& opti
     ProgramOptions program = static_cast<const ProgramOptions&>(options);
     program.program = path;
     program.number_in_file = number;
-    simulation::Plan plan = plan_for(program, options, options.machine, inputs, stop);
+    simulation::Plan plan = plan_for(program, options, inputs, stop);
     if (plan.model.empty()) plan.model = simulation::verifying_model().name;
     plan.threads = threads;
     return plan;

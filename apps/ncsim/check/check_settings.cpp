@@ -78,12 +78,12 @@ SettingsOfPrograms::SettingsOfPrograms(const CheckOptions& specified,
         const std::string& program = specified.steps.empty() ? programs[i] : specified.job;
         const setup::ProjectFile* project = specified.no_project ? nullptr : project_of(program);
         if (project) programs_of[project].push_back(program);
-        std::vector<setup::ProjectSetting> settings;
+        std::vector<setup::OptionSetting> settings;
         if (project) settings = setup::settings_for(*project, program);
         std::optional<std::size_t> step;
         if (!specified.steps.empty()) step = specified.steps[i];
         std::string same = project ? project->name : "";
-        for (const setup::ProjectSetting& setting : settings)
+        for (const setup::OptionSetting& setting : settings)
             same += '\n' + setting.where;
         if (step) same += fmt::format("\nstep {}", *step);
         const auto [number, is_new] = numbers.try_emplace(same, settings_.size());
@@ -102,9 +102,9 @@ std::string SettingsOfPrograms::notes() const {
 }
 
 std::string SettingsOfPrograms::job_for(const setup::ProjectFile& project,
-                                        const std::vector<setup::ProjectSetting>& settings) const {
+                                        const std::vector<setup::OptionSetting>& settings) const {
     if (!specified_.job.empty()) return specified_.job;
-    for (const setup::ProjectSetting& setting : settings) {
+    for (const setup::OptionSetting& setting : settings) {
         if (setting.option == "job" && setting.values.size() == 1)
             return setup::seen_in(project.folder, setting.values[0]);
     }
@@ -169,14 +169,14 @@ const setup::ProjectFile* SettingsOfPrograms::project_of(const std::string& prog
     const auto read =
         projects_.emplace(*above->second, setup::read_project_file(*above->second, inputs_));
     for (const auto& section : read.first->second.sections) {
-        for (const setup::ProjectSetting& setting : section.settings)
+        for (const setup::OptionSetting& setting : section.settings)
             (void)words_of_setting(setting, read.first->second.folder);
     }
     return &read.first->second;
 }
 
 void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* project,
-                              const std::vector<setup::ProjectSetting>& settings,
+                              const std::vector<setup::OptionSetting>& settings,
                               std::optional<std::size_t> step) {
     made.options = specified_;
     if (project) {
@@ -189,7 +189,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         std::vector<std::string> words = specified_.words;
         if (specified_.job.empty())
             words = with_settings(std::move(words), job.settings(), job.folder(), is_free);
-        const std::vector<setup::ProjectSetting> rest = job.without_own(settings, overridden);
+        const std::vector<setup::OptionSetting> rest = job.without_own(settings, overridden);
         words = with_settings(std::move(words), rest, project->folder, is_free);
         made.options = parsed(words);
         made.options.left_stocks =
@@ -199,14 +199,14 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
                 notes_.insert("note: " + line + '\n');
         }
         if (specified_.verbose) {
-            for (const setup::ProjectSetting& setting : rest)
+            for (const setup::OptionSetting& setting : rest)
                 if (is_free(setting.option)) notes_.insert("setting  " + line_of(setting) + '\n');
             if (specified_.job.empty()) {
                 for (const std::string& line : job.lines(is_in(specified_.given)))
                     notes_.insert("setting  " + line + '\n');
             }
         }
-        for (const setup::ProjectSetting& setting : settings) {
+        for (const setup::OptionSetting& setting : settings) {
             if (!specified_.given.contains(setting.option))
                 made.options.selection.set_origin("--" + setting.option, setting.where);
         }

@@ -61,11 +61,11 @@ public:
 
 private:
     std::string job_for(const setup::ProjectFile& project,
-                        const std::vector<setup::ProjectSetting>& settings) const;
+                        const std::vector<setup::OptionSetting>& settings) const;
     std::string label_of_step(std::size_t step) const;
     const setup::ProjectFile* project_of(const std::string& program);
     void fill(CheckSettings& made, const setup::ProjectFile* project,
-              const std::vector<setup::ProjectSetting>& settings, std::optional<std::size_t> step);
+              const std::vector<setup::OptionSetting>& settings, std::optional<std::size_t> step);
     std::shared_ptr<const report::Baseline> baseline_of(const CheckOptions& options);
 
     const CheckOptions& specified_;

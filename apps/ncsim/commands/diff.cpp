@@ -14,6 +14,7 @@
 #include "ncsim/simulation/review_data.h"
 
 #include "options/job_steps.h"
+#include "options/option_row.h"
 #include "options/plan_options.h"
 #include "system/console.h"
 #include "system/output.h"
@@ -47,7 +48,7 @@ Side read_side(const Input& input, const std::optional<toolpath::Stock>& stock,
     const bool is_later = options.job_step.value_or(0) > 0;
     if (stock) (is_later ? options.left_stock : options.stock) = stock;
     Side side;
-    side.plan = plan_for(options, options, options.machine, inputs);
+    side.plan = plan_for(options, options, inputs);
     if (const auto machine = simulation::machine_for(options.machine, side.plan.job, inputs))
         (void)simulation::apply_machine(side.plan, *machine);
     if (side.plan.model.empty()) side.plan.model = simulation::verifying_model().name;
@@ -130,37 +131,50 @@ std::optional<report::Review> review_of(const Input& a_input, const Input& b_inp
 
 }  // namespace
 
-cli::App* add_diff(cli::App& app, DiffOptions& o) {
-    cli::App* diff =
-        app.add_subcommand("diff", "Compare the parts of two programs: exit code 1 if they differ");
-    diff->add_option("old", o.program, "NC program, or job file (.toml)")
-        ->required()
-        ->type_name("OLD");
-    diff->add_option("new", o.new_program, "NC program, or job file (.toml)")
-        ->required()
-        ->type_name("NEW");
-    add_language_options(*diff, o);
-    add_setup_options(*diff, o);
-    add_simulation_options(*diff, o, Models::Verifying);
-    diff->begin_group("Machine");
-    diff->add_option("--machine", o.machine,
-                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
-        ->type_name("FILE");
-    diff->begin_group("Comparison");
-    diff->add_option("--tol", o.tolerance_mm3, "Permitted difference on each side, mm3 [0]")
-        ->type_name("MM3")
-        ->number_range(0.0, 1e15);
-    diff->add_flag("--process", o.process, "Compare feeds, speeds, coolant, tools and dwells, too");
-    diff->add_option("--json", o.json, "Differences, JSON")->type_name("FILE");
-    diff->add_option("--html", o.html, "Review: both parts, values, lines side by side")
-        ->type_name("FILE");
-    diff->add_flag("--quiet,-q", o.quiet, "Print nothing");
-    add_report_unit(*diff, o);
-    return diff;
+namespace {
+
+constexpr OptionRow<DiffOptions> kComparedPrograms[] = {{"old",
+                                                         "OLD",
+                                                         "",
+                                                         kWork,
+                                                         "NC program, or job file (.toml)",
+                                                         store<&DiffOptions::program>,
+                                                         {.is_required = true}},
+                                                        {"new",
+                                                         "NEW",
+                                                         "",
+                                                         kWork,
+                                                         "NC program, or job file (.toml)",
+                                                         store<&DiffOptions::new_program>,
+                                                         {.is_required = true}}};
+
+constexpr OptionRow<DiffOptions> kComparisonRows[] = {
+    {"--tol",
+     "MM3",
+     "Comparison",
+     kResult,
+     "Permitted difference on each side, mm3 [0]",
+     store<&DiffOptions::tolerance_mm3>,
+     {0.0, 1e15}},
+    {"--process", "", "Comparison", kResult,
+     "Compare feeds, speeds, coolant, tools and dwells, too", store<&DiffOptions::process>},
+    {"--json", "FILE", "Outputs", kWork, "Differences, JSON", store<&DiffOptions::json>},
+    {"--html", "FILE", "Outputs", kWork, "Review: both parts, values, lines side by side",
+     store<&DiffOptions::html>},
+    {"--quiet,-q", "", "Outputs", kText, "Print nothing", store<&DiffOptions::quiet>}};
+
+}  // namespace
+
+void add_options(cli::App& diff, DiffOptions& o) {
+    add_rows(diff, kComparedPrograms, o);
+    add_language_options(diff, o);
+    add_setup_options(diff, o);
+    add_rows(diff, kComparisonRows, o);
+    add_report_unit(diff, o);
+    add_simulation_options(diff, o, Models::Verifying);
 }
 
 void complete(DiffOptions& o) {
-    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     require_verifying(o);
     if (setup::is_job_file(o.new_program) && !setup::is_job_file(o.program))
         throw Refusal{fmt::format("'{}' is a job, '{}' is not; expected OLD as a job, too",
@@ -175,7 +189,6 @@ int run(const DiffOptions& options) {
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     inputs.expect(options.new_program);
-    if (!options.machine.empty()) inputs.expect(options.machine);
     outputs.reserve(options.json);
     outputs.reserve(options.html);
     const std::vector<Input> a = inputs_to_compare(options, inputs);

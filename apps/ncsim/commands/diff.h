@@ -15,7 +15,6 @@ namespace ncsim::app {
 /// Options of `ncsim diff`; `program` is the old program, or `job` the old job.
 struct DiffOptions : ProgramOptions, SimulationOptions {
     std::string new_program;     ///< Or a job file.
-    std::string machine;         ///< Offsets and kinematics, for both programs.
     double tolerance_mm3 = 0.0;  ///< Differences up to this volume do not count.
     bool process = false;        ///< Exit code 1 also for different feeds and speeds.
     std::string json;            ///< Output file; empty: none.
@@ -26,7 +25,9 @@ struct DiffOptions : ProgramOptions, SimulationOptions {
     std::shared_ptr<const DiffOptions> of_new_job;
 };
 
-cli::App* add_diff(cli::App& app, DiffOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, DiffOptions& options);
 void complete(DiffOptions& options);
 
 /// Compares two programs, or the programs of two jobs in each set-up. Returns 0 if the parts (and

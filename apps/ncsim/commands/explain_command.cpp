@@ -10,6 +10,7 @@
 #include "ncsim/simulation/plan_reader.h"
 
 #include "options/job_steps.h"
+#include "options/option_row.h"
 #include "options/plan_options.h"
 #include "system/console.h"
 
@@ -54,25 +55,18 @@ ExplainOptions of_set_up(const ExplainOptions& options, setup::InputSet& inputs)
 
 }  // namespace
 
-cli::App* add_explain(cli::App& app, ExplainOptions& o) {
-    cli::App* explain =
-        app.add_subcommand("explain", "Explain a block: modes and their lines, moves, volume");
-    add_program_options(*explain, o);
-    add_setup_options(*explain, o);
-    add_simulation_options(*explain, o, Models::Exact);
-    explain->begin_group("Block");
-    explain->add_option("--line", o.line, "Line of the block, as in part.nc:120")->type_name("N");
-    explain->add_option("--in", o.in, "Called file that has the line")->type_name("NAME");
-    explain->begin_group("Machine");
-    explain
-        ->add_option("--machine", o.machine,
-                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
-        ->type_name("FILE");
-    explain->begin_group("Outputs");
-    explain->add_flag("--no-volume", o.no_volume,
-                      "Leave out the removed volume, which needs a simulation");
-    explain->add_flag("--json", o.json, "JSON");
-    return explain;
+void add_options(cli::App& explain, ExplainOptions& o) {
+    using E = ExplainOptions;
+    static constexpr OptionRow<E> kRows[] = {
+        {"--line", "N", "Block", kWork, "Line of the block, as in part.nc:120", store<&E::line>},
+        {"--in", "NAME", "Block", kWork, "Called file that has the line", store<&E::in>},
+        {"--no-volume", "", "Outputs", kWork,
+         "Leave out the removed volume, which needs a simulation", store<&E::no_volume>},
+        {"--json", "", "Outputs", kWork, "JSON", store<&E::json>}};
+    add_program_options(explain, o);
+    add_setup_options(explain, o);
+    add_rows(explain, kRows, o);
+    add_simulation_options(explain, o, Models::Exact);
 }
 
 void complete(ExplainOptions& o) {
@@ -80,14 +74,13 @@ void complete(ExplainOptions& o) {
     complete(static_cast<ProgramOptions&>(o));
     require_exact(o, "explain");
     if (o.line == 0) throw Refusal{"name a line: ncsim explain part.nc:120, or --line 120"};
-    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
 }
 
 int run(const ExplainOptions& specified) {
     setup::InputSet aside;
     const ExplainOptions options = of_set_up(specified, aside);
     setup::InputSet inputs;
-    simulation::Plan plan = plan_for(options, options, options.machine, inputs);
+    simulation::Plan plan = plan_for(options, options, inputs);
     if (const auto machine = simulation::machine_for(options.machine, plan.job, inputs))
         simulation::apply_machine(plan, *machine);
     if (plan.model.empty()) plan.model = simulation::models().front().name;

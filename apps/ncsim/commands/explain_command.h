@@ -13,14 +13,13 @@ namespace ncsim::app {
 struct ExplainOptions : ProgramOptions, SimulationOptions {
     std::uint32_t line = 0;  ///< From 1.
     std::string in;          ///< Called file that has the line; empty: the program.
-    std::string machine;     ///< Machine file.
     bool no_volume = false;  ///< Leaves out the removed volume, without a simulation.
     bool json = false;
 };
 
-/// Adds the command `explain` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_explain(cli::App& app, ExplainOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, ExplainOptions& options);
 /// Checks `options` after all options were read; "part.nc:120" as the program names a line.
 /// Throws: Refusal.
 void complete(ExplainOptions& options);

@@ -13,6 +13,7 @@
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 
+#include "options/option_row.h"
 #include "run/save_job.h"
 #include "system/console.h"
 #include "system/output.h"
@@ -119,15 +120,15 @@ std::string first_project(const std::string& folder) {
 
 }  // namespace
 
-cli::App* add_init(cli::App& app, InitOptions& o) {
-    cli::App* init =
-        app.add_subcommand("init", "Write a first job file for programs, with all assumptions");
-    init->add_option("programs", o.programs, "NC programs, a set-up each; with --repo a folder")
-        ->type_name("FILES");
-    init->add_option("--output,-o", o.output, "File to write [job.toml]")->type_name("FILE");
-    init->add_flag("--repo", o.repo, "Write ncsim.toml for a folder instead");
-    init->add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
-    return init;
+void add_options(cli::App& init, InitOptions& o) {
+    using I = InitOptions;
+    static constexpr OptionRow<I> kRows[] = {
+        {"programs", "FILES", "", kWork, "NC programs, a set-up each; with --repo a folder",
+         store<&I::programs>},
+        {"--output,-o", "FILE", "Outputs", kWork, "File to write [job.toml]", store<&I::output>},
+        {"--repo", "", "Outputs", kWork, "Write ncsim.toml for a folder instead", store<&I::repo>},
+        {"--quiet,-q", "", "Outputs", kText, "Print errors and warnings only", store<&I::quiet>}};
+    add_rows(init, kRows, o);
 }
 
 void complete(InitOptions& o) {

@@ -17,9 +17,9 @@ struct InitOptions {
     bool quiet = false;                 ///< Print errors and warnings only.
 };
 
-/// Adds the command `init` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_init(cli::App& app, InitOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, InitOptions& options);
 /// Checks `options` after all options were read.
 /// Throws: Refusal.
 void complete(InitOptions& options);

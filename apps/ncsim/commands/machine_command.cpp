@@ -12,7 +12,8 @@
 #include "ncsim/setup/machine_text.h"
 #include "ncsim/simulation/program_check.h"
 
-#include "options/program_options.h"
+#include "options/option_row.h"
+#include "options/picture_options.h"
 #include "run/machine_picture.h"
 #include "system/console.h"
 #include "system/output.h"
@@ -99,7 +100,7 @@ MachineOfJob machine_of(const std::string& path, setup::InputSet& inputs) {
         return {path, {}};
     const setup::JobFile job = setup::read_job_file(path, inputs);
     MachineOfJob found;
-    for (const setup::ProjectSetting& setting : job.settings) {
+    for (const setup::OptionSetting& setting : job.settings) {
         if (setting.option != "machine" || setting.values.empty()) continue;
         const std::string folder = std::filesystem::path(path).parent_path().string();
         found.path = setup::seen_in(folder, setting.values.front());
@@ -119,25 +120,25 @@ MachineOfJob machine_of(const std::string& path, setup::InputSet& inputs) {
 
 }  // namespace
 
-cli::App* add_machine(cli::App& app, MachineOptions& o) {
-    cli::App* machine = app.add_subcommand("machine", "Show how a machine is built and turns");
-    machine
-        ->add_option("machine", o.machine,
-                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm; or a job")
-        ->required()
-        ->type_name("FILE");
-    machine->add_option("--save", o.save, "Write it as a machine.toml")->type_name("FILE");
-    machine->add_option("--png", o.png, "Picture of its links")->type_name("FILE");
-    machine->add_option("--view", o.view, "iso, top, bottom, front, back, left, right [iso]")
-        ->type_name("VIEW");
-    machine
-        ->add_option("--transparent", o.transparent,
-                     "Links whose back is seen in pictures: their names, with commas")
-        ->delimiter(',')
-        ->type_name("LINK,…");
-    machine->add_option("--pose", o.pose, "Where the tool is with its axes there, as A30,C45")
-        ->type_name("AXES");
-    return machine;
+void add_options(cli::App& machine, MachineOptions& o) {
+    using M = MachineOptions;
+    static constexpr OptionRow<M> kRows[] = {
+        {"machine",
+         "FILE",
+         "",
+         kWork,
+         "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm; or a job",
+         store<&M::machine>,
+         {.is_required = true}},
+        {"--save", "FILE", "Outputs", kWork, "Write it as a machine.toml", store<&M::save>},
+        {"--png", "FILE", "Outputs", kWork, "Picture of its links", store<&M::png>},
+        {"--view", "VIEW", "Outputs", kWork, "iso, top, bottom, front, back, left, right [iso]",
+         read<&M::view, view_named>},
+        {"--transparent", "LINKS", "Outputs", kWork,
+         "Links of the machine to look through, by name", store_list<&M::transparent>},
+        {"--pose", "AXES", "Outputs", kWork, "Where the tool is with its axes there, as A30,C45",
+         store<&M::pose>}};
+    add_rows(machine, kRows, o);
 }
 
 int run(const MachineOptions& options) {
@@ -146,11 +147,6 @@ int run(const MachineOptions& options) {
     inputs.expect(options.machine);
     outputs.reserve(options.save);
     outputs.reserve(options.png);
-    const auto view = exporter::parse_view(options.view);
-    if (!view) {
-        throw std::runtime_error(fmt::format(
-            "--view '{}': expected iso, top, bottom, front, back, left or right", options.view));
-    }
     const MachineOfJob named = machine_of(options.machine, inputs);
     setup::MachineFile file = setup::read_machine(named.path, inputs);
     simulation::bodies_of(file);  // rejects a mesh that check cannot use
@@ -165,7 +161,7 @@ int run(const MachineOptions& options) {
     put_text(text, outputs.takes_standard_output());
     outputs.write(options.save, [&](std::ostream& out) { out << setup::machine_toml(file); });
     if (!options.png.empty()) {
-        const exporter::Image image = picture_of(file, values_of(options.pose), *view);
+        const exporter::Image image = picture_of(file, values_of(options.pose), options.view);
         outputs.write(options.png, [&](std::ostream& out) { exporter::write_png(out, image); });
     }
     outputs.commit();

@@ -15,6 +15,7 @@
 #include "ncsim/simulation/stock_history.h"
 
 #include "options/job_steps.h"
+#include "options/option_row.h"
 #include "options/plan_options.h"
 #include "system/console.h"
 #include "system/output.h"
@@ -48,21 +49,16 @@ int measure_job(const MeasureOptions& options, const std::vector<ChosenStep>& st
 
 }  // namespace
 
-cli::App* add_measure(cli::App& app, MeasureOptions& o) {
-    cli::App* measure = app.add_subcommand("measure", "List bores, floors and distances of walls");
-    add_program_options(*measure, o);
-    add_setup_options(*measure, o);
-    add_simulation_options(*measure, o, Models::Exact);
-    measure->begin_group("Machine");
-    measure
-        ->add_option("--machine", o.machine,
-                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
-        ->type_name("FILE");
-    measure->begin_group("Outputs");
-    add_report_unit(*measure, o);
-    measure->add_option("--json", o.json, "Dimensions, JSON")->type_name("FILE");
-    measure->add_flag("--quiet,-q", o.quiet, "With --json: no text");
-    return measure;
+void add_options(cli::App& measure, MeasureOptions& o) {
+    using M = MeasureOptions;
+    static constexpr OptionRow<M> kRows[] = {
+        {"--json", "FILE", "Outputs", kWork, "Dimensions, JSON", store<&M::json>},
+        {"--quiet,-q", "", "Outputs", kText, "With --json: no text", store<&M::quiet>}};
+    add_program_options(measure, o);
+    add_setup_options(measure, o);
+    add_rows(measure, kRows, o);
+    add_report_unit(measure, o);
+    add_simulation_options(measure, o, Models::Exact);
 }
 
 void complete(MeasureOptions& o) {
@@ -70,7 +66,6 @@ void complete(MeasureOptions& o) {
     require_exact(o, "measure");
     // Without a file, the dimensions are the result.
     if (o.json.empty()) o.quiet = false;
-    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
 }
 
 int run(const MeasureOptions& options) {
@@ -83,8 +78,7 @@ int run(const MeasureOptions& options) {
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    if (!options.machine.empty()) inputs.expect(options.machine);
-    simulation::Plan plan = plan_for(options, options, options.machine, inputs);
+    simulation::Plan plan = plan_for(options, options, inputs);
     if (const auto machine = simulation::machine_for(options.machine, plan.job, inputs))
         simulation::apply_machine(plan, *machine);
     if (plan.model.empty()) plan.model = simulation::models().front().name;
@@ -101,9 +95,9 @@ int run(const MeasureOptions& options) {
     nothing.history = simulation::read_stock_history(*survey.stock);
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
     print_findings(plan.job.program, milled.diagnostics);
-    constexpr simulation::Refinement kLimit{2};
+    constexpr simulation::Refinement kRefinement{2};
     const simulation::Solid solid =
-        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kLimit);
+        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kRefinement);
     report::MeasureSheet sheet = simulation::measures_of(plan, survey, solid, *milled.boundary);
     sheet.program = plan.job.program.name;
     if (!options.quiet)

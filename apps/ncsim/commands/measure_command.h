@@ -10,14 +10,13 @@
 namespace ncsim::app {
 
 struct MeasureOptions : ProgramOptions, SimulationOptions {
-    std::string machine;  ///< Machine file.
-    std::string json;     ///< Output file; empty: none.
+    std::string json;  ///< Output file; empty: none.
     bool quiet = false;
 };
 
-/// Adds the command `measure` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_measure(cli::App& app, MeasureOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, MeasureOptions& options);
 /// Checks `options` after all options were read.
 /// Throws: Refusal.
 void complete(MeasureOptions& options);

@@ -93,7 +93,118 @@ void refuse_empty_names(const cli::App& command) {
     }
 }
 
+// Name, summary and example of a command.
+struct About {
+    std::string_view name;
+    const char* summary;
+    const char* example;
+};
+
+// All commands, in the order of help.
+struct Commands {
+    Options run;
+    ParseOptions parse;
+    ToolsOptions tools;
+    CheckOptions check;
+    MergeOptions merge;
+    DiffOptions diff;
+    MachineOptions machine;
+    MeasureOptions measure;
+    InitOptions init;
+    SheetOptions sheet;
+    ExplainOptions explain;
+    RulesOptions rules;
+
+    // Calls visit(about, options) for each command.
+    template <class Visit>
+    void each(const Visit& visit) {
+        visit(About{"run", "Simulate a program; write pictures, meshes and reports", kRunExample},
+              run);
+        visit(About{"parse", "Show how a program is read: blocks or motions",
+                    "ncsim parse samples/simple.nc --canonical"},
+              parse);
+        visit(About{"tools", "List the tools of a program: shape, source, use, conflicts",
+                    "ncsim tools samples/complex.nc --save-job complex.toml"},
+              tools);
+        visit(About{"check", "Verify that programs are safe; exit code 1 if not",
+                    "ncsim check samples/simple.nc samples/complex.nc"},
+              check);
+        visit(About{"merge", "Combine results of --shard or --tile into those of one run",
+                    "ncsim merge results/ --sarif all.sarif"},
+              merge);
+        visit(About{"diff", "Compare the parts of two programs: exit code 1 if they differ",
+                    "ncsim diff old.nc new.nc --tol 0.01"},
+              diff);
+        visit(About{"machine", "Show how a machine is built and turns",
+                    "ncsim machine samples/machines/trt.toml --pose A-30,C45"},
+              machine);
+        visit(About{"measure", "List bores, floors and distances of walls",
+                    "ncsim measure samples/simple.nc --json simple.json"},
+              measure);
+        visit(About{"init", "Write a first job file for programs, with all assumptions",
+                    "ncsim init top.nc back.nc"},
+              init);
+        visit(About{"sheet", "Write the set-up sheet of a job: tools, stock, zero, fixtures",
+                    "ncsim sheet samples/two-sides/job.toml --html sheet.html"},
+              sheet);
+        visit(About{"explain", "Explain a block: modes and their lines, moves, volume",
+                    "ncsim explain samples/simple.nc:14"},
+              explain);
+        visit(About{"rules", "Explain the rules of ncsim check", nullptr}, rules);
+    }
+
+    static constexpr const char* kRunExample =
+        "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
+};
+
+// Adds the command `name`; all commands if none has this name, because adding the options of all
+// commands takes longer than a small program.
+void add_commands(cli::App& app, Commands& commands, std::string_view name) {
+    bool is_named = false;
+    commands.each([&](const About& about, const auto&) { is_named |= about.name == name; });
+    commands.each([&](const About& about, auto& options) {
+        if (is_named && about.name != name) return;
+        cli::App* const command = app.add_subcommand(std::string(about.name), about.summary);
+        add_options(*command, options);
+        if (about.example) command->footer(footer(about.example));
+    });
+}
+
+// Checks and completes the options of the command on the command line, `words`.
+void finish(Options& o, const cli::App& command, const std::vector<std::string>&) {
+    complete(o);
+    o.words = words_of_tile(command);
+}
+void finish(CheckOptions& o, const cli::App& command, const std::vector<std::string>& words) {
+    complete(o);
+    o.words = words;
+    o.given = specified_options(command);
+    o.specified = settings_of(command);
+    o.tile_words = words_of_tile(command);
+}
+void finish(DiffOptions& o, const cli::App& command, const std::vector<std::string>&) {
+    complete(o);
+    o.words = words_of(command, [](const cli::Option&) { return true; });
+    o.words.erase(std::ranges::find(o.words, "--"), o.words.end());
+}
+template <class Of>
+void finish(Of& o, const cli::App&, const std::vector<std::string>&) {
+    if constexpr (requires { complete(o); }) complete(o);
+}
+
 }  // namespace
+
+std::set<std::string> option_names(const std::string& command) {
+    cli::App app("", "");
+    Commands commands;
+    add_commands(app, commands, command);
+    std::set<std::string> names;
+    for (const cli::Option* option : app.subcommands().front()->options()) {
+        for (const std::string& name : option->long_names())
+            names.insert(name);
+    }
+    return names;
+}
 
 Command parse_options(const std::vector<std::string>& arguments) {
     cli::App app{"ncsim simulates and verifies NC milling programs.", "ncsim"};
@@ -101,56 +212,12 @@ Command parse_options(const std::vector<std::string>& arguments) {
     bool verbose = false;
     app.add_flag("--verbose", verbose, "With --version: libraries and licences");
     app.require_subcommand();
-    const char* const run_example =
-        "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
-    app.footer(fmt::format("\nTopics:\n{}{}Example: {}", topic_list(), kExitCodes, run_example));
+    app.footer(
+        fmt::format("\nTopics:\n{}{}Example: {}", topic_list(), kExitCodes, Commands::kRunExample));
 
     const std::vector<std::string> words = as_options(arguments);
-    // Adding the options of all commands would take longer than a small program.
-    constexpr std::string_view kCommands[] = {"run",   "parse", "tools",   "check",
-                                              "merge", "diff",  "machine", "measure",
-                                              "rules", "init",  "sheet",   "explain"};
-    const bool is_named =
-        !words.empty() && std::ranges::find(kCommands, words[0]) != std::ranges::end(kCommands);
-    const auto add = [&](std::string_view name, auto add_command, auto& options,
-                         const char* example) -> cli::App* {
-        if (is_named && words[0] != name) return nullptr;
-        cli::App* command = add_command(app, options);
-        if (example) command->footer(footer(example));
-        return command;
-    };
-    Options run_options;
-    ParseOptions parse_options;
-    ToolsOptions tools_options;
-    CheckOptions check_options;
-    MergeOptions merge_options;
-    DiffOptions diff_options;
-    MachineOptions machine_options;
-    MeasureOptions measure_options;
-    RulesOptions rules_options;
-    InitOptions init_options;
-    SheetOptions sheet_options;
-    ExplainOptions explain_options;
-    cli::App* run = add("run", add_run, run_options, run_example);
-    add("parse", add_parse, parse_options, "ncsim parse samples/simple.nc --canonical");
-    cli::App* tools = add("tools", add_tools, tools_options,
-                          "ncsim tools samples/complex.nc --save-job complex.toml");
-    cli::App* check =
-        add("check", add_check, check_options, "ncsim check samples/simple.nc samples/complex.nc");
-    cli::App* merge =
-        add("merge", add_merge, merge_options, "ncsim merge results/ --sarif all.sarif");
-    cli::App* diff = add("diff", add_diff, diff_options, "ncsim diff old.nc new.nc --tol 0.01");
-    cli::App* machine = add("machine", add_machine, machine_options,
-                            "ncsim machine samples/machines/trt.toml --pose A-30,C45");
-    cli::App* measure = add("measure", add_measure, measure_options,
-                            "ncsim measure samples/simple.nc --json simple.json");
-    cli::App* init = add("init", add_init, init_options, "ncsim init top.nc back.nc");
-    cli::App* sheet = add("sheet", add_sheet, sheet_options,
-                          "ncsim sheet samples/two-sides/job.toml --html sheet.html");
-    cli::App* explain =
-        add("explain", add_explain, explain_options, "ncsim explain samples/simple.nc:14");
-    cli::App* rules = add("rules", add_rules, rules_options, nullptr);
-
+    Commands commands;
+    add_commands(app, commands, words.empty() ? "" : words[0]);
     if (!words.empty() && words[0] == "help") return help_of(words[1], app);
     try {
         const cli::App::Outcome outcome = app.parse(words);
@@ -167,51 +234,13 @@ Command parse_options(const std::vector<std::string>& arguments) {
         }
         if (verbose) throw Refusal{"--verbose stands with --version, or behind a command"};
         refuse_empty_names(*chosen);
-        if (chosen == run) {
-            complete(run_options);
-            run_options.words = words_of_part(*run);
-            return run_options;
-        }
-        if (chosen == tools) {
-            complete(tools_options);
-            return tools_options;
-        }
-        if (chosen == check) {
-            complete(check_options);
-            check_options.words = words;
-            check_options.given = specified_options(*check);
-            check_options.specified = settings_of(*check);
-            check_options.tile_words = words_of_check(*check);
-            return check_options;
-        }
-        if (chosen == merge) return merge_options;
-        if (chosen == diff) {
-            complete(diff_options);
-            diff_options.words = words_of(*diff, [](const std::string&) { return true; });
-            diff_options.words.erase(std::ranges::find(diff_options.words, "--"),
-                                     diff_options.words.end());
-            return diff_options;
-        }
-        if (chosen == machine) return machine_options;
-        if (chosen == measure) {
-            complete(measure_options);
-            return measure_options;
-        }
-        if (chosen == rules) return rules_options;
-        if (chosen == sheet) {
-            complete(sheet_options);
-            return sheet_options;
-        }
-        if (chosen == explain) {
-            complete(explain_options);
-            return explain_options;
-        }
-        if (chosen == init) {
-            complete(init_options);
-            return init_options;
-        }
-        complete(parse_options);
-        return parse_options;
+        Command result;
+        commands.each([&](const About& about, auto& options) {
+            if (about.name != chosen->name()) return;
+            finish(options, *chosen, words);
+            result = std::move(options);
+        });
+        return result;
     } catch (const cli::UsageError& e) {
         const std::string of = app.chosen() == &app ? "" : app.chosen()->name() + " ";
         std::string what = mistyped(app, words);

@@ -16,6 +16,7 @@
 #include "options/merge_options.h"
 #include "options/run_options.h"
 
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +33,10 @@ struct EarlyExit {
 using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
                              DiffOptions, MachineOptions, MeasureOptions, RulesOptions, InitOptions,
                              SheetOptions, ExplainOptions, EarlyExit>;
+
+/// Returns the long names of the options of a command, without dashes.
+/// Requires: `command` is the name of a command.
+std::set<std::string> option_names(const std::string& command);
 
 /// Parses the command line. Accepts any arguments.
 Command parse_options(const std::vector<std::string>& arguments);

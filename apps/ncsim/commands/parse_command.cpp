@@ -8,6 +8,7 @@
 #include "ncsim/report/listing.h"
 #include "ncsim/setup/job.h"
 
+#include "options/option_row.h"
 #include "system/console.h"
 
 #include <fmt/format.h>
@@ -21,29 +22,30 @@ namespace ncsim::app {
 namespace {
 
 // Returns the row in the table of controls.
-const gcode::ControlCodes* known_control(const std::string& name) {
+const gcode::ControlCodes* known_control(const char* option, const std::string& name) {
     if (const gcode::ControlCodes* control = gcode::find_control_codes(name)) return control;
     std::vector<std::string_view> names;
     for (const gcode::ControlCodes& control : gcode::all_control_codes())
         names.push_back(control.name);
-    throw Refusal{fmt::format("--for '{}': expected {}", name, fmt::join(names, ", "))};
+    throw Refusal{fmt::format("{} '{}': expected {}", option, name, fmt::join(names, ", "))};
 }
 
 }  // namespace
 
-cli::App* add_parse(cli::App& app, ParseOptions& options) {
-    cli::App* parse = app.add_subcommand("parse", "Show how a program is read: blocks or motions");
-    add_program_options(*parse, options);
-    parse->begin_group("Outputs");
-    parse->add_flag("--canonical", options.canonical, "Motions, in mm and degrees");
-    parse
-        ->add_option_function<std::string>(
-            "--for", [&options](const std::string& name) { options.control = known_control(name); },
-            "Codes that this control does not have: grbl, haas, …")
-        ->type_name("CONTROL")
-        ->excludes("--canonical");
-    parse->add_flag("--json", options.json, "JSON, an object per line");
-    return parse;
+void add_options(cli::App& parse, ParseOptions& o) {
+    using P = ParseOptions;
+    static constexpr OptionRow<P> kRows[] = {
+        {"--canonical", "", "Outputs", kWork, "Motions, in mm and degrees", store<&P::canonical>},
+        {"--for",
+         "CONTROL",
+         "Outputs",
+         kWork,
+         "Codes that this control does not have: grbl, haas, …",
+         read<&P::control, known_control>,
+         {.excludes = "--canonical"}},
+        {"--json", "", "Outputs", kWork, "JSON, an object per line", store<&P::json>}};
+    add_program_options(parse, o);
+    add_rows(parse, kRows, o);
 }
 
 int run(const ParseOptions& options) {

@@ -16,9 +16,9 @@ struct ParseOptions : ProgramOptions {
     const gcode::ControlCodes* control = nullptr;
 };
 
-/// Adds the command `parse` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_parse(cli::App& app, ParseOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, ParseOptions& options);
 
 /// Prints the blocks or motions to the standard output, and messages to stderr.
 /// Throws: std::runtime_error on an environment failure.

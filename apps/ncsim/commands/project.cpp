@@ -26,13 +26,13 @@ namespace ncsim::app {
 
 namespace {
 
-std::runtime_error error_at(const setup::ProjectSetting& setting, const std::string& what) {
+std::runtime_error error_at(const setup::OptionSetting& setting, const std::string& what) {
     return std::runtime_error(fmt::format("{}: {}", setting.where, what));
 }
 
 // Returns a setting as words of a command line; file names are relative to the folder of the
 // project.
-std::vector<std::string> setting_words(const setup::ProjectSetting& setting,
+std::vector<std::string> setting_words(const setup::OptionSetting& setting,
                                        const std::string& folder) {
     const std::optional<OptionKind> kind = kind_of_check_option(setting.option);
     if (!kind) {
@@ -66,44 +66,6 @@ std::vector<std::string> setting_words(const setup::ProjectSetting& setting,
     return words;
 }
 
-// Returns the long names of the options that `add_command` adds.
-template <class Of, class AddCommand>
-std::set<std::string> names_of(AddCommand add_command) {
-    cli::App app("", "");
-    Of ignored;
-    std::set<std::string> names;
-    for (const cli::Option* option : add_command(app, ignored)->options()) {
-        for (const std::string& name : option->long_names())
-            names.insert(name);
-    }
-    return names;
-}
-
-std::set<std::string> names_of(const Options&) {
-    return names_of<Options>(add_run);
-}
-std::set<std::string> names_of(const ParseOptions&) {
-    return names_of<ParseOptions>(add_parse);
-}
-std::set<std::string> names_of(const ToolsOptions&) {
-    return names_of<ToolsOptions>(add_tools);
-}
-std::set<std::string> names_of(const DiffOptions&) {
-    return names_of<DiffOptions>(add_diff);
-}
-std::set<std::string> names_of(const MeasureOptions&) {
-    return names_of<MeasureOptions>(add_measure);
-}
-std::set<std::string> names_of(const ExplainOptions&) {
-    return names_of<ExplainOptions>(add_explain);
-}
-std::set<std::string> names_of(const SheetOptions&) {
-    return names_of<SheetOptions>(add_sheet);
-}
-std::set<std::string> names_of(const CheckOptions&) {
-    return names_of<CheckOptions>(add_check);
-}
-
 // Returns the key of a job file with the same meaning as an option.
 std::string key_of(std::string option) {
     std::ranges::replace(option, '-', '_');
@@ -122,9 +84,9 @@ bool is_quiet(const std::vector<std::string>& words) {
 
 // Returns the job file: of the command line, otherwise of the project.
 std::string job_of(const ProgramOptions& options,
-                   const std::vector<setup::ProjectSetting>& settings, const std::string& folder) {
+                   const std::vector<setup::OptionSetting>& settings, const std::string& folder) {
     if (!options.job.empty()) return options.job;
-    for (const setup::ProjectSetting& setting : settings) {
+    for (const setup::OptionSetting& setting : settings) {
         if (setting.option == "job" && setting.values.size() == 1)
             return setup::seen_in(folder, setting.values[0]);
     }
@@ -133,7 +95,7 @@ std::string job_of(const ProgramOptions& options,
 
 // Prints where each value of a completed command line comes from.
 void print_sources(const std::vector<std::string>& arguments, const JobValues& job,
-                   const std::vector<setup::ProjectSetting>& settings,
+                   const std::vector<setup::OptionSetting>& settings,
                    const std::function<bool(const std::string&)>& given) {
     std::string text;
     const auto end = std::ranges::find(arguments, "--");
@@ -147,7 +109,7 @@ void print_sources(const std::vector<std::string>& arguments, const JobValues& j
     }
     for (const std::string& line : job.lines(given))
         text += fmt::format("setting  {}\n", line);
-    for (const setup::ProjectSetting& setting : settings)
+    for (const setup::OptionSetting& setting : settings)
         if (!given(setting.option)) text += fmt::format("setting  {}\n", line_of(setting));
     print_error(text);
 }
@@ -171,7 +133,7 @@ bool is_given(const std::vector<std::string>& words, const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> words_of_setting(const setup::ProjectSetting& setting,
+std::vector<std::string> words_of_setting(const setup::OptionSetting& setting,
                                           const std::string& folder) {
     std::vector<std::string> words = setting_words(setting, folder);
     // Each setting is tried separately, so a message can name the place of a fault.
@@ -186,12 +148,12 @@ std::vector<std::string> words_of_setting(const setup::ProjectSetting& setting,
 }
 
 std::vector<std::string> with_settings(std::vector<std::string> words,
-                                       const std::vector<setup::ProjectSetting>& settings,
+                                       const std::vector<setup::OptionSetting>& settings,
                                        const std::string& folder,
                                        const std::function<bool(const std::string&)>& accepts) {
     // Inserted before "--": a list option would otherwise take the following program as a value.
     auto end = std::ranges::find(words, "--");
-    for (const setup::ProjectSetting& setting : settings) {
+    for (const setup::OptionSetting& setting : settings) {
         // A fault is an error of every command, also of those without the option.
         const std::vector<std::string> more = words_of_setting(setting, folder);
         if (!accepts(setting.option)) continue;
@@ -235,10 +197,10 @@ const setup::PlacedValue* JobValues::value_of(const std::string& option,
     return found(key_of(option));
 }
 
-std::vector<setup::ProjectSetting> JobValues::without_own(
-    std::vector<setup::ProjectSetting> settings, std::vector<std::string>& overridden) const {
-    std::vector<setup::ProjectSetting> rest;
-    for (setup::ProjectSetting& setting : settings) {
+std::vector<setup::OptionSetting> JobValues::without_own(
+    std::vector<setup::OptionSetting> settings, std::vector<std::string>& overridden) const {
+    std::vector<setup::OptionSetting> rest;
+    for (setup::OptionSetting& setting : settings) {
         const auto note = [&](const setup::PlacedValue& own, const std::string& value) {
             const bool is_same = own.text == value || own.text == '"' + value + '"';
             if (is_same) return;
@@ -275,7 +237,7 @@ std::vector<std::string> JobValues::lines(
     return lines;
 }
 
-std::string line_of(const setup::ProjectSetting& setting) {
+std::string line_of(const setup::OptionSetting& setting) {
     const std::string value = setting.is_flag ? (setting.is_on ? "true" : "false")
                                               : fmt::format("{}", fmt::join(setting.values, ", "));
     return fmt::format("{} = {}  {}", setting.option, value, setting.where);
@@ -293,7 +255,7 @@ Command options_with_project(const std::vector<std::string>& arguments) {
                 constexpr bool kIsCheck = std::is_same_v<Of, CheckOptions>;
                 setup::InputSet inputs;
                 std::optional<setup::ProjectFile> project;
-                std::vector<setup::ProjectSetting> settings;
+                std::vector<setup::OptionSetting> settings;
                 const std::string& program =
                     options.program.empty() ? options.job : options.program;
                 if (!options.no_project && !kIsCheck && !program.empty()) {
@@ -305,7 +267,7 @@ Command options_with_project(const std::vector<std::string>& arguments) {
                 const std::string folder = project ? project->folder : std::string();
                 const JobValues job(job_of(options, settings, folder), inputs);
                 if (!project && job.settings().empty() && !options.verbose) return;
-                const std::set<std::string> known = names_of(options);
+                const std::set<std::string> known = option_names(arguments.front());
                 const auto given = [&](const std::string& option) {
                     return is_given(arguments, option);
                 };

@@ -18,12 +18,12 @@ namespace ncsim::app {
 /// Returns a setting as words of a command line; file names are relative to `folder`, the folder of
 /// the project.
 /// Throws: std::runtime_error with file, line and column if `ncsim check` refuses the setting.
-std::vector<std::string> words_of_setting(const setup::ProjectSetting& setting,
+std::vector<std::string> words_of_setting(const setup::OptionSetting& setting,
                                           const std::string& folder);
 
 /// Returns the command line `words` with the settings whose options `accepts`.
 std::vector<std::string> with_settings(std::vector<std::string> words,
-                                       const std::vector<setup::ProjectSetting>& settings,
+                                       const std::vector<setup::OptionSetting>& settings,
                                        const std::string& folder,
                                        const std::function<bool(const std::string&)>& accepts);
 
@@ -35,11 +35,11 @@ public:
     JobValues(const std::string& path, setup::InputSet& inputs);
 
     /// Options in the job: machine, tool tables, accuracy, rules.
-    const std::vector<setup::ProjectSetting>& settings() const { return file_.settings; }
+    const std::vector<setup::OptionSetting>& settings() const { return file_.settings; }
     const std::string& folder() const { return folder_; }
     /// Removes the values of `settings` that the job specifies, too: the same option, tool,
     /// variable or register. Adds a line to `overridden` for each removed value that differs.
-    std::vector<setup::ProjectSetting> without_own(std::vector<setup::ProjectSetting> settings,
+    std::vector<setup::OptionSetting> without_own(std::vector<setup::OptionSetting> settings,
                                                    std::vector<std::string>& overridden) const;
     /// Returns a line for each value of the job, with its place, except the options `given`.
     std::vector<std::string> lines(const std::function<bool(const std::string&)>& given) const;
@@ -52,7 +52,7 @@ private:
 };
 
 /// Returns a line for --verbose about a setting: name, value, place.
-std::string line_of(const setup::ProjectSetting& setting);
+std::string line_of(const setup::OptionSetting& setting);
 
 /// Parses a command line that was completed from ncsim.toml.
 /// Throws: std::runtime_error if the command refuses an option.

@@ -12,6 +12,7 @@
 #include "ncsim/simulation/survey.h"
 
 #include "options/job_steps.h"
+#include "options/option_row.h"
 #include "options/plan_options.h"
 #include "system/console.h"
 #include "system/output.h"
@@ -75,26 +76,19 @@ report::SheetSetUp sheet_of(const simulation::Plan& plan, const simulation::Surv
 
 }  // namespace
 
-cli::App* add_sheet(cli::App& app, SheetOptions& o) {
-    cli::App* sheet = app.add_subcommand(
-        "sheet", "Write the set-up sheet of a job: tools, stock, zero, fixtures");
-    add_program_options(*sheet, o);
-    add_setup_options(*sheet, o);
-    sheet->begin_group("Machine");
-    sheet
-        ->add_option("--machine", o.machine,
-                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
-        ->type_name("FILE");
-    sheet->begin_group("Outputs");
-    add_report_unit(*sheet, o);
-    sheet->add_option("--html", o.html, "Sheet, HTML; a page on paper for each set-up")
-        ->type_name("FILE");
-    return sheet;
+void add_options(cli::App& sheet, SheetOptions& o) {
+    using S = SheetOptions;
+    static constexpr OptionRow<S> kRows[] = {{"--html", "FILE", "Outputs", kWork,
+                                              "Sheet, HTML; a page on paper for each set-up",
+                                              store<&S::html>}};
+    add_program_options(sheet, o);
+    add_setup_options(sheet, o);
+    add_rows(sheet, kRows, o);
+    add_report_unit(sheet, o);
 }
 
 void complete(SheetOptions& o) {
     complete(static_cast<ProgramOptions&>(o));
-    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     if (o.html.empty()) throw Refusal{"sheet: name the file to write: --html sheet.html"};
 }
 
@@ -103,7 +97,6 @@ int run(const SheetOptions& options) {
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    if (!options.machine.empty()) inputs.expect(options.machine);
     outputs.reserve(options.html);
     const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
     setup::JobFile file;
@@ -113,7 +106,7 @@ int run(const SheetOptions& options) {
     bool faulty = false;
     const auto add = [&](const SheetOptions& one, const ChosenStep* step) {
         const SimulationOptions usual;
-        simulation::Plan plan = plan_for(one, usual, one.machine, inputs);
+        simulation::Plan plan = plan_for(one, usual, inputs);
         const auto machine = simulation::machine_for(one.machine, plan.job, inputs);
         if (machine) (void)simulation::apply_machine(plan, *machine);
         const simulation::Survey& facts = surveys.emplace_back(simulation::survey(plan));

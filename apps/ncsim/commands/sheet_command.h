@@ -10,13 +10,12 @@
 namespace ncsim::app {
 
 struct SheetOptions : ProgramOptions {
-    std::string machine;  ///< Machine file.
-    std::string html;     ///< Output file.
+    std::string html;  ///< Output file.
 };
 
-/// Adds the command `sheet` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_sheet(cli::App& app, SheetOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, SheetOptions& options);
 /// Checks `options` after all options were read.
 /// Throws: Refusal.
 void complete(SheetOptions& options);

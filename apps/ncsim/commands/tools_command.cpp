@@ -16,6 +16,7 @@
 #include "ncsim/simulation/survey.h"
 
 #include "options/job_steps.h"
+#include "options/option_row.h"
 #include "options/plan_options.h"
 #include "run/save_job.h"
 #include "system/console.h"
@@ -31,25 +32,19 @@
 
 namespace ncsim::app {
 
-cli::App* add_tools(cli::App& app, ToolsOptions& options) {
-    cli::App* tools =
-        app.add_subcommand("tools", "List the tools of a program: shape, source, use, conflicts");
-    add_program_options(*tools, options);
-    add_setup_options(*tools, options);
-    tools->begin_group("Machine");
-    tools
-        ->add_option("--machine", options.machine,
-                     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
-        ->type_name("FILE");
-    tools->begin_group("Outputs");
-    add_report_unit(*tools, options);
-    tools->add_flag("--json", options.json, "JSON");
-    tools->add_flag("--quiet,-q", options.quiet, "With --save-job or --convert: no text");
-    tools
-        ->add_option("--convert", options.convert,
-                     "Tools of --tool-table as a job (.toml) or for LinuxCNC (.tbl)")
-        ->type_name("FILE");
-    return tools;
+void add_options(cli::App& tools, ToolsOptions& o) {
+    using T = ToolsOptions;
+    static constexpr OptionRow<T> kRows[] = {
+        {"--json", "", "Outputs", kWork, "JSON", store<&T::json>},
+        {"--convert", "FILE", "Outputs", kWork,
+         "Tools of --tool-table as a job (.toml) or for LinuxCNC (.tbl)", store<&T::convert>},
+        {"--quiet,-q", "", "Outputs", kText, "With --save-job or --convert: no text",
+         store<&T::quiet>}};
+    add_program_options(tools, o);
+    add_setup_options(tools, o);
+    add_save_job(tools, o);
+    add_rows(tools, kRows, o);
+    add_report_unit(tools, o);
 }
 
 namespace {
@@ -61,7 +56,7 @@ constexpr std::string_view kTableEnding = ".tbl";
 int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::InputSet& inputs,
                 OutputSet& outputs, std::string* json) {
     const SimulationOptions usual;
-    simulation::Plan plan = plan_for(options, usual, options.machine, inputs);
+    simulation::Plan plan = plan_for(options, usual, inputs);
     // Counted without the machine.
     const report::Plunges plunges = simulation::plunges_of(plan);
     if (const auto machine = simulation::machine_for(options.machine, plan.job, inputs))
@@ -150,7 +145,6 @@ int run(const ToolsOptions& options) {
     if (options.json) outputs.claim_standard_output("--json");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    if (!options.machine.empty()) inputs.expect(options.machine);
     const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
     if (steps.size() < 2) {
         ToolsOptions one = options;

@@ -10,15 +10,14 @@
 namespace ncsim::app {
 
 struct ToolsOptions : ProgramOptions {
-    std::string machine;  ///< Offsets and kinematics.
     bool json = false;
     bool quiet = false;   ///< No sheet; only with a file to write.
     std::string convert;  ///< Job file or table of LinuxCNC to write, instead of a sheet.
 };
 
-/// Adds the command `tools` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_tools(cli::App& app, ToolsOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, ToolsOptions& options);
 
 /// Throws: Refusal if a program is missing, or specified with `convert`.
 void complete(ToolsOptions& options);

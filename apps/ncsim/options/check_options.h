@@ -23,21 +23,18 @@
 
 namespace ncsim::app {
 
-/// Options of `ncsim check`. `program` and `save_job` are not used, because there may be many
-/// programs.
+/// Options of `ncsim check`. `program` is not used, because there may be many programs.
 struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions, PictureOptions {
     std::vector<std::string> programs;
     /// Steps of the job for the programs of the list; empty if the programs are no job.
     std::vector<std::size_t> steps;
-    std::string list;          ///< File with further programs, a path a line.
-    std::string shard;         ///< "3/200", "auto"; empty: all programs.
-    std::uint32_t shards = 0;  ///< Number of shards if "auto" cannot determine the number.
-    ShardNumber number;        ///< Value of `shard` with `shards`, or of `tile`.
-    std::string out;           ///< Folder for the results of a shard.
-    bool isolate = false;      ///< Each program runs in a separate process.
-    bool redo = false;         ///< Repeat a shard or tile whose result exists.
-    std::string tile;          ///< "17/64", "auto"; empty: the whole part.
-    std::string tile_out;      ///< Folder for the result of a tile.
+    std::string list;      ///< File with further programs, a path a line.
+    std::string shard;     ///< "3/200", "auto"; empty: all programs.
+    ShardNumber number;    ///< Value of `shard` or `tile`.
+    std::string out;       ///< Folder for the results of a shard.
+    bool isolate = false;  ///< Each program runs in a separate process.
+    std::string tile;      ///< "17/64", "auto"; empty: the whole part.
+    std::string tile_out;  ///< Folder for the result of a tile.
     /// Words that determine the result of a tile, in canonical form.
     std::vector<std::string> tile_words;
     /// Observations of all tiles, and the files from which the tiles were made; null: the part is
@@ -49,7 +46,6 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions, PictureO
     /// Options on the command line and in the job of the command line, without dashes.
     std::set<std::string> given;
     std::string specified;          ///< Options that determine verdicts, in canonical form.
-    std::string machine;            ///< A machine.toml.
     std::string design;             ///< STL, GLB or STEP.
     double design_tolerance = 0.1;  ///< mm
     std::string baseline;           ///< File of known findings; empty: none.
@@ -78,10 +74,10 @@ std::vector<std::string> inputs_of(const CheckOptions& options);
 /// True if the baseline is both read and written; reading comes first.
 bool rewrites_baseline(const CheckOptions& options);
 
-/// Add the commands `check` and `rules` to `app`, which read into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_check(cli::App& app, CheckOptions& options);
-cli::App* add_rules(cli::App& app, RulesOptions& options);
+/// Add the options of `check` and `rules` to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, CheckOptions& options);
+void add_options(cli::App& command, RulesOptions& options);
 
 /// Kind of value of an option that determines verdicts and is permitted in ncsim.toml.
 struct OptionKind {
@@ -92,11 +88,9 @@ struct OptionKind {
 /// Returns the kind of the option with this long name (without dashes); empty if there is none.
 std::optional<OptionKind> kind_of_check_option(const std::string& name);
 
-/// Returns the options of `command` that determine verdicts, in canonical form: without outputs and
+/// Returns the options of `command` that determine results, in canonical form: without outputs and
 /// the division of work.
 std::string settings_of(const cli::App& command);
-/// Returns a command line with the same verdicts for every division of work.
-std::vector<std::string> words_of_check(const cli::App& command);
 std::set<std::string> specified_options(const cli::App& command);
 
 /// Checks and completes `options` after all options were read.

@@ -6,23 +6,47 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace ncsim::app::cli {
 
-Option* Option::type_name(const std::string& name) {
-    option_->type_name(name);
-    return this;
+namespace {
+
+// Returns the unit of a kind of value: " mm" of "MM".
+const char* unit_of(std::string_view type) {
+    constexpr std::pair<std::string_view, const char*> kUnits[] = {
+        {"MM", " mm"}, {"MM3", " mm3"}, {"GB", " GB"}, {"S", " s"}};
+    const auto* const found =
+        std::ranges::find(kUnits, type, [](const auto& u) { return u.first; });
+    return found == std::end(kUnits) ? "" : found->second;
 }
 
-Option* Option::required() {
-    option_->required();
-    return this;
+// Accepts numbers of a range. Text that is not a number, and nan, are rejected by name.
+CLI::Validator number_range(double least, double most, const char* unit) {
+    const auto refused = [=](std::string& text) {
+        double number = 0.0;
+        const bool is_number = CLI::detail::lexical_cast(text, number);
+        if (is_number && number >= least && number <= most) return std::string();
+        return fmt::format("expected {} to {}{}, not {}", least, most, unit, text);
+    };
+    return {refused, ""};
 }
 
-Option* Option::delimiter(char delimiter) {
-    option_->delimiter(delimiter);
-    return this;
+}  // namespace
+
+void Option::describe(const char* type, const char* group, Counts counts, const Limits& limits) {
+    if (*type != '\0') option_->type_name(type);
+    if (*group != '\0') option_->group(group);
+    option_->required(limits.is_required);
+    if (*limits.needs != '\0') option_->needs(limits.needs);
+    if (*limits.excludes != '\0') option_->excludes(limits.excludes);
+    if (limits.least != limits.most)
+        option_->check(number_range(limits.least, limits.most, unit_of(type)));
+    counts_ = counts;
 }
 
 Option* Option::accept_one_value() {
@@ -30,46 +54,14 @@ Option* Option::accept_one_value() {
     return this;
 }
 
-Option* Option::no_extra_values() {
-    option_->allow_extra_args(false);
-    return this;
+Option* Option::accept_list() {
+    option_->delimiter(',');
+    return accept_one_value();
 }
 
-Option* Option::needs(const Option* other) {
-    option_->needs(other->option_);
-    return this;
+std::string Option::text() const {
+    return option_->get_description();
 }
-
-Option* Option::needs(const std::string& other) {
-    option_->needs(other);
-    return this;
-}
-
-Option* Option::excludes(const std::string& other) {
-    option_->excludes(other);
-    return this;
-}
-
-template <class Number>
-Option* Option::range(Number least, Number most) {
-    option_->check(CLI::Range(least, most).description(""));
-    return this;
-}
-template Option* Option::range(int, int);
-template Option* Option::range(unsigned, unsigned);
-template Option* Option::range(std::uint64_t, std::uint64_t);
-
-Option* Option::number_range(double least, double most) {
-    const auto refused = [least, most](std::string& text) {
-        double number = 0.0;
-        const bool is_number = CLI::detail::lexical_cast(text, number);
-        if (is_number && number >= least && number <= most) return std::string();
-        return fmt::format("expected {:g} to {:g}, not {}", least, most, text);
-    };
-    option_->check(CLI::Validator(refused, ""));
-    return this;
-}
-
 std::string Option::name() const {
     return option_->get_name();
 }
@@ -138,14 +130,6 @@ void App::footer(const std::string& text) {
     app_->footer(text);
 }
 
-void App::after_parsing(std::function<void()> done) {
-    app_->parse_complete_callback(std::move(done));
-}
-
-void App::begin_group(const std::string& name) {
-    app_->option_defaults()->group(name);
-}
-
 Option* App::add(CLI::Option* option) {
     return &options_.emplace_back(option);
 }
@@ -156,13 +140,14 @@ Option* App::add_option(const std::string& name, Value& value, const std::string
 }
 template Option* App::add_option(const std::string&, std::string&, const std::string&);
 template Option* App::add_option(const std::string&, std::vector<std::string>&, const std::string&);
-template Option* App::add_option(const std::string&, int&, const std::string&);
 template Option* App::add_option(const std::string&, unsigned&, const std::string&);
 template Option* App::add_option(const std::string&, std::uint64_t&, const std::string&);
 template Option* App::add_option(const std::string&, double&, const std::string&);
 template Option* App::add_option(const std::string&, std::optional<std::uint32_t>&,
                                  const std::string&);
 template Option* App::add_option(const std::string&, std::optional<int>&, const std::string&);
+template Option* App::add_option(const std::string&, std::optional<std::uint64_t>&,
+                                 const std::string&);
 
 Option* App::add_flag(const std::string& name, bool& value, const std::string& description) {
     return add(app_->add_flag(name, value, description));
@@ -221,10 +206,6 @@ App* App::chosen() {
         if (command->app_->parsed()) return command.get();
     }
     return this;
-}
-
-std::size_t App::count(const std::string& name) const {
-    return app_->count(name);
 }
 
 /// True if `word` is a switch of this command or of a subcommand.

@@ -19,29 +19,43 @@ class Option;
 
 namespace ncsim::app::cli {
 
-/// Option of a command. Setters return the option.
+/// Uses of the value of an option, apart from its effect in the command.
+struct Counts {
+    bool cache = false;    ///< Part of the key of cached verdicts and shards.
+    bool tile = false;     ///< Kept in tiles, for the command that merges the tiles.
+    bool project = false;  ///< Permitted in ncsim.toml.
+    bool merge = false;    ///< Option of ncsim merge for tiles of a part, too.
+};
+inline constexpr Counts kResult{true, true, true};   ///< Determines the part or the verdict.
+inline constexpr Counts kText{true, false, false};   ///< Changes only texts of a result.
+inline constexpr Counts kLook{false, true, false};   ///< Changes only files made of a part.
+inline constexpr Counts kLimit{false, false, true};  ///< Stops a program, and changes no result.
+inline constexpr Counts kWork{};                     ///< Division of the work, and files to write.
+inline constexpr Counts kOfPart{.merge = true};      ///< File that is made of a part.
+
+/// Restrictions of an option.
+struct Limits {
+    double least = 0.0, most = 0.0;  ///< Permitted numbers; no limits if both are equal.
+    const char* needs = "";          ///< Name of an option without which this one is refused.
+    const char* excludes = "";       ///< Name of an option with which this one is refused.
+    bool is_required = false;
+};
+
+/// Option of a command.
 class Option {
 public:
     explicit Option(CLI::Option* option) : option_(option) {}
 
-    Option* type_name(const std::string& name);
-    Option* required();
-    /// Also accepts values separated by `delimiter`.
-    Option* delimiter(char delimiter);
+    /// Sets the properties of a row of a table of options. `type`: kind of value in help; `group`:
+    /// heading in help.
+    void describe(const char* type, const char* group, Counts counts, const Limits& limits);
     /// Accepts one value for each name; the name may be repeated.
     Option* accept_one_value();
-    /// Rejects further values after the first.
-    Option* no_extra_values();
-    Option* needs(const Option* other);
-    Option* needs(const std::string& other);
-    Option* excludes(const std::string& other);
-    /// Accepts `least` to `most`, both included. Number: int, unsigned, std::uint64_t.
-    template <class Number>
-    Option* range(Number least, Number most);
-    /// Accepts `least` to `most`, both included. Rejects text that is not a number, and nan, by
-    /// name.
-    Option* number_range(double least, double most);
+    /// Accepts values separated by commas, too.
+    Option* accept_list();
 
+    Counts counts() const { return counts_; }
+    std::string text() const;
     /// Returns the name as help shows it.
     std::string name() const;
     /// Returns the names that begin with two dashes, without the dashes.
@@ -58,8 +72,8 @@ public:
     std::vector<std::string> values() const;
 
 private:
-    friend class App;
     CLI::Option* option_;
+    Counts counts_;
 };
 
 /// Command, or the program with its commands.
@@ -76,15 +90,9 @@ public:
     void set_version_flag(const std::string& flag, const std::string& text);
     /// Sets the text at the end of help.
     void footer(const std::string& text);
-    /// Calls `done` after all options of the command were read.
-    void after_parsing(std::function<void()> done);
-
-    /// Lists the options that are added from here on under the heading `name` in help.
-    void begin_group(const std::string& name);
 
     /// Adds an option that stores its value in `value`. Value: std::string,
-    /// std::vector<std::string>, int, unsigned, std::uint64_t, double,
-    /// std::optional<std::uint32_t>.
+    /// std::vector<std::string>, unsigned, std::uint64_t, double, and optional numbers.
     /// Requires: `value` outlives the command.
     template <class Value>
     Option* add_option(const std::string& name, Value& value, const std::string& description);
@@ -109,8 +117,6 @@ public:
     App* chosen();
     /// True if `name`, with its dashes, is a switch of this command or of a subcommand.
     bool is_switch(const std::string& name) const;
-    /// Returns the number of occurrences of the option `name` on the command line.
-    std::size_t count(const std::string& name) const;
 
     enum class Outcome : std::uint8_t { Parsed, Help, Version };
     /// Parses `words`, the command line without the name of the program.

@@ -17,8 +17,8 @@ struct MergeOptions : ReportOptions {
     std::vector<std::pair<std::string, std::string>> of_run;
 };
 
-/// Adds the command `merge` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_merge(cli::App& app, MergeOptions& options);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, MergeOptions& options);
 
 }  // namespace ncsim::app

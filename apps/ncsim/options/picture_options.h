@@ -7,10 +7,11 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render_options.h"
 
-#include "options/program_options.h"
+#include "options/option_row.h"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,9 +37,15 @@ struct PictureOptions {
     std::optional<brep::SectionPlane> cut_view;
 };
 
-/// Adds the options to the current group of `command`, which reads into `options`.
-/// Requires: `options` outlives `command`.
-void add_picture_options(cli::App& command, PictureOptions& options);
+/// Limits of --design-tol.
+inline constexpr cli::Limits kDesignTolerances{1e-4, 1e4};
+
+/// Rows of the options of pictures.
+std::span<const OptionRow<PictureOptions>> picture_options();
+
+/// Reads the name of a view. `option` is the option of the message.
+/// Throws: Refusal.
+exporter::View view_named(const char* option, const std::string& name);
 
 /// Throws: Refusal if an option changes pictures that are not written. `outputs`: the options that
 ///     write pictures.

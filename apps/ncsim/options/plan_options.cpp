@@ -8,14 +8,13 @@
 namespace ncsim::app {
 
 simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
-                          const std::string& machine, setup::InputSet& inputs,
-                          const std::stop_token& stop) {
+                          setup::InputSet& inputs, const std::stop_token& stop) {
     return simulation::read_plan(static_cast<const setup::JobOptions&>(program), simulation,
-                                 machine, *program.left_stocks, inputs, stop);
+                                 program.machine, *program.left_stocks, inputs, stop);
 }
 
 simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
-    simulation::Plan plan = plan_for(options, options, options.machine, inputs);
+    simulation::Plan plan = plan_for(options, options, inputs);
     plan.draft = options.draft;
     plan.is_model_specified = options.model_specified;
     plan.needs_exact = needs_exact_part(options);

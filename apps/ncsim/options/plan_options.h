@@ -9,14 +9,12 @@
 #include "options/run_options.h"
 
 #include <stop_token>
-#include <string>
 
 namespace ncsim::app {
 
 /// Reads the files that the options name and returns the plan, as simulation::read_plan().
 simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
-                          const std::string& machine, setup::InputSet& inputs,
-                          const std::stop_token& stop = {});
+                          setup::InputSet& inputs, const std::stop_token& stop = {});
 simulation::Plan plan_for(const Options& options, setup::InputSet& inputs);
 
 }  // namespace ncsim::app

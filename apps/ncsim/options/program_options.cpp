@@ -8,6 +8,8 @@
 #include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/stock.h"
 
+#include "options/option_row.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,91 +29,82 @@ namespace ncsim::app {
 
 namespace {
 
-double read_tolerance(const char* name, double mm) {
-    if (!(mm >= 1e-4 && mm <= 10.0)) {
-        throw Refusal{fmt::format("{}: expected 0.0001 to 10 mm, not {}", name, mm)};
-    }
-    return mm;
-}
-
-toolpath::ToolSpec read_tool(const std::string& text) {
+toolpath::ToolSpec read_tool(const char* option, const std::string& text) {
     std::string message;
     auto spec = toolpath::parse_tool_option(text, message);
-    if (!spec) throw Refusal{"--tool " + message};
+    if (!spec) throw Refusal{fmt::format("{} {}", option, message)};
     return std::move(*spec);
 }
 
-std::vector<toolpath::ToolSpec> read_tools(const std::vector<std::string>& texts) {
-    std::vector<toolpath::ToolSpec> tools;
+void read_tools(const char* option, const std::vector<std::string>& texts, ProgramOptions& o) {
+    std::vector<toolpath::ToolSpec>& tools = o.tools;
     for (const std::string& text : texts) {
-        tools.push_back(read_tool(text));
+        tools.push_back(read_tool(option, text));
         const int number = tools.back().number;
         if (std::count_if(tools.begin(), tools.end(),
                           [number](const auto& t) { return t.number == number; }) > 1) {
-            throw Refusal{fmt::format("--tool: T{} is described twice", number)};
+            throw Refusal{fmt::format("{}: T{} is described twice", option, number)};
         }
     }
-    return tools;
 }
 
-toolpath::ToolSpec read_assumed_tool(const std::string& text) {
+toolpath::ToolSpec read_assumed_tool(const char*, const std::string& text) {
     // Accepts a tool with or without a number, which does not matter.
     const std::size_t equals = text.find('=');
-    auto tool = read_tool("T1=" + text.substr(equals == std::string::npos ? 0 : equals + 1));
+    auto tool =
+        read_tool("--tool", "T1=" + text.substr(equals == std::string::npos ? 0 : equals + 1));
     tool.number = 0;
     return tool;
 }
 
-toolpath::Stock read_stock(const std::string& text) {
+toolpath::Stock read_stock(const char* option, const std::string& text) {
     std::string message;
     const auto stock = setup::specified_stock(text, message);
-    if (!stock) throw Refusal{"--stock " + message};
+    if (!stock) throw Refusal{fmt::format("{} {}", option, message)};
     return *stock;
 }
 
-std::string read_turn(const std::string& text) {
+std::string read_turn(const char* option, const std::string& text) {
     try {
         (void)setup::parse_any_turn(text);
     } catch (const std::invalid_argument& e) {
-        throw Refusal{fmt::format("--stock-turn {}", e.what())};
+        throw Refusal{fmt::format("{} {}", option, e.what())};
     }
     return text;
 }
 
-std::map<std::string, double> read_variables(const std::vector<std::string>& texts) {
-    std::map<std::string, double> variables;
-    for (const std::string& text : texts) {
-        const std::size_t equals = text.find('=');
-        const auto name = setup::variable_name(std::string_view(text).substr(0, equals));
-        const char* const end = text.data() + text.size();
-        double value = 0.0;
-        const bool is_read = equals != std::string::npos && name &&
-                             std::from_chars(text.data() + equals + 1, end, value) ==
-                                 std::from_chars_result{end, std::errc{}};
-        if (!is_read || !std::isfinite(value)) {
-            throw Refusal{
-                fmt::format("--variable '{}': expected #500=1, #<_name>=1, R5=1 or Q5=1", text)};
-        }
-        variables[*name] = value;
-    }
-    return variables;
+// Reads the number behind the first '=' of `text`.
+std::optional<double> number_behind_equals(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) return std::nullopt;
+    const char* const end = text.data() + text.size();
+    double value = 0.0;
+    const auto read = std::from_chars(text.data() + equals + 1, end, value);
+    const bool is_read = read == std::from_chars_result{end, std::errc{}};
+    return is_read && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::map<int, double> read_compensation(const std::vector<std::string>& texts) {
-    std::map<int, double> radii;
+void read_variables(const char* option, const std::vector<std::string>& texts, ProgramOptions& o) {
     for (const std::string& text : texts) {
-        const std::size_t equals = text.find('=');
-        const auto number = setup::compensation_register(std::string_view(text).substr(0, equals));
-        const char* const end = text.data() + text.size();
-        double radius = 0.0;
-        const bool is_read = equals != std::string::npos && number &&
-                             std::from_chars(text.data() + equals + 1, end, radius) ==
-                                 std::from_chars_result{end, std::errc{}};
-        if (!is_read || !std::isfinite(radius))
-            throw Refusal{fmt::format("--compensation '{}': expected D1=0.05, in mm", text)};
-        radii[*number] = radius;
+        const auto name = setup::variable_name(std::string_view(text).substr(0, text.find('=')));
+        const auto value = number_behind_equals(text);
+        if (!name || !value)
+            throw Refusal{
+                fmt::format("{} '{}': expected #500=1, #<_name>=1, R5=1 or Q5=1", option, text)};
+        o.variables[*name] = *value;
     }
-    return radii;
+}
+
+void read_compensation(const char* option, const std::vector<std::string>& texts,
+                       ProgramOptions& o) {
+    for (const std::string& text : texts) {
+        const auto number =
+            setup::compensation_register(std::string_view(text).substr(0, text.find('=')));
+        const auto radius = number_behind_equals(text);
+        if (!number || !radius)
+            throw Refusal{fmt::format("{} '{}': expected D1=0.05, in mm", option, text)};
+        o.compensation[*number] = *radius;
+    }
 }
 
 cda::Vec3 read_triple(const char* option, const std::string& text) {
@@ -120,23 +113,16 @@ cda::Vec3 read_triple(const char* option, const std::string& text) {
     return *triple;
 }
 
-gcode::Dialect read_dialect(const std::string& name) {
-    using gcode::Dialect;
-    for (const Dialect dialect : gcode::kDialectList) {
-        if (name == gcode::name_of(dialect)) return dialect;
-    }
-    throw Refusal{
-        fmt::format("--dialect '{}': expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, "
-                    "sinumerik or sinumerik-iso",
-                    name)};
+gcode::Dialect read_dialect(const char* option, const std::string& name) {
+    std::vector<Choice<gcode::Dialect>> dialects;
+    for (const gcode::Dialect dialect : gcode::kDialectList)
+        dialects.push_back({gcode::name_of(dialect).data(), dialect});
+    return chosen(option, name, dialects);
 }
 
-bool read_inches(const std::string& unit) {
-    if (unit != "mm" && unit != "inch") {
-        throw Refusal{fmt::format("--units '{}': expected mm or inch", unit)};
-    }
-    return unit == "inch";
-}
+constexpr Choice<bool> kUnits[] = {{"mm", false}, {"inch", true}};
+constexpr Choice<report::LengthUnit> kReportUnits[] = {{"mm", report::LengthUnit::Millimetre},
+                                                       {"inch", report::LengthUnit::Inch}};
 
 // Returns "cda or cda-flat".
 std::string names_of(Models models) {
@@ -168,12 +154,6 @@ void require_exact(const SimulationOptions& options, std::string_view what) {
         simulation::model_names([](const simulation::ModelInfo& model) { return model.exact; }))};
 }
 
-void add_program_options(cli::App& command, ProgramOptions& options) {
-    command.add_option("program", options.program, "NC program, or job file (.toml)")
-        ->type_name("FILE");
-    add_language_options(command, options);
-}
-
 void take_job(ProgramOptions& options, std::string& program) {
     if (!setup::is_job_file(program)) return;
     if (!options.job.empty())
@@ -203,20 +183,6 @@ void complete(ProgramOptions& options) {
     }
 }
 
-void add_report_unit(cli::App& command, ProgramOptions& o) {
-    command
-        .add_option_function<std::string>(
-            "--report-units",
-            [&o](const std::string& unit) {
-                if (unit != "mm" && unit != "inch")
-                    throw Refusal{fmt::format("--report-units '{}': expected mm or inch", unit)};
-                o.report_unit =
-                    unit == "inch" ? report::LengthUnit::Inch : report::LengthUnit::Millimetre;
-            },
-            "Unit of lengths in texts, pictures and CSV: mm, inch [mm]")
-        ->type_name("UNIT");
-}
-
 void refuse_foreign_ending(const char* option, const std::string& path,
                            const std::vector<std::string>& endings) {
     static const std::set<std::string, std::less<>> formats{
@@ -231,19 +197,6 @@ void refuse_foreign_ending(const char* option, const std::string& path,
                     std::filesystem::path(path).replace_extension(endings.front()).string())};
 }
 
-void add_design(cli::App& command, std::string& path, double& tolerance_mm,
-                const std::string& purpose) {
-    command.add_option("--design", path, purpose + ": STL (mm), GLB or STEP in G54")
-        ->type_name("FILE");
-    command.add_option("--design-tol", tolerance_mm, "Permitted deviation, mm [0.1]")
-        ->type_name("MM")
-        ->number_range(1e-4, 1e4);
-}
-
-void add_watch(cli::App& command, ProgramOptions& o) {
-    command.add_flag("--watch", o.watch, "Run again when a file changes that was read");
-}
-
 void require_watchable(const ProgramOptions& options, const std::vector<std::string>& inputs,
                        bool is_share) {
     if (!options.watch) return;
@@ -254,147 +207,197 @@ void require_watchable(const ProgramOptions& options, const std::vector<std::str
 
 std::vector<std::string> inputs_of(const ProgramOptions& o) {
     std::vector<std::string> paths = o.tool_tables;
-    for (const std::string* path : {&o.program, &o.job, &o.holders}) {
+    for (const std::string* path : {&o.program, &o.job, &o.holders, &o.machine}) {
         if (!path->empty()) paths.push_back(*path);
     }
     if (o.stock && o.stock->from) paths.push_back(o.stock->from->path);
     return paths;
 }
 
+namespace {
+
+constexpr OptionRow<ProgramOptions> kProgramRows[] = {{"program", "FILE", "", kWork,
+                                                       "NC program, or job file (.toml)",
+                                                       store<&ProgramOptions::program>}};
+
+constexpr OptionRow<ProgramOptions> kLanguageRows[] = {
+    {"--job", "FILE", "Input", kResult, "Job file (TOML): tools, stock and set-up",
+     store<&ProgramOptions::job>},
+    {"--setup", "SETUP", "Input", kResult, "Set-up of the job, by number or name",
+     store<&ProgramOptions::set_up>},
+    {"--verbose", "", "Input", kResult, "Print the source of each setting: file and line",
+     store<&ProgramOptions::verbose>},
+    {"--no-project",
+     "",
+     "Input",
+     {.tile = true},
+     "Ignore ncsim.toml",
+     store<&ProgramOptions::no_project>},
+    {"--dialect", "NAME", "Input", kResult,
+     "Control: rs274, fanuc, haas, grbl, heidenhain, sinumerik … [auto]",
+     read<&ProgramOptions::dialect, read_dialect>},
+    {"--strict", "", "Input", kResult, "Refuse what LinuxCNC refuses",
+     store<&ProgramOptions::strict>},
+    {"--units", "UNIT", "Input", kResult, "Unit if the program has no G20 and no G21: mm, inch",
+     choose<&ProgramOptions::inches, kUnits>},
+    {"--start", "X,Y,Z", "Input", kResult, "Position of the tool at the start in G54, mm",
+     read<&ProgramOptions::start, read_triple>},
+    {"--variable", "NAME=VALUE", "Input", kResult, "Value of a variable at the start, as #500=1",
+     act<read_variables>},
+    {"--compensation", "D1=R", "Input", kResult,
+     "Radius of G41, G42 in register D1, mm; 0: wear only", act<read_compensation>},
+    {"--subprograms", "DIR", "Input", kResult, "Folder with subprograms, after the program's own",
+     store<&ProgramOptions::subprograms>},
+    {"--block-delete", "", "Input", kResult, "Skip blocks that start with '/': on, off",
+     store<&ProgramOptions::block_delete>},
+    {"--increments", "", "Input", kResult, "Read numbers without a point as 0.001 mm: on, off",
+     store<&ProgramOptions::increments>},
+    {"--allow", "WORDS", "Input", kResult, "Ignore these words without a message: G187,M198",
+     store_list<&ProgramOptions::allow>},
+    {"--tool", "TOOL", "Tools and stock", kResult, "Tool, as T1=flat:D10:L22 (below); repeatable",
+     act<read_tools>},
+    {"--tool-table", "FILE", "Tools and stock", kResult,
+     "Tools: tool.tbl, .json, .tools, .fctl, .hsmlib, .camotics",
+     store<&ProgramOptions::tool_tables>},
+    {"--holders", "FILE", "Tools and stock", kResult, "Tool holders (TOML)",
+     store<&ProgramOptions::holders>}};
+
+constexpr OptionRow<ProgramOptions> kSetUpRows[] = {
+    {"--assume-tool", "TOOL", "Tools and stock", kResult,
+     "Tool for all tools that are not described: flat:D6",
+     read<&ProgramOptions::assumed_tool, read_assumed_tool>},
+    {"--stock", "STOCK", "Tools and stock", kResult,
+     "LxWxH, DdxH (below), .stl, .obj, .glb, .wrl, .step, .ncstock",
+     read<&ProgramOptions::stock, read_stock>},
+    {"--stock-turn", "TURNS", "Tools and stock", kResult,
+     "Turn stock from a file about axes: X90,Z-37.5", read<&ProgramOptions::stock_turn, read_turn>},
+    {"--stock-move", "X,Y,Z", "Tools and stock", kResult,
+     "Move stock from a file, after --stock-turn, mm",
+     read<&ProgramOptions::stock_move, read_triple>},
+    {"--machine", "FILE", "Machine", kResult,
+     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion", store<&ProgramOptions::machine>}};
+
+constexpr OptionRow<ProgramOptions> kSaveJobRows[] = {{"--save-job", "FILE", "Outputs", kWork,
+                                                       "Tools, stock and set-up as a job file",
+                                                       store<&ProgramOptions::save_job>}};
+
+constexpr OptionRow<ProgramOptions> kReportUnitRows[] = {
+    {"--report-units", "UNIT", "Outputs", kResult,
+     "Unit of lengths in texts, pictures and CSV: mm, inch [mm]",
+     choose<&ProgramOptions::report_unit, kReportUnits>}};
+
+constexpr OptionRow<ProgramOptions> kWatchRows[] = {{"--watch", "", "Outputs", kWork,
+                                                     "Run again when a file changes that was read",
+                                                     store<&ProgramOptions::watch>}};
+
+void read_tolerance(const char*, const double& mm, SimulationOptions& o) {
+    o.tolerance = mm;
+    o.tolerance_specified = true;
+}
+
+void read_tool_tolerance(const char*, const double& mm, SimulationOptions& o) {
+    o.tool_tolerance = mm;
+    o.tool_tolerance_specified = true;
+}
+
+// Adds --model, whose text has the names of the models of a command.
+template <Models Offered>
+cli::Option* add_model(cli::App& command, const OptionRow<SimulationOptions>& row,
+                       SimulationOptions& o) {
+    const auto take = [&o, option = row.names](const std::string& model) {
+        if (!simulation::find_model(model))
+            throw Refusal{fmt::format("{} '{}': expected {}", option, model, names_of(Offered))};
+        o.model = model;
+    };
+    const std::string text =
+        fmt::format("{}: {} [{}]", row.text, names_of(Offered), simulation::models()[0].name);
+    return command.add_option_function<std::string>(row.names, take, text);
+}
+
+template <Models Offered>
+constexpr OptionRow<SimulationOptions> kSimulationRows[] = {
+    {"--tolerance",
+     "MM",
+     "Accuracy",
+     kResult,
+     "Deviation of arcs and rotary moves, mm [0.005]",
+     act<read_tolerance>,
+     {1e-4, 10.0}},
+    {"--tool-tolerance",
+     "MM",
+     "Accuracy",
+     kResult,
+     "Deviation of round tools, mm [0.05]",
+     act<read_tool_tolerance>,
+     {1e-4, 10.0}},
+    {"--model", "NAME", "Accuracy", kResult, "Workpiece model", add_model<Offered>},
+    {"--threads",
+     "N",
+     "Advanced",
+     kOfPart,
+     "Number of threads; no effect on results",
+     store<&SimulationOptions::threads>,
+     {1, 1024}},
+    {"--max-memory",
+     "GB",
+     "Advanced",
+     kLimit,
+     "Stop with a message above this, GB",
+     store<&SimulationOptions::max_memory_gb>,
+     {1e-6, 1e9}},
+    {"--max-time",
+     "S",
+     "Advanced",
+     kLimit,
+     "Stop with a message after this, s a program",
+     store<&SimulationOptions::max_seconds>,
+     {1e-6, 1e9}}};
+
+}  // namespace
+
+std::string any_of(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+    return text;
+}
+
+void add_program_options(cli::App& command, ProgramOptions& options) {
+    add_rows(command, kProgramRows, options);
+    add_language_options(command, options);
+}
+
 void add_language_options(cli::App& command, ProgramOptions& options) {
-    using Text = const std::string&;
-    ProgramOptions& o = options;
-    command.begin_group("Input");
-    command.add_option("--job", o.job, "Job file (TOML): tools, stock and set-up")
-        ->type_name("FILE");
-    command.add_option("--setup", o.set_up, "Set-up of the job, by number or name")
-        ->type_name("SETUP");
-    command.add_flag("--verbose", o.verbose, "Print the source of each setting: file and line");
-    command.add_flag("--no-project", o.no_project, "Ignore ncsim.toml");
-    command
-        .add_option_function<std::string>(
-            "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
-            "Control: rs274, fanuc, haas, grbl, heidenhain, sinumerik … [auto]")
-        ->type_name("NAME");
-    command.add_flag("--strict", o.strict, "Refuse what LinuxCNC refuses");
-    command
-        .add_option_function<std::string>(
-            "--units", [&o](Text unit) { o.inches = read_inches(unit); },
-            "Unit if the program has no G20 and no G21: mm, inch")
-        ->type_name("UNIT");
-    command
-        .add_option_function<std::string>(
-            "--start", [&o](Text text) { o.start = read_triple("--start", text); },
-            "Position of the tool at the start in G54, mm")
-        ->type_name("X,Y,Z");
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--variable", [&o](const auto& texts) { o.variables = read_variables(texts); },
-            "Value of a variable at the start, as #500=1")
-        ->type_name("NAME=VALUE")
-        ->accept_one_value();
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--compensation",
-            [&o](const auto& texts) { o.compensation = read_compensation(texts); },
-            "Radius of G41, G42 in register D1, mm; 0: wear only")
-        ->type_name("D1=R")
-        ->accept_one_value();
-    command
-        .add_option("--subprograms", o.subprograms,
-                    "Folder with subprograms, after the program's own")
-        ->type_name("DIR")
-        ->accept_one_value();
-    command.add_switch("--block-delete", o.block_delete,
-                       "Skip blocks that start with '/': on, off");
-    command.add_switch("--increments", o.increments,
-                       "Read numbers without a point as 0.001 mm: on, off");
-    command.add_option("--allow", o.allow, "Ignore these words without a message: G187,M198")
-        ->type_name("WORDS")
-        ->delimiter(',');
-    command.begin_group("Tools and stock");
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--tool", [&o](const auto& texts) { o.tools = read_tools(texts); },
-            "Tool, as T1=flat:D10:L22 (below); repeatable")
-        ->type_name("TOOL")
-        ->accept_one_value();
-    command
-        .add_option("--tool-table", o.tool_tables,
-                    "Tools: tool.tbl, .json, .tools, .fctl, .hsmlib, .camotics")
-        ->type_name("FILE")
-        ->accept_one_value();
-    command.add_option("--holders", o.holders, "Tool holders (TOML)")->type_name("FILE");
+    add_rows(command, kLanguageRows, options);
 }
 
 void add_setup_options(cli::App& command, ProgramOptions& options) {
-    using Text = const std::string&;
-    ProgramOptions& o = options;
-    command.begin_group("Tools and stock");
-    command
-        .add_option_function<std::string>(
-            "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },
-            "Tool for all tools that are not described: flat:D6")
-        ->type_name("TOOL");
-    command
-        .add_option_function<std::string>(
-            "--stock", [&o](Text text) { o.stock = read_stock(text); },
-            "LxWxH, DdxH (below), .stl, .obj, .glb, .wrl, .step, .ncstock")
-        ->type_name("STOCK");
-    command
-        .add_option_function<std::string>(
-            "--stock-turn", [&o](Text text) { o.stock_turn = read_turn(text); },
-            "Turn stock from a file about axes: X90,Z-37.5")
-        ->type_name("TURNS");
-    command
-        .add_option_function<std::string>(
-            "--stock-move", [&o](Text text) { o.stock_move = read_triple("--stock-move", text); },
-            "Move stock from a file, after --stock-turn, mm")
-        ->type_name("X,Y,Z");
-    command.add_option("--save-job", o.save_job, "Write tools, stock and set-up as a job file")
-        ->type_name("FILE");
+    add_rows(command, kSetUpRows, options);
+}
+
+void add_save_job(cli::App& command, ProgramOptions& options) {
+    add_rows(command, kSaveJobRows, options);
+}
+
+void add_report_unit(cli::App& command, ProgramOptions& options) {
+    add_rows(command, kReportUnitRows, options);
+}
+
+void add_watch(cli::App& command, ProgramOptions& options) {
+    add_rows(command, kWatchRows, options);
 }
 
 void add_simulation_options(cli::App& command, SimulationOptions& options, Models models) {
-    SimulationOptions& o = options;
-    command.begin_group("Accuracy");
-    command
-        .add_option_function<double>(
-            "--tolerance", [&o](double mm) { o.tolerance = read_tolerance("--tolerance", mm); },
-            "Deviation of arcs and rotary moves, mm [0.005]")
-        ->type_name("MM");
-    command
-        .add_option_function<double>(
-            "--tool-tolerance",
-            [&o](double mm) { o.tool_tolerance = read_tolerance("--tool-tolerance", mm); },
-            "Deviation of round tools, mm [0.05]")
-        ->type_name("MM");
-    command
-        .add_option_function<std::string>(
-            "--model",
-            [&o, models](const std::string& model) {
-                if (!simulation::find_model(model)) {
-                    throw Refusal{
-                        fmt::format("--model '{}': expected {}", model, names_of(models))};
-                }
-                o.model = model;
-            },
-            fmt::format("Workpiece model: {} [{}]", names_of(models), simulation::models()[0].name))
-        ->type_name("NAME");
-    command.begin_group("Advanced");
-    command.add_option("--threads", o.threads, "Number of threads; no effect on results")
-        ->type_name("N")
-        ->range(1, 1024);
-    command.add_option("--max-memory", o.max_memory_gb, "Stop with a message above this, GB")
-        ->type_name("GB")
-        ->number_range(1e-6, 1e9);
-    command.add_option("--max-time", o.max_seconds, "Stop with a message after this, s a program")
-        ->type_name("S")
-        ->number_range(1e-6, 1e9);
+    switch (models) {
+        case Models::All: return add_rows(command, kSimulationRows<Models::All>, options);
+        case Models::Exact: return add_rows(command, kSimulationRows<Models::Exact>, options);
+        case Models::Verifying:
+            return add_rows(command, kSimulationRows<Models::Verifying>, options);
+    }
 }
 
 std::vector<std::string> words_of(const cli::App& command,
-                                  const std::function<bool(const std::string&)>& matters) {
+                                  const std::function<bool(const cli::Option&)>& matters) {
     std::vector<std::string> words{command.name()};
     std::vector<std::string> programs;
     for (const cli::Option* option : command.options()) {
@@ -403,8 +406,8 @@ std::vector<std::string> words_of(const cli::App& command,
             programs = option->values();
             continue;
         }
+        if (!matters(*option)) continue;
         const std::string name = option->long_names().front();
-        if (!matters(name)) continue;
         if (option->is_flag()) {
             words.push_back("--" + name + (option->is_on() ? "" : "=off"));
             continue;
@@ -415,6 +418,10 @@ std::vector<std::string> words_of(const cli::App& command,
     if (!programs.empty()) words.emplace_back("--");
     words.insert(words.end(), programs.begin(), programs.end());
     return words;
+}
+
+std::vector<std::string> words_of_tile(const cli::App& command) {
+    return words_of(command, [](const cli::Option& option) { return option.counts().tile; });
 }
 
 }  // namespace ncsim::app

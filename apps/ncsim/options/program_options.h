@@ -9,35 +9,23 @@
 #include "ncsim/simulation/plan_reader.h"
 
 #include "options/cli.h"
+#include "options/refusal.h"
 
-#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::app {
-
-/// Exit codes of the program; also listed in --help.
-enum ExitCode : int {
-    kClean = 0,
-    kFindings = 1,     ///< The NC program has faults.
-    kEnvironment = 2,  ///< Wrong usage, unreadable input, or an environment failure.
-    kInternalError = 3,
-    kNotProven = 4,  ///< No fault was found, but an unspecified value prevents "clean".
-};
-
-/// Value that the parser of the command line cannot judge. Thrown and caught during parsing, inside
-/// parse_options() only.
-struct Refusal {
-    std::string text;  ///< "--stock '1x2': expected …"
-};
 
 using simulation::LeftStocks;
 using simulation::SimulationOptions;
 
 /// Description of the program and its set-up, and the output file for the description.
 struct ProgramOptions : setup::JobOptions {
+    std::string machine;      ///< Machine file: offsets and kinematics; empty: none.
     std::string save_job;     ///< Job file to write; empty: none.
     bool no_project = false;  ///< Ignore ncsim.toml.
     std::string project;      ///< The ncsim.toml with settings for the program; empty: none.
@@ -49,26 +37,30 @@ struct ProgramOptions : setup::JobOptions {
     std::shared_ptr<LeftStocks> left_stocks = std::make_shared<LeftStocks>();
 };
 
-/// Adds the options to `command`, which reads into `options`. Unusable values throw Refusal during
-/// parsing.
-/// Requires: `options` outlives `command`.
+// The following functions add options to `command`, which reads into `options`. Unusable values
+// throw Refusal during parsing.
+// Requires: `options` outlives `command`.
+
+/// Adds the program and all options about its language and its tools.
 void add_program_options(cli::App& command, ProgramOptions& options);
 /// Adds all program options except the program itself.
 void add_language_options(cli::App& command, ProgramOptions& options);
-/// Adds the stock and the assumed tool, for commands that cut.
+/// Adds the stock, the assumed tool and the machine, for commands that use stock.
 void add_setup_options(cli::App& command, ProgramOptions& options);
+/// Adds --save-job.
+void add_save_job(cli::App& command, ProgramOptions& options);
 /// Adds the unit of the texts, for commands that print lengths.
 void add_report_unit(cli::App& command, ProgramOptions& options);
+/// Adds --watch, for commands that run again when a file changes.
+void add_watch(cli::App& command, ProgramOptions& options);
+/// Models that `--model` offers in the help of a command.
+enum class Models : std::uint8_t { All, Exact, Verifying };
+void add_simulation_options(cli::App& command, SimulationOptions& options, Models models);
+
 /// Throws: Refusal if `path` has the ending of another format, because viewers trust endings. The
 /// message proposes the first of `endings`.
 void refuse_foreign_ending(const char* option, const std::string& path,
                            const std::vector<std::string>& endings);
-/// Adds --design and --design-tol, for commands that compare the part with a design. `purpose`
-/// begins the help.
-void add_design(cli::App& command, std::string& path, double& tolerance_mm,
-                const std::string& purpose);
-/// Adds --watch, for commands that run again when a file changes.
-void add_watch(cli::App& command, ProgramOptions& options);
 /// Checks --watch after all options were read. `is_share`: the command is a shard or a tile.
 /// Throws: Refusal if one of the `inputs` is the standard input, or for a share.
 void require_watchable(const ProgramOptions& options, const std::vector<std::string>& inputs,
@@ -83,13 +75,12 @@ void complete(ProgramOptions& options);
 void require_job_of_set_up(const ProgramOptions& options);
 /// Makes a positional `program` with the ending .toml the job. Throws: Refusal if there is a job.
 void take_job(ProgramOptions& options, std::string& program);
-/// Models that `--model` offers in the help of a command.
-enum class Models : std::uint8_t { All, Exact, Verifying };
-void add_simulation_options(cli::App& command, SimulationOptions& options, Models models);
 /// Returns the words of `command` in canonical form: its name, the options for which `matters` is
-/// true (by long name without dashes), and the positional words.
+/// true, and the positional words.
 std::vector<std::string> words_of(const cli::App& command,
-                                  const std::function<bool(const std::string&)>& matters);
+                                  const std::function<bool(const cli::Option&)>& matters);
+/// Returns a command line that makes the same tiles, for any division of work.
+std::vector<std::string> words_of_tile(const cli::App& command);
 /// Throws Refusal if the selected model does not support verification.
 void require_verifying(const SimulationOptions& options);
 /// Throws Refusal if the selected model has no exact parts, which `what` needs.

@@ -5,20 +5,29 @@
 
 namespace ncsim::app {
 
-void add_report_options(cli::App& command, ReportOptions& o) {
-    command.begin_group("Reports");
-    command.add_option("--json", o.json, "Verdicts, findings and doubts, JSON")->type_name("FILE");
-    command.add_option("--sarif", o.sarif, "Findings and doubts, SARIF 2.1.0")->type_name("FILE");
-    command.add_option("--junit", o.junit, "Suite per program, case per rule, JUnit XML")
-        ->type_name("FILE");
-    command
-        .add_option("--write-baseline", o.write_baseline,
-                    "Findings of this run as known ones, for --baseline")
-        ->type_name("FILE");
-    command.add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
-    command.add_flag("--exit-zero", o.exit_zero, "Exit with 0 despite findings and doubts");
-    command.add_flag("--notes", o.notes, "Print notes, too");
-    command.add_flag("--quiet,-q", o.quiet, "Print findings and doubts only");
+namespace {
+
+constexpr OptionRow<ReportOptions> kReportRows[] = {
+    {"--json", "FILE", "Outputs", kWork, "Verdicts, findings and doubts, JSON",
+     store<&ReportOptions::json>},
+    {"--sarif", "FILE", "Outputs", kWork, "Findings and doubts, SARIF 2.1.0",
+     store<&ReportOptions::sarif>},
+    {"--junit", "FILE", "Outputs", kWork, "Suite per program, case per rule, JUnit XML",
+     store<&ReportOptions::junit>},
+    {"--write-baseline", "FILE", "Outputs", kWork,
+     "Findings of this run as known ones, for --baseline", store<&ReportOptions::write_baseline>},
+    {"--github", "", "Outputs", kWork, "Findings as annotations of GitHub Actions",
+     store<&ReportOptions::github>},
+    {"--exit-zero", "", "Outputs", kWork, "Exit with 0 despite findings and doubts",
+     store<&ReportOptions::exit_zero>},
+    {"--notes", "", "Outputs", kText, "Print notes, too", store<&ReportOptions::notes>},
+    {"--quiet,-q", "", "Outputs", kText, "Print findings and doubts only",
+     store<&ReportOptions::quiet>}};
+
+}  // namespace
+
+std::span<const OptionRow<ReportOptions>> report_options() {
+    return kReportRows;
 }
 
 std::vector<std::string> outputs_of(const ReportOptions& o) {

@@ -3,8 +3,9 @@
 // Outputs of verdicts, for `ncsim check` and `ncsim merge`.
 #pragma once
 
-#include "options/cli.h"
+#include "options/option_row.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,8 @@ struct ReportOptions {
     bool quiet = false;  ///< Only findings.
 };
 
-/// Adds the options to `command`, which reads into `options`.
-/// Requires: `options` outlives `command`.
-void add_report_options(cli::App& command, ReportOptions& options);
+/// Rows of the options of reports.
+std::span<const OptionRow<ReportOptions>> report_options();
 /// Returns the paths of all output files.
 std::vector<std::string> outputs_of(const ReportOptions& options);
 

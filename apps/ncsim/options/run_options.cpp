@@ -9,54 +9,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
-#include <set>
 
 namespace ncsim::app {
 
 namespace {
 
-exporter::Renderer read_renderer(const std::string& name) {
-    if (name == "own") return exporter::Renderer::Own;
-    if (name == "osmesa") return exporter::Renderer::Osmesa;
-    throw Refusal{fmt::format("--renderer '{}': expected own or osmesa", name)};
+constexpr Choice<exporter::Renderer> kRenderers[] = {{"own", exporter::Renderer::Own},
+                                                     {"osmesa", exporter::Renderer::Osmesa}};
+constexpr Choice<exporter::Colouring> kColourings[] = {{"tool", exporter::Colouring::Tool},
+                                                       {"line", exporter::Colouring::Line},
+                                                       {"depth", exporter::Colouring::Depth},
+                                                       {"design", exporter::Colouring::Design}};
+constexpr Choice<FixedBody> kFrames[] = {{"machine", FixedBody::Machine},
+                                         {"part", FixedBody::Part}};
+constexpr Choice<exporter::StepSchema> kStepSchemas[] = {{"ap242", exporter::StepSchema::Ap242},
+                                                         {"ap214", exporter::StepSchema::Ap214}};
+constexpr Choice<StepSurfaces> kStepSurfaces[] = {{"analytic", StepSurfaces::Analytic},
+                                                  {"faceted", StepSurfaces::Faceted}};
+constexpr Choice<simulation::RayDirections> kRays[] = {
+    {"z", simulation::RayDirections::AlongZ}, {"xyz", simulation::RayDirections::AlongAll}};
+
+void read_simplify(const char* option, const double& tolerance, Options& o) {
+    if (tolerance != 0.0 && !(tolerance >= 1e-6 && tolerance <= 1.0))
+        throw Refusal{fmt::format("{} {}: expected 0, or 0.000001 to 1 mm", option, tolerance)};
+    o.simplify = tolerance;
 }
 
-exporter::Colouring read_colouring(const std::string& name) {
-    if (name == "tool") return exporter::Colouring::Tool;
-    if (name == "line") return exporter::Colouring::Line;
-    if (name == "depth") return exporter::Colouring::Depth;
-    if (name == "design") return exporter::Colouring::Design;
-    throw Refusal{fmt::format("--colour '{}': expected tool, line, depth or design", name)};
-}
-
-FixedBody read_frame(const std::string& name) {
-    if (name == "machine") return FixedBody::Machine;
-    if (name == "part") return FixedBody::Part;
-    throw Refusal{fmt::format("--frame '{}': expected machine or part", name)};
-}
-
-exporter::StepSchema read_step_schema(const std::string& name) {
-    if (name == "ap242") return exporter::StepSchema::Ap242;
-    if (name == "ap214") return exporter::StepSchema::Ap214;
-    throw Refusal{fmt::format("--step-schema '{}': expected ap242 or ap214", name)};
-}
-
-simulation::RayDirections read_rays(const std::string& name) {
-    if (name == "z") return simulation::RayDirections::AlongZ;
-    if (name == "xyz") return simulation::RayDirections::AlongAll;
-    throw Refusal{fmt::format("--rays '{}': expected z or xyz", name)};
-}
-
-StepSurfaces read_step_surfaces(const std::string& name) {
-    if (name == "analytic") return StepSurfaces::Analytic;
-    if (name == "faceted") return StepSurfaces::Faceted;
-    throw Refusal{fmt::format("--step-surfaces '{}': expected analytic or faceted", name)};
-}
-
-double read_simplify(double tolerance) {
-    if (tolerance == 0.0 || (tolerance >= 1e-6 && tolerance <= 1.0)) return tolerance;
-    throw Refusal{fmt::format("--simplify {}: expected 0, or 0.000001 to 1 mm", tolerance)};
+void read_sections(const char* option, const std::vector<std::string>& planes, Options& o) {
+    for (const std::string& plane : planes)
+        o.sections.push_back(read_plane(option, plane));
 }
 
 // Chooses the model: the thesis' model for its own views, otherwise the model that scales.
@@ -92,12 +73,32 @@ bool needs_exact_part(const Options& o) {
            !o.stats.empty() || !o.xml.empty() || !o.tile.empty() || o.tiles;
 }
 
+const std::vector<OutputFile>& output_files() {
+    using O = Options;
+    static const std::vector<OutputFile> files{{"--png", &O::png, {".png"}},
+                                               {"--gltf", &O::gltf, {".glb"}},
+                                               {"--vrml", &O::vrml, {".wrl", ".vrml"}},
+                                               {"--stl", &O::stl, {".stl"}},
+                                               {"--ply", &O::ply, {".ply"}},
+                                               {"--3mf", &O::threemf, {".3mf"}},
+                                               {"--step", &O::step, {".step", ".stp", ".p21"}},
+                                               {"--dxf", &O::dxf, {".dxf"}},
+                                               {"--svg", &O::svg, {".svg"}},
+                                               {"--gif", &O::gif, {".gif"}},
+                                               {"--apng", &O::apng, {".apng", ".png"}},
+                                               {"--report", &O::report, {".json"}},
+                                               {"--stats", &O::stats},
+                                               {"--xml", &O::xml},
+                                               {"--save-job", &O::save_job},
+                                               {"--save-stock", &O::save_stock, {".ncstock"}},
+                                               {"--html", &O::html, {".html", ".htm"}}};
+    return files;
+}
+
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
-    for (const std::string* path :
-         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.dxf, &o.svg, &o.gif,
-          &o.apng, &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock, &o.html}) {
-        if (!path->empty()) paths.push_back(*path);
+    for (const OutputFile& file : output_files()) {
+        if (!(o.*file.path).empty()) paths.push_back(o.*file.path);
     }
     return paths;
 }
@@ -124,160 +125,159 @@ bool needs_surface(const Options& o) {
 
 namespace {
 
-void add_outputs(cli::App& run, Options& o) {
-    run.begin_group("Outputs");
-    add_report_unit(run, o);
-    run.add_option("--png", o.png, "Picture of the part")->type_name("FILE");
-    run.add_option("--gif", o.gif, "Animation of the cutting")->type_name("FILE");
-    run.add_option("--apng", o.apng, "Animation in all colours, APNG")->type_name("FILE");
-    run.add_option("--frames", o.frames, "Numbered pictures of the cutting")->type_name("DIR");
-    run.add_option("--html", o.html, "Page on which the program plays; loads nothing")
-        ->type_name("FILE");
-    run.add_option("--every", o.every, "Moves per frame [as many as make 100 frames]")
-        ->range(std::uint64_t{1}, std::uint64_t{1'000'000'000})
-        ->type_name("N");
-    run.add_option("--gltf", o.gltf, "Mesh with the NC line of each face, binary glTF 2.0")
-        ->type_name("FILE");
-    run.add_option("--vrml", o.vrml, "Mesh with the NC line of each face, VRML97")
-        ->type_name("FILE");
-    run.add_option("--ply", o.ply, "Mesh with the NC line of each face, PLY")->type_name("FILE");
-    run.add_option("--stl", o.stl, "Mesh, binary STL")->type_name("FILE");
-    run.add_option("--3mf", o.threemf, "Mesh with a material per tool, 3MF")->type_name("FILE");
-    run.add_option_function<std::vector<std::string>>(
-           "--section",
-           [&o](const std::vector<std::string>& planes) {
-               for (const std::string& plane : planes)
-                   o.sections.push_back(read_plane("--section", plane));
-           },
-           "Plane of a section at x, y or z, mm; repeatable")
-        ->type_name("z=N")
-        ->no_extra_values();
-    run.add_option("--dxf", o.dxf, "Sections as lines and arcs, DXF R12")->type_name("FILE");
-    run.add_option("--svg", o.svg, "Sections as lines and arcs, SVG")->type_name("FILE");
-    run.add_option("--save-stock", o.save_stock, "Part as stock of the next set-up, .ncstock")
-        ->type_name("FILE");
-    cli::Option* const report =
-        run.add_option("--report", o.report, "Volumes, distances, times, JSON")->type_name("FILE");
-    run.add_flag("--block-volumes", o.block_volumes,
-                 "Volume that each block removes, in --report; slower")
-        ->needs(report);
-    run.add_flag("--quiet,-q", o.quiet, "Print errors and warnings only");
-    add_watch(run, o);
-}
+constexpr OptionRow<Options> kRunOutputs[] = {
+    {"--png", "FILE", "Outputs", kOfPart, "Picture of the part", store<&Options::png>},
+    {"--gif", "FILE", "Outputs", kWork, "Animation of the cutting", store<&Options::gif>},
+    {"--apng", "FILE", "Outputs", kWork, "Animation in all colours, APNG", store<&Options::apng>},
+    {"--frames", "DIR", "Outputs", kWork, "Numbered pictures of the cutting",
+     store<&Options::frames>},
+    {"--html", "FILE", "Outputs", kWork, "Page on which the program plays; loads nothing",
+     store<&Options::html>},
+    {"--every",
+     "N",
+     "Outputs",
+     kLook,
+     "Moves per frame [as many as make 100 frames]",
+     store<&Options::every>,
+     {1, 1e9}},
+    {"--gltf", "FILE", "Outputs", kOfPart, "Mesh with the NC line of each face, binary glTF",
+     store<&Options::gltf>},
+    {"--vrml", "FILE", "Outputs", kOfPart, "Mesh with the NC line of each face, VRML97",
+     store<&Options::vrml>},
+    {"--ply", "FILE", "Outputs", kOfPart, "Mesh with the NC line of each face, PLY",
+     store<&Options::ply>},
+    {"--stl", "FILE", "Outputs", kOfPart, "Mesh, binary STL", store<&Options::stl>},
+    {"--3mf", "FILE", "Outputs", kOfPart, "Mesh with a material per tool, 3MF",
+     store<&Options::threemf>},
+    {"--section", "z=N", "Outputs", kLook, "Plane of a section at x, y or z, mm; repeatable",
+     act<read_sections>},
+    {"--dxf", "FILE", "Outputs", kWork, "Sections as lines and arcs, DXF R12",
+     store<&Options::dxf>},
+    {"--svg", "FILE", "Outputs", kWork, "Sections as lines and arcs, SVG", store<&Options::svg>},
+    {"--save-stock", "FILE", "Outputs", kWork, "Part as stock of the next set-up, .ncstock",
+     store<&Options::save_stock>},
+    {"--report", "FILE", "Outputs", kOfPart, "Volumes, distances, times, JSON",
+     store<&Options::report>},
+    {"--block-volumes",
+     "",
+     "Outputs",
+     kLook,
+     "Volume that each block removes, in --report; slower",
+     store<&Options::block_volumes>,
+     {.needs = "--report"}},
+    {"--quiet,-q", "", "Outputs", kText, "Print errors and warnings only", store<&Options::quiet>}};
 
-void add_step_options(cli::App& run, Options& o) {
-    using Text = const std::string&;
-    run.begin_group("STEP");
-    run.add_option("--step", o.step, "Solid with planes, cylinders, cones etc. for CAD")
-        ->type_name("FILE");
-    run.add_option_function<std::string>(
-           "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
-           "analytic or faceted [analytic]")
-        ->type_name("WHAT");
-    run.add_option("--step-refine", o.step_refine, "Cut up to N times more, without limit of work")
-        ->range(0, 6)
-        ->type_name("N");
-    run.add_flag("--step-strict", o.step_strict, "Exit with 2 if round surfaces remain facets");
-    run.add_option_function<std::string>(
-           "--step-schema", [&o](Text name) { o.step_schema = read_step_schema(name); },
-           "ap242, or ap214 for older readers [ap242]")
-        ->type_name("WHAT");
-    run.add_flag("--step-attributes", o.step_attributes, "Line, tool and kind of each face");
-    run.add_option("--step-max-faces", o.step_max_faces,
-                   fmt::format("Refuse larger solids [{}]", exporter::kStepMaxFaces))
-        ->range(1, 1'000'000'000)
-        ->type_name("N");
-}
+constexpr OptionRow<Options> kStepRows[] = {
+    {"--step", "FILE", "STEP", kWork, "Solid with planes, cylinders, cones etc. for CAD",
+     store<&Options::step>},
+    {"--step-surfaces", "WHAT", "STEP", kLook, "analytic or faceted [analytic]",
+     choose<&Options::step_surfaces, kStepSurfaces>},
+    {"--step-refine",
+     "N",
+     "STEP",
+     kLook,
+     "Cut up to N times more, without limit of work",
+     store<&Options::step_refine>,
+     {0, 6}},
+    {"--step-strict", "", "STEP", kLook, "Exit with 2 if round surfaces remain facets",
+     store<&Options::step_strict>},
+    {"--step-schema", "WHAT", "STEP", kLook, "ap242, or ap214 for older readers [ap242]",
+     choose<&Options::step_schema, kStepSchemas>},
+    {"--step-attributes", "", "STEP", kLook, "Line, tool and kind of each face",
+     store<&Options::step_attributes>},
+    {"--step-max-faces",
+     "N",
+     "STEP",
+     kLook,
+     "Refuse larger solids [100000]",
+     store<&Options::step_max_faces>,
+     {1, 1e9}}};
+static_assert(exporter::kStepMaxFaces == 100'000);
 
-void add_drawing_options(cli::App& run, Options& o) {
-    using Text = const std::string&;
-    run.begin_group("Pictures");
-    add_picture_options(run, o);
-    run.add_option_function<std::string>(
-           "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
-           "Meaning of colours: tool, line, depth, design [tool]")
-        ->type_name("WHAT");
-    add_design(run, o.design, o.design_tolerance, "Design of --colour design");
-    run.add_flag("--show-path", o.shows_path, "Draw the tool path, rapid moves dashed");
-    run.add_flag("--show-tool", o.shows_tool, "Draw the tool");
-    run.add_flag("--show-fixtures", o.shows_fixtures, "Draw vises, clamps and other fixtures");
-    run.add_flag("--caption", o.has_caption, "Print size, removed volume and time");
-    run.add_flag("--show-machine", o.shows_machine,
-                 "Draw the machine; in --gltf and --vrml it moves");
-    run.add_option_function<std::string>(
-           "--frame", [&o](Text name) { o.fixed_body = read_frame(name); },
-           "Fixed frame of --show-machine: machine, part [machine]")
-        ->type_name("WHAT")
-        ->needs("--show-machine");
-    run.add_option("--transparent", o.transparent, "Links of the machine to look through, by name")
-        ->delimiter(',')
-        ->type_name("LINKS")
-        ->needs("--show-machine");
-    run.add_option("--at-line", o.at_line, "Stop after line N of the program")
-        ->range(1U, 1'000'000'000U)
-        ->type_name("N");
-    run.add_flag("--draft", o.draft, "Quick first look: guess tools, mark the picture");
-    run.add_option_function<std::string>(
-           "--renderer", [&o](Text name) { o.renderer = read_renderer(name); },
-           "own (same bytes everywhere) or osmesa [own]")
-        ->type_name("NAME");
-}
+constexpr OptionRow<Options> kRunPictures[] = {
+    {"--colour", "WHAT", "Pictures", kLook, "Meaning of colours: tool, line, depth, design [tool]",
+     choose<&Options::colouring, kColourings>},
+    {"--design", "FILE", "Pictures", kLook,
+     "Design of --colour design: STL (mm), GLB or STEP in G54", store<&Options::design>},
+    {"--design-tol", "MM", "Pictures", kLook, "Permitted deviation, mm [0.1]",
+     store<&Options::design_tolerance>, kDesignTolerances},
+    {"--show-path", "", "Pictures", kLook, "Draw the tool path, rapid moves dashed",
+     store<&Options::shows_path>},
+    {"--show-tool", "", "Pictures", kLook, "Draw the tool", store<&Options::shows_tool>},
+    {"--show-fixtures", "", "Pictures", kLook, "Draw vises, clamps and other fixtures",
+     store<&Options::shows_fixtures>},
+    {"--caption", "", "Pictures", kLook, "Print size, removed volume and time",
+     store<&Options::has_caption>},
+    {"--show-machine", "", "Pictures", kLook, "Draw the machine; in --gltf and --vrml it moves",
+     store<&Options::shows_machine>},
+    {"--frame",
+     "WHAT",
+     "Pictures",
+     kLook,
+     "Fixed frame of --show-machine: machine, part [machine]",
+     choose<&Options::fixed_body, kFrames>,
+     {.needs = "--show-machine"}},
+    {"--transparent",
+     "LINKS",
+     "Pictures",
+     kLook,
+     "Links of the machine to look through, by name",
+     store_list<&Options::transparent>,
+     {.needs = "--show-machine"}},
+    {"--at-line",
+     "N",
+     "Pictures",
+     kResult,
+     "Stop after line N of the program",
+     store<&Options::at_line>,
+     {1, 1e9}},
+    {"--draft", "", "Pictures", kResult, "Quick first look: guess tools, mark the picture",
+     store<&Options::draft>},
+    {"--renderer", "NAME", "Pictures", kLook, "own (same bytes everywhere) or osmesa [own]",
+     choose<&Options::renderer, kRenderers>}};
 
-void add_accuracy_options(cli::App& run, Options& o) {
-    run.begin_group("Accuracy");
-    run.add_option_function<double>(
-           "--simplify", [&o](double tolerance) { o.simplify = read_simplify(tolerance); },
-           "Merge faces of meshes and solids within TOL mm")
-        ->type_name("TOL");
-    run.add_option("--resolution", o.resolution,
-                   "Distance of the rays of dexel, mm [1/250 of the stock]")
-        ->type_name("MM")
-        ->number_range(1e-4, 1e4);
-    run.add_option_function<std::string>(
-           "--rays", [&o](const std::string& name) { o.rays = read_rays(name); },
-           "Rays of dexel: z (faster), xyz [by tools and moves]")
-        ->type_name("WHAT");
-}
+constexpr OptionRow<Options> kRunAccuracy[] = {
+    {"--simplify",
+     "TOL",
+     "Accuracy",
+     {.tile = true, .merge = true},
+     "Merge faces of meshes and solids within TOL mm",
+     act<read_simplify>},
+    {"--resolution",
+     "MM",
+     "Accuracy",
+     kResult,
+     "Distance of the rays of dexel, mm [1/250 of the stock]",
+     store<&Options::resolution>,
+     {1e-4, 1e4}},
+    {"--rays", "WHAT", "Accuracy", kResult, "Rays of dexel: z (faster), xyz [by tools and moves]",
+     choose<&Options::rays, kRays>}};
 
-void add_advanced_options(cli::App& run, Options& o) {
-    run.begin_group("Advanced");
-    run.add_option("--tile", o.tile,
-                   "Cut tile I of N only, from 0, for ncsim merge; auto: as CI says")
-        ->type_name("I/N");
-    run.add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
-    run.add_flag("--redo", o.redo, "Cut a tile again although its result exists");
-    run.add_option("--stats", o.stats, "Cost of each hull, CSV (cda-flat)")->type_name("FILE");
-    run.add_option("--xml", o.xml, "Cells of the workpiece, XML (cda-flat)")->type_name("FILE");
-}
+constexpr OptionRow<Options> kRunAdvanced[] = {
+    {"--tile", "I/N", "Advanced", kWork,
+     "Cut tile I of N only, from 0, for ncsim merge; auto: as CI says", store<&Options::tile>},
+    {"--tile-out", "DIR", "Advanced", kWork, "Folder for the result of a tile",
+     store<&Options::tile_out>},
+    {"--stats", "FILE", "Advanced", kWork, "Cost of each hull, CSV (cda-flat)",
+     store<&Options::stats>},
+    {"--xml", "FILE", "Advanced", kWork, "Cells of the workpiece, XML (cda-flat)",
+     store<&Options::xml>}};
 
 }  // namespace
 
-cli::App* add_run(cli::App& app, Options& o) {
-    cli::App* run =
-        app.add_subcommand("run", "Simulate a program; write pictures, meshes and reports");
-    add_program_options(*run, o);
-    add_setup_options(*run, o);
-    run->begin_group("Machine");
-    run->add_option("--machine", o.machine,
-                    "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion")
-        ->type_name("FILE");
-    add_outputs(*run, o);
-    add_step_options(*run, o);
-    add_drawing_options(*run, o);
-    add_simulation_options(*run, o, Models::All);
-    add_accuracy_options(*run, o);
-    add_advanced_options(*run, o);
-    run->after_parsing([run, &o] {
-        o.tolerance_specified = run->count("--tolerance") != 0;
-        o.tool_tolerance_specified = run->count("--tool-tolerance") != 0;
-    });
-    return run;
-}
-
-std::vector<std::string> words_of_part(const cli::App& command) {
-    static const std::set<std::string, std::less<>> others{
-        "tile", "tile-out", "redo", "threads", "quiet", "watch", "max-time", "max-memory"};
-    return words_of(command, [](const std::string& name) { return !others.contains(name); });
+void add_options(cli::App& run, Options& o) {
+    add_program_options(run, o);
+    add_setup_options(run, o);
+    add_rows(run, kRunOutputs, o);
+    add_save_job(run, o);
+    add_report_unit(run, o);
+    add_watch(run, o);
+    add_rows(run, kStepRows, o);
+    add_rows(run, picture_options(), static_cast<PictureOptions&>(o));
+    add_rows(run, kRunPictures, o);
+    add_simulation_options(run, o, Models::All);
+    add_rows(run, kRunAccuracy, o);
+    add_rows(run, kRunAdvanced, o);
 }
 
 namespace {
@@ -287,9 +287,8 @@ void complete_tile(Options& o) {
         throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
                                      : "--tile: where to is its result to go? --tile-out DIR"};
     }
-    if (o.tile.empty() && o.redo) throw Refusal{"--redo is about a --tile"};
     if (o.tile.empty()) return;
-    o.number = shard_number(o.tile, 0, "--tile");
+    o.number = shard_number(o.tile, "--tile");
     if (o.number.of > cda::kMostTiles)
         throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
     if (!outputs_of(o).empty() || !o.frames.empty())
@@ -298,34 +297,6 @@ void complete_tile(Options& o) {
     if (o.model != simulation::models().front().name)
         throw Refusal{
             fmt::format("--tile: of --model {} alone", simulation::models().front().name)};
-}
-
-}  // namespace
-
-namespace {
-
-void refuse_foreign_endings(const Options& o) {
-    struct Output {
-        const char* option;
-        const std::string* path;
-        std::vector<std::string> endings;
-    };
-    const Output outputs[] = {{"--png", &o.png, {".png"}},
-                              {"--gif", &o.gif, {".gif"}},
-                              {"--apng", &o.apng, {".apng", ".png"}},
-                              {"--gltf", &o.gltf, {".glb"}},
-                              {"--vrml", &o.vrml, {".wrl", ".vrml"}},
-                              {"--stl", &o.stl, {".stl"}},
-                              {"--ply", &o.ply, {".ply"}},
-                              {"--3mf", &o.threemf, {".3mf"}},
-                              {"--step", &o.step, {".step", ".stp", ".p21"}},
-                              {"--dxf", &o.dxf, {".dxf"}},
-                              {"--svg", &o.svg, {".svg"}},
-                              {"--html", &o.html, {".html", ".htm"}},
-                              {"--report", &o.report, {".json"}},
-                              {"--save-stock", &o.save_stock, {".ncstock"}}};
-    for (const Output& output : outputs)
-        refuse_foreign_ending(output.option, *output.path, output.endings);
 }
 
 }  // namespace
@@ -344,7 +315,10 @@ void require_finished_part(const Options& o) {
 
 void complete(Options& options) {
     complete(static_cast<ProgramOptions&>(options));
-    refuse_foreign_endings(options);
+    for (const OutputFile& file : output_files()) {
+        if (!file.endings.empty())
+            refuse_foreign_ending(file.option.data(), options.*file.path, file.endings);
+    }
     choose_model(options);
     if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
         throw Refusal{"--dxf and --svg draw sections; specify the plane with --section z=-4"};

@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::app {
@@ -34,7 +35,6 @@ struct Options : ProgramOptions, SimulationOptions, PictureOptions {
     std::vector<std::string> transparent;  ///< Transparent links.
     /// Fixed body in pictures of machine and part.
     FixedBody fixed_body = FixedBody::Machine;
-    std::string machine;  ///< A machine.toml: offsets and kinematics.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
     std::string html;  ///< Page on which the program plays.
 
@@ -74,7 +74,6 @@ struct Options : ProgramOptions, SimulationOptions, PictureOptions {
     std::string tile;                ///< "17/64", "auto"; empty: the whole part.
     ShardNumber number;              ///< Value of `tile`.
     std::string tile_out;            ///< Folder for the result of a tile.
-    bool redo = false;               ///< Repeat a tile whose result exists.
     std::vector<std::string> words;  ///< Words that determine the part, in canonical form.
     /// All tiles, cut before, and the files from which the tiles were made; null: the part is cut
     /// in this run.
@@ -97,14 +96,21 @@ bool needs_surface(const Options& options);
 /// True if an output needs an exact model.
 bool needs_exact_part(const Options& options);
 
+/// Output file of `ncsim run`.
+struct OutputFile {
+    std::string_view option;  ///< Name, with its dashes.
+    std::string Options::*path;
+    std::vector<std::string> endings{};  ///< Endings of the format; empty: any.
+};
+/// Returns the output files that an option can name, in the order of writing.
+const std::vector<OutputFile>& output_files();
+
 /// Returns the paths of all output files.
 std::vector<std::string> outputs_of(const Options& options);
 
-/// Adds the command `run` to `app`, which reads into `options`.
-/// Requires: `options` outlives `app`.
-cli::App* add_run(cli::App& app, Options& options);
-/// Returns a command line that makes the same part: "run", the options that matter, the program.
-std::vector<std::string> words_of_part(const cli::App& command);
+/// Adds the options to `command`, which reads into `options`.
+/// Requires: `options` outlives `command`.
+void add_options(cli::App& command, Options& options);
 /// Checks and completes `options` after all options were read.
 /// Throws: Refusal.
 void complete(Options& options);

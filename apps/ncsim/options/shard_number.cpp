@@ -3,7 +3,7 @@
 // Parses the number of a shard or tile.
 #include "options/shard_number.h"
 
-#include "options/program_options.h"
+#include "options/refusal.h"
 
 #include <fmt/format.h>
 
@@ -31,8 +31,7 @@ std::optional<std::uint32_t> from_environment(const char* name) {
 
 }  // namespace
 
-ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* option) {
-    ShardNumber number;
+ShardNumber shard_number(const std::string& text, const char* option) {
     if (text == "auto") {
         struct Service {
             const char *index, *first, *count;
@@ -40,32 +39,28 @@ ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* 
         // Slurm counts from the beginning of the array, GitLab from 1.
         for (const Service& s :
              {Service{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_COUNT"},
-              Service{"JOB_COMPLETION_INDEX", nullptr, nullptr},
-              Service{"CI_NODE_INDEX", "", "CI_NODE_TOTAL"}}) {
+              Service{"CI_NODE_INDEX", nullptr, "CI_NODE_TOTAL"}}) {
             const auto index = from_environment(s.index);
             if (!index) continue;
-            std::uint32_t first = 0;
-            if (s.first) first = *s.first ? from_environment(s.first).value_or(0) : 1;
-            if (of == 0 && s.count) of = from_environment(s.count).value_or(0);
-            if (of == 0) {
-                throw Refusal{fmt::format(
-                    "{0} auto: {1} is set, but not how many there are: {0}s N, or {0} I/N", option,
-                    s.index)};
+            const std::uint32_t first = s.first ? from_environment(s.first).value_or(0) : 1;
+            const auto of = from_environment(s.count);
+            if (!of) {
+                throw Refusal{fmt::format("{0} auto: {1} is set, but {2} is not: {0} I/N", option,
+                                          s.index, s.count)};
             }
-            if (*index < first || *index - first >= of) {
+            if (*index < first || *index - first >= *of) {
                 throw Refusal{fmt::format("{} auto: {} is {}, of {} from {} on", option, s.index,
-                                          *index, of, first)};
+                                          *index, *of, first)};
             }
-            return {*index - first, of};
+            return {*index - first, *of};
         }
-        throw Refusal{fmt::format(
-            "{} auto: none of SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX, CI_NODE_INDEX is set",
-            option)};
+        throw Refusal{
+            fmt::format("{} auto: neither SLURM_ARRAY_TASK_ID nor CI_NODE_INDEX is set", option)};
     }
     const std::size_t slash = text.find('/');
     const auto shard = number_of(std::string_view(text).substr(0, slash));
     const auto count = slash == std::string::npos
-                           ? std::optional(of)
+                           ? std::nullopt
                            : number_of(std::string_view(text).substr(slash + 1));
     constexpr std::uint32_t kMost = 1'000'000;
     if (!shard || !count || *count == 0 || *count > kMost || *shard >= *count) {

@@ -13,9 +13,8 @@ struct ShardNumber {
     std::uint32_t shard = 0, of = 1;
 };
 
-/// Parses "3/200", or for "auto" the environment of a Slurm array task, a Kubernetes indexed job or
-/// a GitLab job, which may need `of`. `option`: name of the option in messages.
-/// Throws: Refusal.
-ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* option = "--shard");
+/// Parses "3/200", or for "auto" the environment of a Slurm array task or a GitLab job. `option`:
+/// name of the option in messages. Throws: Refusal.
+ShardNumber shard_number(const std::string& text, const char* option);
 
 }  // namespace ncsim::app

@@ -236,7 +236,6 @@ int run(Options options) {
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    if (!options.machine.empty()) inputs.expect(options.machine);
     const bool has_design = options.colouring == exporter::Colouring::Design;
     // A project or a job may name the design, so the parser of the command line cannot judge.
     if (has_design && options.design.empty())

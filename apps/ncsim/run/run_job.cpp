@@ -24,19 +24,16 @@ namespace {
 
 // Returns the place of an output of the job file in the options.
 std::string& output_of(Options& o, const std::string& format) {
-    const std::map<std::string, std::string*> outputs{
-        {"png", &o.png},   {"gltf", &o.gltf},     {"stl", &o.stl},          {"step", &o.step},
-        {"ply", &o.ply},   {"3mf", &o.threemf},   {"vrml", &o.vrml},        {"gif", &o.gif},
-        {"apng", &o.apng}, {"report", &o.report}, {"stock", &o.save_stock}, {"html", &o.html}};
-    return *outputs.at(format);
+    const std::string option = "--" + (format == "stock" ? "save-stock" : format);
+    return o.*std::ranges::find(output_files(), option, &OutputFile::option)->path;
 }
 
 // Removes all outputs of the command line.
 void clear_outputs(Options& o) {
-    for (std::string* path : {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step,
-                              &o.report, &o.stats, &o.xml, &o.save_stock, &o.dxf, &o.svg, &o.frames,
-                              &o.gif, &o.apng, &o.save_job, &o.mesh_folder, &o.html})
-        path->clear();
+    for (const OutputFile& file : output_files())
+        (o.*file.path).clear();
+    o.frames.clear();
+    o.mesh_folder.clear();
     o.sections.clear();
 }
 

@@ -141,10 +141,9 @@ int run_tile(const Options& options) {
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    if (!options.machine.empty()) inputs.expect(options.machine);
     const ShardNumber& number = options.number;
     const TilePlace place({options.words, {}, number.shard, number.of}, options.tile_out);
-    if (!options.redo && place.is_done(inputs)) return place.report_done("was cut before");
+    if (place.is_done(inputs)) return place.report_done("was cut before");
     place.reserve(outputs);
     const std::optional<report::TileFile> file = cut_tile(options, inputs, true);
     if (!file) return kFindings;

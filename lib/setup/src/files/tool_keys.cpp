@@ -10,15 +10,15 @@ namespace ncsim::setup {
 std::vector<toolpath::ToolSegment> read_segments(const TomlReader& r, const toml::node& node,
                                                  const std::string& key) {
     std::vector<toolpath::ToolSegment> segments;
-    for (const toml::node& element : r.list(node, key)) {
-        const toml::array& values = r.list(element, key);
+    for (const toml::node& element : TomlReader::list(node)) {
+        const toml::array& values = TomlReader::list(element);
         if (values.size() != 2 && values.size() != 3) {
             r.fail(element,
                    fmt::format("'{}': expected [diameter, height] or [lower, upper, height]", key));
         }
-        const double lower = r.positive(values[0], key);
-        const double upper = values.size() == 3 ? r.positive(values[1], key) : lower;
-        segments.push_back({lower, upper, r.positive(values[values.size() - 1], key)});
+        const double lower = TomlReader::number(values[0]);
+        const double upper = values.size() == 3 ? TomlReader::number(values[1]) : lower;
+        segments.push_back({lower, upper, TomlReader::number(values[values.size() - 1])});
     }
     return segments;
 }

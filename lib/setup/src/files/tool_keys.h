@@ -7,13 +7,10 @@
 
 #include "files/toml_reader.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace ncsim::setup {
-
-constexpr std::int64_t kMostTools = 99'999'999;
 
 /// Reads [[28, 15], [28, 40, 10]]: diameter and height, or lower and upper diameter and height; mm.
 std::vector<toolpath::ToolSegment> read_segments(const TomlReader& reader, const toml::node& node,

@@ -3,6 +3,7 @@
 // Holder files, and completion of tools from these files.
 #include "job/holder_file.h"
 
+#include "files/schema.h"
 #include "files/toml_reader.h"
 #include "files/tool_keys.h"
 
@@ -14,15 +15,15 @@
 namespace ncsim::setup {
 
 std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputSet& inputs) {
-    const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes));
+    const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes), kHoldersSchema);
     std::map<std::string, std::vector<toolpath::ToolSegment>> holders;
     const auto read_holder = [&](const toml::node& node, const std::string& where) {
         std::string name;
         std::vector<toolpath::ToolSegment> segments;
-        r.each(r.table(node, where), where,
-               {{"name", [&](const auto& n, const auto& k) { name = r.text(n, k); }},
-                {"segments",
-                 [&](const auto& n, const auto& k) { segments = read_segments(r, n, k); }}});
+        TomlReader::each(TomlReader::table(node), where,
+                         {{"name", into(name)}, {"segments", [&](const auto& n, const auto& k) {
+                                                     segments = read_segments(r, n, k);
+                                                 }}});
         if (name.empty() || segments.empty()) r.fail(node, "a holder has a name and segments");
         if (!holders.emplace(name, std::move(segments)).second)
             r.fail(node, fmt::format("the holder '{}' is described twice", name));
@@ -30,29 +31,24 @@ std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputS
     std::vector<toolpath::ToolSpec> tools;
     const auto read_tool = [&](const toml::node& node, const std::string& where) {
         toolpath::ToolSpec spec;
-        r.each(r.table(node, where), where,
-               {{"number",
-                 [&](const auto& n, const auto& k) {
-                     spec.number = static_cast<int>(r.integer(n, k, 0, kMostTools));
-                 }},
-                {"holder",
-                 [&](const auto& n, const auto& k) {
-                     const auto found = holders.find(r.text(n, k));
-                     if (found == holders.end()) {
-                         r.fail(n, fmt::format("'{}': no [[holder]] above has this name", k));
-                     }
-                     spec.holder = found->second;
-                 }},
-                {"stick_out",
-                 [&](const auto& n, const auto& k) { spec.stick_out = r.positive(n, k); }},
-                {"flutes", [&](const auto& n, const auto& k) { spec.length = r.positive(n, k); }},
-                {"shank",
-                 [&](const auto& n, const auto& k) { spec.shank_diameter = r.positive(n, k); }},
-                {"neck", [&](const toml::node& n, const std::string& k) {
-                     const toml::array& neck = r.list(n, k, 2);
-                     spec.neck_diameter = r.positive(neck[0], k);
-                     spec.neck_length = r.positive(neck[1], k);
-                 }}});
+        TomlReader::each(
+            TomlReader::table(node), where,
+            {{"number", into(spec.number)},
+             {"holder",
+              [&](const auto& n, const auto& k) {
+                  const auto found = holders.find(TomlReader::text(n));
+                  if (found == holders.end())
+                      r.fail(n, fmt::format("'{}': no [[holder]] above has this name", k));
+                  spec.holder = found->second;
+              }},
+             {"stick_out", into(spec.stick_out)},
+             {"flutes", into(spec.length)},
+             {"shank", into(spec.shank_diameter)},
+             {"neck", [&](const toml::node& n, const std::string&) {
+                  const toml::array& neck = TomlReader::list(n);
+                  spec.neck_diameter = TomlReader::number(neck[0]);
+                  spec.neck_length = TomlReader::number(neck[1]);
+              }}});
         if (!node.as_table()->contains("number")) r.fail(node, "a tool has a number");
         const auto same = [&](const auto& t) { return t.number == spec.number; };
         if (std::ranges::any_of(tools, same))
@@ -60,10 +56,10 @@ std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputS
         tools.push_back(std::move(spec));
     };
     // Holders are read first, wherever they are in the file.
-    if (const toml::node* node = r.root().get("holder")) r.each_of(*node, "holder", read_holder);
-    r.each(r.root(), "",
-           {{"holder", [](const auto&, const auto&) {}},
-            {"tool", [&](const auto& n, const auto& k) { r.each_of(n, k, read_tool); }}});
+    if (const toml::node* node = r.root().get("holder"))
+        TomlReader::each_of(*node, "holder", read_holder);
+    if (const toml::node* node = r.root().get("tool"))
+        TomlReader::each_of(*node, "tool", read_tool);
     return tools;
 }
 

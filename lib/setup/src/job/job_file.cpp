@@ -7,12 +7,13 @@
 #include "ncsim/report/plain_text.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/verify/doubt.h"
-#include "ncsim/verify/setup.h"
 
+#include "files/schema.h"
 #include "files/toml_reader.h"
 #include "files/toml_text.h"
 #include "files/tool_keys.h"
 #include "job/job_keys.h"
+#include "job/option_reader.h"
 #include "job/three_points.h"
 #include "machines/fixture_reader.h"
 
@@ -23,6 +24,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -32,14 +34,6 @@
 namespace ncsim::setup {
 
 namespace {
-
-// Options of commands that a job file may contain. A key is the name of the option, with '_'
-// instead of '-'.
-constexpr std::string_view kSettings[] = {
-    "machine",     "tool_table", "subprograms", "tolerance", "tool_tolerance", "model",
-    "rapid",       "design",     "design_tol",  "select",    "ignore",         "severity",
-    "baseline",    "cut_free",   "air_cuts",    "max_time",  "max_memory",     "warnings_as_errors",
-    "report_units"};
 
 // Formats of outputs in a job file, with the endings of their files.
 constexpr std::pair<std::string_view, std::string_view> kOutputs[] = {
@@ -53,33 +47,24 @@ class JobReader {
 public:
     /// Meshes of fixtures are relative to `folder`.
     JobReader(const gcode::SourceFile& file, std::string folder, InputSet& inputs)
-        : r_(file.name, file.text), folder_(std::move(folder)), inputs_(inputs) {}
+        : r_(file.name, file.text, kJobSchema, is_job_option),
+          folder_(std::move(folder)),
+          inputs_(inputs) {}
 
     JobFile read() {
         JobFile job;
         note_values(r_.root(), "", job.values);
-        const auto flag = [this](bool& into) {
-            return [this, &into](const auto& n, const auto& k) { into = r_.yes_or_no(n, k); };
-        };
-        const auto optional_flag = [this](std::optional<bool>& into) {
-            return [this, &into](const auto& n, const auto& k) { into = r_.yes_or_no(n, k); };
-        };
         // Reads a list of words, each of which has to satisfy `known`.
-        const auto words = [this](std::vector<std::string>& into, auto known,
+        const auto words = [this](std::vector<std::string>& values, auto known,
                                   const char* expected) {
-            return [this, &into, known, expected](const auto& n, const auto& k) {
-                into = r_.texts(n, k);
-                if (!std::ranges::all_of(into, known))
+            return [this, &values, known, expected](const auto& n, const auto& k) {
+                values = TomlReader::texts(n);
+                if (!std::ranges::all_of(values, known))
                     r_.fail(n, fmt::format("'{}': expected {}", k, expected));
             };
         };
-        const auto any = [](const std::string&) { return true; };
         const auto is_reason = [](const std::string& name) {
             return name == "all" || verify::find_reason(name);
-        };
-        const auto is_requirement = [](const std::string& name) {
-            return std::ranges::find(verify::kRequirements, name) !=
-                   std::end(verify::kRequirements);
         };
         TomlReader::Keys keys{
             {"version",
@@ -90,99 +75,80 @@ public:
                  job.has_unknown_origin = version == kVersionWithoutOrigin;
              }},
             {"assumed",
-             [&](const auto& n, const auto& k) {
-                 const auto names = assumed_names(
-                     n, k, {"units", "dialect", "start", "offsets", "fixtures", "machine"});
-                 for (std::size_t i = 0; i < names.size(); ++i) {
-                     if (names[i] == "units" || names[i] == "dialect") {
-                         (names[i] == "units" ? job.units_assumed : job.dialect_assumed) = true;
+             [&](const auto& n, const auto&) {
+                 for (const AssumedValue& value : assumed_values(n)) {
+                     if (value.name == "units" || value.name == "dialect") {
+                         (value.name == "units" ? job.units_assumed : job.dialect_assumed) = true;
                      } else {
-                         job.assumed.push_back({names[i], r_.place_of((*n.as_array())[i])});
+                         job.assumed.push_back(value);
                      }
                  }
              }},
             {"program", [&](const auto& n, const auto& k) { job.program = read_program(n, k); }},
             {"units",
-             [&](const auto& n, const auto& k) {
-                 const std::string name = r_.text(n, k);
-                 if (name != "mm" && name != "inch") r_.fail(n, "expected \"mm\" or \"inch\"");
-                 job.inches = name == "inch";
-             }},
-            {"dialect", [&](const auto& n, const auto& k) { job.dialect = read_dialect(n, k); }},
-            {"strict", flag(job.strict)},
-            {"block_delete", optional_flag(job.block_delete)},
-            {"increments", optional_flag(job.increments)},
+             [&](const auto& n, const auto&) { job.inches = TomlReader::text(n) == "inch"; }},
+            {"dialect", [&](const auto& n, const auto&) { job.dialect = dialect_named(n); }},
+            {"strict", into(job.strict)},
+            {"block_delete", into(job.block_delete)},
+            {"increments", into(job.increments)},
             {"variables",
              [&](const auto& n, const auto& k) { job.variables = read_variables(n, k); }},
             {"compensation",
              [&](const auto& n, const auto& k) { job.compensation = read_compensation(n, k); }},
-            {"allow", words(job.allow, any, "words")},
+            {"allow", into(job.allow)},
             {"accept",
              words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
-            {"require", words(job.require, is_requirement,
-                              "holder, fixtures, travels, offsets, links, lengths, modes")},
-            {"start", [&](const auto& n, const auto& k) { job.start = r_.vector(n, k); }},
-            {"offsets",
-             [&](const auto& n, const auto& k) { job.offsets = read_offsets(r_, n, k); }},
-            {"holders", [&](const auto& n, const auto& k) { job.holders = r_.text(n, k); }},
+            {"require", into(job.require)},
+            {"start", into(job.start)},
+            {"offsets", [&](const auto& n, const auto&) { job.offsets = read_offsets(r_, n); }},
+            {"holders", into(job.holders)},
             {"stock",
              [&](const auto& n, const auto& k) {
-                 job.stock =
-                     n.is_string() ? read_stock_text(n, k) : read_stock(r_.table(n, k), k, job);
+                 job.stock = n.is_string() ? read_stock_text(n, k)
+                                           : read_stock(TomlReader::table(n), k, job);
              }},
             {"fixture",
              [&](const auto& n, const auto& k) {
                  job.fixtures_specified = true;
                  job.fixtures = read_fixtures(n, k);
              }},
-            {"below_stock",
-             [&](const auto& n, const auto& k) { job.below_stock = r_.not_negative(n, k); }},
+            {"below_stock", into(job.below_stock)},
             {"outputs", [&](const auto& n, const auto& k) { job.outputs = read_outputs(n, k); }},
-            {"setup",
-             [&](const auto& n, const auto& k) {
-                 r_.each_of(n, k, [&](const toml::node& one, const std::string& key) {
-                     job.set_ups.push_back(read_set_up(r_.table(one, key), key));
-                 });
-             }},
-            {"tool", [&](const auto& n, const auto& k) {
-                 r_.each_of(n, k, [&](const toml::node& tool, const std::string& key) {
-                     toolpath::ToolEntry entry = read_tool(r_.table(tool, key), key);
-                     if (toolpath::find_tool(job.tools, entry.spec.number)) {
-                         r_.fail(tool,
-                                 fmt::format("tool {} is described twice", entry.spec.number));
-                     }
-                     job.values[fmt::format("tool {}", entry.spec.number)] = {r_.place_of(tool),
-                                                                              {}};
-                     job.tools.push_back(std::move(entry));
-                 });
-             }}};
-        for (const std::string_view key : kSettings) {
-            keys[std::string(key)] = [&, key](const auto& n, const auto& k) {
-                job.settings.push_back(read_setting(std::string(key), n, k));
+            {"setup", tables([&](const toml::node& one, const std::string& key) {
+                 job.set_ups.push_back(read_set_up(TomlReader::table(one), key));
+             })},
+            {"tool", tables([&](const toml::node& tool, const std::string& key) {
+                 toolpath::ToolEntry entry = read_tool(TomlReader::table(tool), key);
+                 const int number = entry.spec.number;
+                 if (toolpath::find_tool(job.tools, number))
+                     r_.fail(tool, fmt::format("tool {} is described twice", number));
+                 job.values[fmt::format("tool {}", number)] = {r_.place_of(tool), {}};
+                 job.tools.push_back(std::move(entry));
+             })}};
+        for (const std::string_view option : kJobOptions) {
+            std::string key(option);
+            std::ranges::replace(key, '-', '_');
+            keys[key] = [&, option](const auto& n, const auto& k) {
+                job.settings.push_back(read_option(r_, std::string(option), k, n));
             };
         }
-        r_.each(r_.root(), "", keys);
+        TomlReader::each(r_.root(), "", keys);
         check_set_ups(job);
         return job;
     }
 
 private:
-    // Returns the names in a list `assumed`; each has to be a name of `known`.
-    template <class Known>
-    std::vector<std::string> assumed_names(const toml::node& node, const std::string& key,
-                                           const Known& known) const {
-        std::vector<std::string> names = r_.texts(node, key);
-        for (const std::string& name : names) {
-            if (std::find(std::begin(known), std::end(known), name) == std::end(known)) {
-                r_.fail(node, fmt::format("'{}': '{}' cannot be assumed here; expected {}", key,
-                                          name, fmt::join(known, ", ")));
-            }
-        }
-        return names;
+    static bool is_job_option(std::string key) {
+        std::ranges::replace(key, '_', '-');
+        return std::ranges::find(kJobOptions, key) != std::end(kJobOptions);
     }
-    std::vector<std::string> assumed_names(const toml::node& node, const std::string& key,
-                                           std::initializer_list<std::string_view> known) const {
-        return assumed_names(node, key, std::vector<std::string_view>(known));
+
+    // Returns the names in a list `assumed`.
+    std::vector<AssumedValue> assumed_values(const toml::node& list) const {
+        std::vector<AssumedValue> values;
+        for (const toml::node& name : TomlReader::list(list))
+            values.push_back({TomlReader::text(name), r_.place_of(name)});
+        return values;
     }
 
     // Notes all keys of `in`, and variables, offsets and registers below.
@@ -207,7 +173,7 @@ private:
     }
 
     std::string read_program(const toml::node& node, const std::string& key) const {
-        std::string program = r_.text(node, key);
+        std::string program = TomlReader::text(node);
         if (program.empty()) r_.fail(node, fmt::format("'{}': the name is empty", key));
         if (is_job_file(program))
             r_.fail(node, fmt::format("'{}': a job cannot contain a job; name NC programs", key));
@@ -217,7 +183,7 @@ private:
     std::vector<verify::Fixture> read_fixtures(const toml::node& node,
                                                const std::string& key) const {
         std::vector<verify::Fixture> fixtures;
-        r_.each_of(node, "fixture", [&](const toml::node& one, const std::string&) {
+        TomlReader::each_of(node, key, [&](const toml::node& one, const std::string&) {
             read_fixture(r_, folder_, inputs_, one, key, fixtures);
         });
         return fixtures;
@@ -230,7 +196,7 @@ private:
         for (const auto& [format, ending] : kOutputs) {
             keys[std::string(format)] = [&, format = std::string(format), ending = ending](
                                             const toml::node& n, const std::string& k) {
-                const std::string name = r_.text(n, k);
+                const std::string name = TomlReader::text(n);
                 if (!name.ends_with(ending) || name.size() == ending.size())
                     r_.fail(n, fmt::format("'{}': expected a name that ends in {}", k, ending));
                 (void)output_below(folder_, name, r_.place_of(n));
@@ -241,62 +207,34 @@ private:
                 outputs[format] = name;
             };
         }
-        r_.each(r_.table(node, key), key, keys);
+        TomlReader::each(TomlReader::table(node), key, keys);
         return outputs;
-    }
-
-    // Returns an option as in ncsim.toml.
-    ProjectSetting read_setting(std::string name, const toml::node& node,
-                                const std::string& key) const {
-        ProjectSetting setting;
-        std::ranges::replace(name, '_', '-');
-        setting.option = std::move(name);
-        setting.where = r_.place_of(node);
-        const auto value_of = [&](const toml::node& n) {
-            if (n.is_number()) return fmt::format("{}", r_.number(n, key));
-            return r_.text(n, key);
-        };
-        if (node.is_boolean()) {
-            setting.is_flag = true;
-            setting.is_on = r_.yes_or_no(node, key);
-        } else if (node.is_array()) {
-            for (const toml::node& one : *node.as_array())
-                setting.values.push_back(value_of(one));
-        } else {
-            setting.values.push_back(value_of(node));
-        }
-        return setting;
     }
 
     JobSetUp read_set_up(const toml::table& t, const std::string& key) const {
         JobSetUp set_up;
         set_up.where = r_.place_of(t);
-        r_.each(
+        TomlReader::each(
             t, key,
-            {{"name", [&](const auto& n, const auto& k) { set_up.name = r_.text(n, k); }},
+            {{"name", into(set_up.name)},
              {"program",
               [&](const auto& n, const auto& k) { set_up.programs = {read_program(n, k)}; }},
              {"programs",
               [&](const toml::node& n, const std::string& k) {
-                  for (const toml::node& one : r_.list(n, k))
+                  for (const toml::node& one : TomlReader::list(n))
                       set_up.programs.push_back(read_program(one, k));
               }},
-             {"turn",
-              [&](const auto& n, const auto& k) {
-                  set_up.turn = r_.text(n, k);
-                  check_turn(n, set_up.turn);
-              }},
-             {"move", [&](const auto& n, const auto& k) { set_up.move = r_.vector(n, k); }},
+             {"turn", [&](const auto& n, const auto&) { set_up.turn = read_turn(n); }},
+             {"move", into(set_up.move)},
              {"points",
               [&](const auto& n, const auto& k) {
                   TurnAndMove motion = read_points(n, k);
                   set_up.turn = std::move(motion.turn);
                   set_up.move = motion.move;
               }},
-             {"zero", [&](const auto& n, const auto& k) { set_up.zero = r_.vector(n, k); }},
-             {"start", [&](const auto& n, const auto& k) { set_up.start = r_.vector(n, k); }},
-             {"offsets",
-              [&](const auto& n, const auto& k) { set_up.offsets = read_offsets(r_, n, k); }},
+             {"zero", into(set_up.zero)},
+             {"start", into(set_up.start)},
+             {"offsets", [&](const auto& n, const auto&) { set_up.offsets = read_offsets(r_, n); }},
              {"variables",
               [&](const auto& n, const auto& k) { set_up.variables = read_variables(n, k); }},
              {"fixture",
@@ -304,16 +242,10 @@ private:
                   set_up.fixtures_specified = true;
                   set_up.fixtures = read_fixtures(n, k);
               }},
-             {"below_stock",
-              [&](const auto& n, const auto& k) { set_up.below_stock = r_.not_negative(n, k); }},
+             {"below_stock", into(set_up.below_stock)},
              {"outputs",
               [&](const auto& n, const auto& k) { set_up.outputs = read_outputs(n, k); }},
-             {"assumed", [&](const toml::node& n, const std::string& k) {
-                  const auto names =
-                      assumed_names(n, k, {"start", "offsets", "fixtures", "place", "zero"});
-                  for (std::size_t i = 0; i < names.size(); ++i)
-                      set_up.assumed.push_back({names[i], r_.place_of((*n.as_array())[i])});
-              }}});
+             {"assumed", [&](const auto& n, const auto&) { set_up.assumed = assumed_values(n); }}});
         if (t.contains("program") && t.contains("programs"))
             r_.fail(t, "a set-up has program or programs, not both");
         if (set_up.programs.empty()) r_.fail(t, "a set-up needs a program");
@@ -359,15 +291,13 @@ private:
 
     TurnAndMove read_points(const toml::node& node, const std::string& key) const {
         std::array<cda::Vec3, 3> before{}, now{};
-        const auto three = [this](std::array<cda::Vec3, 3>& points) {
-            return [this, &points](const toml::node& n, const std::string& k) {
-                const toml::array& list = r_.list(n, k, points.size());
-                for (std::size_t i = 0; i < points.size(); ++i)
-                    points[i] = r_.vector(list[i], k);
+        const auto three = [](std::array<cda::Vec3, 3>& points) {
+            return [&points](const toml::node& n, const std::string&) {
+                std::ranges::transform(TomlReader::list(n), points.begin(), TomlReader::vector);
             };
         };
-        const toml::table& table = r_.table(node, key);
-        r_.each(table, key, {{"before", three(before)}, {"now", three(now)}});
+        const toml::table& table = TomlReader::table(node);
+        TomlReader::each(table, key, {{"before", three(before)}, {"now", three(now)}});
         if (table.size() != 2) r_.fail(node, fmt::format("'{}': expected before and now", key));
         try {
             return motion_of(before, now);
@@ -376,64 +306,58 @@ private:
         }
     }
 
-    void check_turn(const toml::node& node, const std::string& turn) const {
+    std::string read_turn(const toml::node& node) const {
+        std::string turn = TomlReader::text(node);
         try {
             (void)parse_any_turn(turn);
         } catch (const std::invalid_argument& e) {
             r_.fail(node, e.what());
         }
+        return turn;
     }
 
-    gcode::Dialect read_dialect(const toml::node& node, const std::string& key) const {
-        using gcode::Dialect;
-        const std::string name = r_.text(node, key);
-        for (const Dialect dialect : gcode::kDialectList) {
-            if (name == gcode::name_of(dialect)) return dialect;
-        }
-        r_.fail(node,
-                "expected auto, rs274, fanuc, haas, grbl, mach3, heidenhain, sinumerik or "
-                "sinumerik-iso");
+    static gcode::Dialect dialect_named(const toml::node& node) {
+        return *std::ranges::find(gcode::kDialectList, TomlReader::text(node),
+                                  [](gcode::Dialect dialect) { return gcode::name_of(dialect); });
     }
 
     std::map<std::string, double> read_variables(const toml::node& node,
                                                  const std::string& key) const {
         std::map<std::string, double> variables;
-        for (const auto& [name, value] : r_.table(node, key)) {
+        for (const auto& [name, value] : TomlReader::table(node)) {
             const std::string where = fmt::format("{}.{}", key, name.str());
             const auto variable = variable_name(name.str());
             if (!variable)
-                r_.fail(value, fmt::format("'{}': expected \"#500\" or \"#<_name>\"", where));
-            variables.emplace(*variable, r_.number(value, where));
+                r_.fail(value,
+                        fmt::format("'{}': expected \"#500\", \"#<_name>\", R5 or Q5", where));
+            variables.emplace(*variable, TomlReader::number(value));
         }
         return variables;
     }
 
     std::map<int, double> read_compensation(const toml::node& node, const std::string& key) const {
         std::map<int, double> radii;
-        for (const auto& [name, value] : r_.table(node, key)) {
+        for (const auto& [name, value] : TomlReader::table(node)) {
             const std::string where = fmt::format("{}.{}", key, name.str());
             const auto number = compensation_register(name.str());
             if (!number) r_.fail(value, fmt::format("'{}': expected a register, as D1", where));
-            radii.emplace(*number, r_.number(value, where));
+            radii.emplace(*number, TomlReader::number(value));
         }
         return radii;
     }
 
     toolpath::Stock read_stock_from_file(const toml::table& t, const std::string& key) const {
         toolpath::StockFile from;
-        r_.each(t, key,
-                {{"file",
-                  [&](const auto& n, const auto& k) {
-                      from.path = r_.text(n, k);
-                      if (!is_stock_file(from.path))
-                          r_.fail(n, "expected a file .stl, .obj, .glb, .wrl, .step or .ncstock");
-                  }},
-                 {"turn",
-                  [&](const auto& n, const auto& k) {
-                      from.turn = r_.text(n, k);
-                      check_turn(n, from.turn);
-                  }},
-                 {"move", [&](const auto& n, const auto& k) { from.move = r_.vector(n, k); }}});
+        TomlReader::each(
+            t, key,
+            {{"file",
+              [&](const auto& n, const auto&) {
+                  from.path = TomlReader::text(n);
+                  if (!is_stock_file(from.path))
+                      r_.fail(n, "expected a file .stl, .obj, .glb, .wrl, .step or .ncstock");
+              }},
+             {"turn", [&](const auto& n, const auto&) { from.turn = read_turn(n); }},
+             {"move", into(from.move)}});
         toolpath::Stock stock;
         stock.from = std::move(from);
         return stock;
@@ -441,7 +365,7 @@ private:
 
     toolpath::Stock read_stock_text(const toml::node& node, const std::string& key) const {
         std::string message;
-        auto stock = toolpath::parse_stock_option(r_.text(node, key), message);
+        auto stock = toolpath::parse_stock_option(TomlReader::text(node), message);
         if (!stock) r_.fail(node, fmt::format("'{}': {}", key, message));
         return *stock;
     }
@@ -450,23 +374,18 @@ private:
         if (t.contains("file")) return read_stock_from_file(t, key);
         std::optional<cda::Vec3> min, max;
         toolpath::Stock stock;
-        r_.each(t, key,
-                {{"assumed",
-                  [&](const auto& n, const auto& k) {
-                      for (const std::string& name : assumed_names(n, k, {"size", "place"}))
-                          (name == "size" ? job.stock_assumed : job.stock_place_assumed) = true;
-                  }},
-                 {"min", [&](const auto& n, const auto& k) { min = r_.vector(n, k); }},
-                 {"max", [&](const auto& n, const auto& k) { max = r_.vector(n, k); }},
-                 {"axis",
-                  [&](const auto& n, const auto& k) {
-                      const std::string name = r_.text(n, k);
-                      if (name != "X" && name != "Y" && name != "Z")
-                          r_.fail(n, "expected \"X\", \"Y\" or \"Z\"");
-                      stock.axis = name[0] - 'X';
-                  }},
-                 {"round",
-                  [&](const auto& n, const auto& k) { stock.is_round = r_.yes_or_no(n, k); }}});
+        TomlReader::each(
+            t, key,
+            {{"assumed",
+              [&](const auto& n, const auto&) {
+                  for (const AssumedValue& value : assumed_values(n))
+                      (value.name == "size" ? job.stock_assumed : job.stock_place_assumed) = true;
+              }},
+             {"min", into(min)},
+             {"max", into(max)},
+             {"axis",
+              [&](const auto& n, const auto&) { stock.axis = TomlReader::text(n)[0] - 'X'; }},
+             {"round", into(stock.is_round)}});
         if (!min || !max) r_.fail(t, "a stock has two corners, min and max");
         if (!(min->x < max->x && min->y < max->y && min->z < max->z)) {
             r_.fail(*t.get("max"), "each number of max must be larger than that of min");
@@ -484,13 +403,13 @@ private:
 
     toolpath::ToolPiece read_piece(const toml::node& node, const std::string& key) const {
         toolpath::ToolPiece piece;
-        r_.each(
-            r_.table(node, key), key,
-            {{"cutting", [&](const auto& n, const auto& k) { piece.cutting = r_.yes_or_no(n, k); }},
-             {"profile", [&](const toml::node& n, const std::string& k) {
+        TomlReader::each(
+            TomlReader::table(node), key,
+            {{"cutting", into(piece.cutting)},
+             {"profile", [&](const toml::node& n, const std::string&) {
                   double height = 0.0;
-                  for (const toml::node& corner : r_.list(n, k)) {
-                      const cda::Vec3 v = r_.vector(corner, k);
+                  for (const toml::node& corner : TomlReader::list(n)) {
+                      const cda::Vec3 v = TomlReader::vector(corner);
                       if (v.x < 0 || v.y < height || v.z < 0) {
                           r_.fail(corner,
                                   "expected [radius, height, fillet] from the lower end to the "
@@ -509,47 +428,28 @@ private:
         toolpath::ToolEntry entry;
         toolpath::ToolSpec& spec = entry.spec;
         TomlReader::Keys keys{
-            {"number",
-             [&](const auto& n, const auto& k) {
-                 spec.number = static_cast<int>(r_.integer(n, k, 0, kMostTools));
-             }},
+            {"number", into(spec.number)},
             {"kind",
-             [&](const auto& n, const auto& k) {
-                 const std::string name = r_.text(n, k);
-                 const auto* found =
-                     std::find_if(std::begin(kKindKeys), std::end(kKindKeys),
-                                  [&name](const auto& kind) { return kind.first == name; });
-                 if (found == std::end(kKindKeys)) {
-                     r_.fail(n,
-                             "expected flat, ball, bull, face, v, chamfer, countersink, drill, "
-                             "taper, slot, dovetail, lollipop, corner, tap, reamer, boring-bar, "
-                             "thread or form");
-                 }
-                 spec.kind = found->second;
+             [&](const auto& n, const auto&) {
+                 spec.kind =
+                     std::ranges::find(kKindKeys, TomlReader::text(n), [](const auto& kind) {
+                         return kind.first;
+                     })->second;
              }},
-            {"offset", [&](const auto& n, const auto& k) { entry.offset = r_.vector(n, k); }},
-            {"description",
-             [&](const auto& n, const auto& k) { spec.description = r_.text(n, k); }},
-            {"assumed",
-             [&](const auto& n, const auto& k) {
-                 spec.assumed = assumed_names(n, k, toolpath::kAssumable);
-             }},
-            {"piece", [&](const auto& n, const auto& k) {
-                 r_.each_of(n, k, [&](const auto& piece, const auto& key) {
-                     spec.pieces.push_back(read_piece(piece, key));
-                 });
-             }}};
-        for (const NamedValue& named : kValueKeys) {
-            keys[named.name] = [&, value = named.value](const auto& n, const auto& k) {
-                spec.*value = r_.not_negative(n, k);
-            };
-        }
+            {"offset", into(entry.offset)},
+            {"description", into(spec.description)},
+            {"assumed", into(spec.assumed)},
+            {"piece", tables([&](const toml::node& piece, const std::string& key) {
+                 spec.pieces.push_back(read_piece(piece, key));
+             })}};
+        for (const NamedValue& named : kValueKeys)
+            keys[named.name] = into(spec.*named.value);
         for (const NamedSegments& named : kSegmentKeys) {
             keys[named.name] = [&, value = named.value](const auto& n, const auto& k) {
                 spec.*value = read_segments(r_, n, k);
             };
         }
-        r_.each(t, where, keys);
+        TomlReader::each(t, where, keys);
         if (!t.contains("number")) {
             r_.fail(t, "a tool has a number, 0 for a program that calls none");
         }

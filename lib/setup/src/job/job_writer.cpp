@@ -157,7 +157,7 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     if (file.dialect_assumed) assumed.emplace_back("dialect");
     write_list(out, "assumed", assumed);
     if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';
-    for (const ProjectSetting& setting : file.settings)
+    for (const OptionSetting& setting : file.settings)
         out << setting.option << " = " << quoted(setting.values.at(0)) << '\n';
     out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""

@@ -6,12 +6,15 @@
 #include "ncsim/setup/input_observer.h"
 #include "ncsim/setup/program_folder.h"
 
+#include "files/schema.h"
 #include "files/toml_reader.h"
+#include "job/option_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -43,37 +46,39 @@ public:
 
     std::vector<ProjectFile::Section> read() {
         std::vector<ProjectFile::Section> sections(1);
-        bool has_version = false;
         for (const auto& [key, node] : r_.root()) {
             const std::string name(key.str());
             if (name == "version") {
-                (void)r_.integer(node, name, 1, 1);
-                has_version = true;
+                if (node.value_exact<std::int64_t>() != 1) r_.fail(node, "'version': expected 1");
             } else if (name == "program") {
-                r_.each_of(node, name, [&](const toml::node& n, const std::string& k) {
-                    sections.push_back(section(n, k));
+                TomlReader::each_of(node, name, [&](const toml::node& n, const std::string&) {
+                    sections.push_back(section(n));
                 });
             } else {
-                sections[0].settings.push_back(setting(name, node));
+                sections[0].settings.push_back(read_option(r_, name, name, node));
             }
         }
-        if (!has_version) r_.fail(r_.root(), "expected version = 1");
+        if (!r_.root().contains("version")) r_.fail(r_.root(), "expected version = 1");
         return sections;
     }
 
+    static bool is_option(const std::string& key) {
+        return key != "version" && key != "program" && key != "files";
+    }
+
 private:
-    ProjectFile::Section section(const toml::node& node, const std::string& where) {
+    ProjectFile::Section section(const toml::node& node) {
         ProjectFile::Section section;
-        for (const auto& [key, value] : r_.table(node, where)) {
+        for (const auto& [key, value] : TomlReader::table(node)) {
             const std::string name(key.str());
             if (name == "files") {
-                section.files = r_.texts(value, name);
-                for (const toml::node& pattern : r_.list(value, name)) {
+                section.files = TomlReader::texts(value);
+                for (const toml::node& pattern : TomlReader::list(value)) {
                     check_pattern(pattern);
                     section.places.push_back(r_.place_of(pattern));
                 }
             } else {
-                section.settings.push_back(setting(name, value));
+                section.settings.push_back(read_option(r_, name, name, value));
             }
         }
         if (section.files.empty())
@@ -83,36 +88,13 @@ private:
 
     // Refuses a pattern that cannot match any path.
     void check_pattern(const toml::node& node) const {
-        const std::string pattern = r_.text(node, "files");
+        const std::string pattern = TomlReader::text(node);
         const auto is_no_name = [](const std::string& name) {
             return name.empty() || name == "." || name == "..";
         };
         const std::vector<std::string> names = names_of(pattern);
         if (names.empty() || std::ranges::any_of(names, is_no_name))
             r_.fail(node, fmt::format("'{}': expected a path below this file", pattern));
-    }
-
-    ProjectSetting setting(const std::string& name, const toml::node& node) {
-        ProjectSetting result;
-        result.option = name;
-        result.where = fmt::format("{}:{}:{}", r_.name(), node.source().begin.line,
-                                   node.source().begin.column);
-        if (node.is_boolean()) {
-            result.is_flag = true;
-            result.is_on = r_.yes_or_no(node, name);
-        } else if (node.is_array()) {
-            for (const toml::node& item : *node.as_array())
-                result.values.push_back(value(name, item));
-        } else {
-            result.values.push_back(value(name, node));
-        }
-        return result;
-    }
-
-    std::string value(const std::string& name, const toml::node& node) {
-        if (node.is_string()) return r_.text(node, name);
-        if (node.is_number()) return fmt::format("{}", r_.number(node, name));
-        r_.fail(node, fmt::format("'{}': expected a text, a number, true, false or a list", name));
     }
 
     const TomlReader& r_;
@@ -233,19 +215,20 @@ ProjectFile read_project_file(const std::string& path, InputSet& inputs) {
     ProjectFile project;
     project.name = path;
     project.folder = fs::path(path).parent_path().string();
-    const TomlReader reader(path, inputs.read(path, kMostSetUpBytes));
+    const TomlReader reader(path, inputs.read(path, kMostSetUpBytes), kProjectSchema,
+                            ProjectReader::is_option);
     project.sections = ProjectReader(reader).read();
     return project;
 }
 
-std::vector<ProjectSetting> settings_for(const ProjectFile& project, const std::string& program) {
+std::vector<OptionSetting> settings_for(const ProjectFile& project, const std::string& program) {
     const fs::path folder = fs::absolute(project.name).lexically_normal().parent_path();
     const std::string path = seen_below(folder, program);
-    std::vector<ProjectSetting> settings;
+    std::vector<OptionSetting> settings;
     for (const ProjectFile::Section& section : project.sections) {
         const auto is_meant = [&](const std::string& pattern) { return matches(pattern, path); };
         if (!section.files.empty() && std::ranges::none_of(section.files, is_meant)) continue;
-        for (const ProjectSetting& setting : section.settings) {
+        for (const OptionSetting& setting : section.settings) {
             std::erase_if(settings,
                           [&](const auto& earlier) { return earlier.option == setting.option; });
             settings.push_back(setting);

@@ -46,31 +46,25 @@ const toml::node& required(const TomlReader& r, const toml::table& t, const std:
 
 std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
                                 const std::string& key) {
-    const toml::table& t = r.table(node, key);
+    const toml::table& t = TomlReader::table(node);
     cda::Vec3 at;
-    int axis = 1;
+    std::string along = "Y";
     double opening = 0.0, width = 0.0, height = 0.0, depth = 0.0, base = 0.0;
     std::optional<std::pair<double, double>> parallels;
-    const auto size = [&r](double& into) {
-        return [&r, &into](const toml::node& n, const std::string& k) { into = r.positive(n, k); };
-    };
-    r.each(t, key,
-           {{"at", [&](const auto& n, const auto& k) { at = r.vector(n, k); }},
-            {"along",
-             [&](const auto& n, const auto& k) {
-                 const std::string name = r.text(n, k);
-                 if (name != "X" && name != "Y") r.fail(n, "expected \"X\" or \"Y\"");
-                 axis = name[0] - 'X';
-             }},
-            {"opening", size(opening)},
-            {"jaw_width", size(width)},
-            {"jaw_height", size(height)},
-            {"jaw_depth", size(depth)},
-            {"base_height", size(base)},
-            {"parallels", [&](const toml::node& n, const std::string& k) {
-                 const toml::array& two = r.list(n, k, 2);
-                 parallels.emplace(r.positive(two[0], k), r.positive(two[1], k));
-             }}});
+    TomlReader::each(t, key,
+                     {{"at", into(at)},
+                      {"along", into(along)},
+                      {"opening", into(opening)},
+                      {"jaw_width", into(width)},
+                      {"jaw_height", into(height)},
+                      {"jaw_depth", into(depth)},
+                      {"base_height", into(base)},
+                      {"parallels", [&](const toml::node& n, const std::string&) {
+                           const toml::array& two = TomlReader::list(n);
+                           parallels.emplace(TomlReader::number(two[0]),
+                                             TomlReader::number(two[1]));
+                       }}});
+    const int axis = along[0] - 'X';
     for (const char* name : {"at", "opening", "jaw_width", "jaw_height", "jaw_depth"})
         (void)required(r, t, key, name);
     const double half = opening / 2, end = half + depth, side = width / 2;
@@ -96,35 +90,23 @@ std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
 
 std::vector<NamedBox> read_clamp(const TomlReader& r, const toml::node& node,
                                  const std::string& key) {
-    const toml::table& t = r.table(node, key);
+    const toml::table& t = TomlReader::table(node);
     cda::Vec3 at;
-    int axis = 0;
-    double sign = 1.0, length = 0.0, width = 0.0, height = 0.0, heel = 0.0;
+    std::string toward = "+X";
+    double length = 0.0, width = 0.0, height = 0.0, heel = 0.0;
     std::optional<double> table;
     std::optional<cda::Vec3> bolt;
-    const auto size = [&r](double& into) {
-        return [&r, &into](const toml::node& n, const std::string& k) { into = r.positive(n, k); };
-    };
-    r.each(t, key,
-           {{"at", [&](const auto& n, const auto& k) { at = r.vector(n, k); }},
-            {"toward",
-             [&](const auto& n, const auto& k) {
-                 const std::string name = r.text(n, k);
-                 if (name != "+X" && name != "-X" && name != "+Y" && name != "-Y")
-                     r.fail(n, "expected \"+X\", \"-X\", \"+Y\" or \"-Y\"");
-                 axis = name[1] - 'X';
-                 sign = name[0] == '-' ? -1.0 : 1.0;
-             }},
-            {"length", size(length)},
-            {"width", size(width)},
-            {"height", size(height)},
-            {"heel", size(heel)},
-            {"table", [&](const auto& n, const auto& k) { table = r.number(n, k); }},
-            {"bolt", [&](const toml::node& n, const std::string& k) {
-                 bolt = r.vector(n, k);
-                 if (bolt->x <= 0.0 || bolt->y <= 0.0 || bolt->z <= 0.0)
-                     r.fail(n, fmt::format("'{}': expected three numbers above 0", k));
-             }}});
+    TomlReader::each(t, key,
+                     {{"at", into(at)},
+                      {"toward", into(toward)},
+                      {"length", into(length)},
+                      {"width", into(width)},
+                      {"height", into(height)},
+                      {"heel", into(heel)},
+                      {"table", into(table)},
+                      {"bolt", into(bolt)}});
+    const int axis = toward[1] - 'X';
+    const double sign = toward[0] == '-' ? -1.0 : 1.0;
     for (const char* name : {"at", "toward", "length", "width", "height"})
         (void)required(r, t, key, name);
     if (table && *table >= at.z)
@@ -162,42 +144,39 @@ void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inpu
         mesh.take_mesh(n, k);
         ++shapes;
     };
-    r.each(r.table(node, key), key,
-           {{"name", [&](const auto& n, const auto& k) { fixture.name = r.text(n, k); }},
-            {"mesh", take_mesh},
-            {"stl", take_mesh},  // alternative name
-            {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
-            {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
-            {"clearance",
-             [&](const auto& n, const auto& k) { fixture.clearance_mm = r.not_negative(n, k); }},
-            {"offset",
-             [&](const auto& n, const auto& k) {
-                 const auto system = system_named(r.text(n, k));
-                 if (!system) r.fail(n, fmt::format("'{}': expected a system such as \"G55\"", k));
-                 fixture.system = *system;
-             }},
-            {"vise",
-             [&](const auto& n, const auto& k) {
-                 parts = read_vise(r, n, k);
-                 kind = "vise";
-                 ++shapes;
-             }},
-            {"clamp",
-             [&](const auto& n, const auto& k) {
-                 parts = read_clamp(r, n, k);
-                 kind = "clamp";
-                 ++shapes;
-             }},
-            {"box", [&](const toml::node& n, const std::string& k) {
-                 ++shapes;
-                 const toml::array& corners = r.list(n, k, 2);
-                 fixture.box.add(r.vector(corners[0], k));
-                 fixture.box.add(r.vector(corners[1], k));
-                 const cda::Vec3 size = fixture.box.size();
-                 if (size.x <= 0.0 || size.y <= 0.0 || size.z <= 0.0) {
-                     r.fail(n, fmt::format("'{}': the box has no volume", k));
-                 }
-             }}});
+    const auto take_parts = [&](const char* of, auto read_parts) {
+        return [&, of, read_parts](const toml::node& n, const std::string& k) {
+            parts = read_parts(r, n, k);
+            kind = of;
+            ++shapes;
+        };
+    };
+    TomlReader::each(TomlReader::table(node), key,
+                     {{"name", into(fixture.name)},
+                      {"mesh", take_mesh},
+                      {"stl", take_mesh},  // alternative name
+                      {"scale", [&](const auto& n, const auto&) { mesh.take_scale(n); }},
+                      {"hull", [&](const auto& n, const auto&) { mesh.take_hull(n); }},
+                      {"clearance", into(fixture.clearance_mm)},
+                      {"offset",
+                       [&](const auto& n, const auto& k) {
+                           const auto system = system_named(TomlReader::text(n));
+                           if (!system)
+                               r.fail(n, fmt::format("'{}': expected a system such as \"G55\"", k));
+                           fixture.system = *system;
+                       }},
+                      {"vise", take_parts("vise", read_vise)},
+                      {"clamp", take_parts("clamp", read_clamp)},
+                      {"box", [&](const toml::node& n, const std::string& k) {
+                           ++shapes;
+                           const toml::array& corners = TomlReader::list(n);
+                           fixture.box.add(TomlReader::vector(corners[0]));
+                           fixture.box.add(TomlReader::vector(corners[1]));
+                           const cda::Vec3 size = fixture.box.size();
+                           if (size.x <= 0.0 || size.y <= 0.0 || size.z <= 0.0) {
+                               r.fail(n, fmt::format("'{}': the box has no volume", k));
+                           }
+                       }}});
     if (auto file = mesh.finish()) {
         fixture.mesh = std::move(file->mesh);
         fixture.deflection_mm = file->deflection_mm;

@@ -32,7 +32,7 @@ namespace ncsim::setup {
 /// length `heel` supports the far end. `bolt`: distance from the tip, diameter of the nut, height
 /// above the arm.
 ///
-/// Throws: std::runtime_error as the functions of TomlReader do.
+/// Throws: std::runtime_error with file, line and column.
 void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
                   const toml::node& node, const std::string& key,
                   std::vector<verify::Fixture>& fixtures);

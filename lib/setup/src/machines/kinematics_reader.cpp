@@ -34,6 +34,19 @@ bool turns(char letter) {
     return letter <= 'C';
 }
 
+Coordinates tip_or_axes(std::string_view mode) {
+    return mode == "tip" ? Coordinates::Tip : Coordinates::Axes;
+}
+
+gcode::RotaryWay way_of(const toml::node& node) {
+    using gcode::RotaryWay;
+    const std::string word = TomlReader::text(node);
+    return word == "shortest"   ? RotaryWay::Shortest
+           : word == "sign"     ? RotaryWay::Sign
+           : word == "positive" ? RotaryWay::Positive
+                                : RotaryWay::Linear;
+}
+
 // Reads the number of "M428". Numbers below `first` have a fixed meaning on all controls.
 std::optional<int> m_code_named(std::string_view name, int first) {
     constexpr int kLast = 9999;
@@ -60,37 +73,22 @@ std::optional<std::array<std::uint8_t, 3>> colour_named(std::string_view text) {
 
 }  // namespace
 
-void KinematicsReader::take_preset(const toml::node& node, const std::string& key) {
-    preset_ = Name{&node, r_.text(node, key)};
-    if (machine::preset(preset_->name)) return;
-    std::string names;
-    for (const machine::Preset& known : machine::presets())
-        names.append(names.empty() ? "" : ", ").append(known.name);
-    r_.fail(node, fmt::format("'{}': no machine of this name; expected {}", key, names));
+void KinematicsReader::take_preset(const toml::node& node, const std::string&) {
+    preset_ = Name{&node, TomlReader::text(node)};
 }
 
 void KinematicsReader::take_pivots(const toml::node& node, const std::string& key) {
     pivots_node_ = &node;
-    for (const auto& [name, value] : r_.table(node, key)) {
+    for (const auto& [name, value] : TomlReader::table(node)) {
         const auto letter = axis_named(name.str());
         if (!letter || !turns(*letter))
             r_.fail(value, fmt::format("'{}.{}': expected A, B or C", key, name.str()));
-        pivots_[*letter] = r_.vector(value, fmt::format("{}.{}", key, name.str()));
+        pivots_[*letter] = TomlReader::vector(value);
     }
 }
 
-void KinematicsReader::take_along_tool(const toml::node& node, const std::string& key) {
-    const std::string letter = r_.text(node, key);
-    if (letter != "U" && letter != "V" && letter != "W")
-        r_.fail(node, fmt::format("'{}': expected \"U\", \"V\" or \"W\"", key));
-    along_tool_ = Name{&node, letter};
-}
-
-Coordinates KinematicsReader::tip_or_axes(const toml::node& node, const std::string& key,
-                                          const std::string& mode) const {
-    if (mode != "tip" && mode != "axes")
-        r_.fail(node, fmt::format("'{}': expected \"tip\" or \"axes\"", key));
-    return mode == "tip" ? Coordinates::Tip : Coordinates::Axes;
+void KinematicsReader::take_along_tool(const toml::node& node, const std::string&) {
+    along_tool_ = Name{&node, TomlReader::text(node)};
 }
 
 void KinematicsReader::take_control(const toml::node& node, const std::string& key) {
@@ -98,7 +96,7 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
     // Accepts the word `built`; the word `other` is valid but not simulated.
     const auto choose = [this](std::string_view built, std::string_view other, const auto& done) {
         return [this, built, other, done](const toml::node& n, const std::string& k) {
-            const std::string word = r_.text(n, k);
+            const std::string word = TomlReader::text(n);
             if (word == other)
                 r_.fail(n,
                         fmt::format("'{}': \"{}\" is not simulated, only \"{}\"", k, other, built));
@@ -107,55 +105,46 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
         };
     };
     const TomlReader::Take m_codes = [this](const toml::node& n, const std::string& k) {
-        for (const auto& [name, value] : r_.table(n, k)) {
+        for (const auto& [name, value] : TomlReader::table(n)) {
             constexpr int kFree = 100;
             const auto number = m_code_named(name.str(), kFree);
             const std::string whole = fmt::format("{}.{}", k, name.str());
             if (!number) r_.fail(value, fmt::format("'{}': expected M100 to M9999", whole));
-            control_.m_codes[*number] = tip_or_axes(value, whole, r_.text(value, whole));
+            control_.m_codes[*number] = tip_or_axes(TomlReader::text(value));
         }
     };
-    r_.each(
-        r_.table(node, key), key,
+    TomlReader::each(
+        TomlReader::table(node), key,
         {{"m_codes", m_codes},
          {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
          {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
          {"tip_turns", choose("joints", "vector", [] {})},
          {"at_start",
-          [this](const toml::node& n, const std::string& k) {
-              control_.at_start = tip_or_axes(n, k, r_.text(n, k));
+          [this](const toml::node& n, const std::string&) {
+              control_.at_start = tip_or_axes(TomlReader::text(n));
           }},
          {"kinematics",
-          [this](const toml::node& n, const std::string& k) {
-              for (const std::string& mode : r_.texts(n, k))
-                  control_.kinematics.push_back(tip_or_axes(n, k, mode));
+          [this](const toml::node& n, const std::string&) {
+              for (const std::string& mode : TomlReader::texts(n))
+                  control_.kinematics.push_back(tip_or_axes(mode));
           }},
          {"fixture_offsets",
           [this](const auto& n, const auto& k) {
               take_table_offsets(n, k, false, fixture_offsets_);
           }},
-         {"fixture_offset_moves",
-          [this](const auto& n, const auto& k) { fixture_offsets_.moves = r_.yes_or_no(n, k); }},
+         {"fixture_offset_moves", into(fixture_offsets_.moves)},
          {"setting_errors",
           [this](const auto& n, const auto& k) {
               take_table_offsets(n, k, true, setting_errors_);
           }},
-         {"setting_error_moves",
-          [this](const auto& n, const auto& k) { setting_errors_.moves = r_.yes_or_no(n, k); }},
-         {"setting_error_turns_axes",
-          [this](const auto& n, const auto& k) {
-              setting_errors_.axes_take_turns = r_.yes_or_no(n, k);
-          }},
-         {"orient", [this](const toml::node& n, const std::string& k) {
-              const std::string word = r_.text(n, k);
-              if (word == "positive") {
-                  prefer_ = machine::SolutionPreference::EndPositive;
-              } else if (word == "negative") {
-                  prefer_ = machine::SolutionPreference::EndNegative;
-              } else if (word != "shortest") {
-                  r_.fail(n, fmt::format(
-                                 "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));
-              }
+         {"setting_error_moves", into(setting_errors_.moves)},
+         {"setting_error_turns_axes", into(setting_errors_.axes_take_turns)},
+         {"orient", [this](const toml::node& n, const std::string&) {
+              using machine::SolutionPreference;
+              const std::string word = TomlReader::text(n);
+              prefer_ = word == "positive"   ? SolutionPreference::EndPositive
+                        : word == "negative" ? SolutionPreference::EndNegative
+                                             : SolutionPreference::Shortest;
           }}});
 }
 
@@ -163,20 +152,20 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
 std::array<double, 3> KinematicsReader::angles(const toml::node& node,
                                                const std::string& key) const {
     std::array<double, 3> at{};
-    for (const auto& [name, value] : r_.table(node, key)) {
+    for (const auto& [name, value] : TomlReader::table(node)) {
         const auto letter = axis_named(name.str());
         const std::string whole = fmt::format("{}.{}", key, name.str());
         if (!letter || !turns(*letter))
             r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
-        at[static_cast<std::size_t>(*letter - 'A')] = r_.number(value, whole);
+        at[static_cast<std::size_t>(*letter - 'A')] = TomlReader::number(value);
     }
     return at;
 }
 
 void KinematicsReader::take_table_offsets(const toml::node& node, const std::string& key,
-                                          bool may_turn, gcode::TableOffsets& into) const {
+                                          bool may_turn, gcode::TableOffsets& offsets) const {
     constexpr int kMost = 300;
-    for (const auto& [name, value] : r_.table(node, key)) {
+    for (const auto& [name, value] : TomlReader::table(node)) {
         const std::string whole = fmt::format("{}.{}", key, name.str());
         const std::string_view text = name.str();
         int number = 0;
@@ -189,71 +178,56 @@ void KinematicsReader::take_table_offsets(const toml::node& node, const std::str
         std::optional<Vec3> offset;
         std::optional<std::array<double, 3>> at;
         Vec3 turns;
-        TomlReader::Keys keys{
-            {"offset", [&](const auto& n, const auto& k) { offset = r_.vector(n, k); }},
-            {"at", [&](const auto& n, const auto& k) { at = angles(n, k); }}};
-        if (may_turn)
-            keys["turns"] = [&](const auto& n, const auto& k) { turns = r_.vector(n, k); };
-        r_.each(r_.table(value, whole), whole, keys);
+        TomlReader::Keys keys{{"offset", into(offset)},
+                              {"at", [&](const auto& n, const auto& k) { at = angles(n, k); }}};
+        if (may_turn) keys["turns"] = into(turns);
+        TomlReader::each(TomlReader::table(value), whole, keys);
         if (!offset || !at) {
             r_.fail(value, fmt::format("'{}': expected offset = [x, y, z], and at which angles of "
                                        "the table, at = {{ B = 0 }}",
                                        whole));
         }
-        into.by_number[number] = {
+        offsets.by_number[number] = {
             {offset->x, offset->y, offset->z}, *at, {turns.x, turns.y, turns.z}};
     }
 }
 
 machine::Travel KinematicsReader::travel(const toml::node& node, const std::string& key) const {
-    const toml::array& ends = r_.list(node, key, 2);
-    const machine::Travel travel{r_.number(ends[0], key), r_.number(ends[1], key)};
+    const toml::array& ends = TomlReader::list(node);
+    const machine::Travel travel{TomlReader::number(ends[0]), TomlReader::number(ends[1])};
     if (travel.min >= travel.max)
         r_.fail(node, fmt::format("'{}': the first end must be below the second", key));
     return travel;
 }
 
-gcode::RotaryWay KinematicsReader::way(const toml::node& node, const std::string& key) const {
-    using gcode::RotaryWay;
-    const std::string word = r_.text(node, key);
-    for (const auto& [name, known] : {std::pair{"linear", RotaryWay::Linear},
-                                      {"shortest", RotaryWay::Shortest},
-                                      {"sign", RotaryWay::Sign},
-                                      {"positive", RotaryWay::Positive}}) {
-        if (word == name) return known;
-    }
-    r_.fail(node,
-            fmt::format("'{}': expected \"linear\", \"shortest\", \"sign\" or \"positive\"", key));
-}
-
 void KinematicsReader::take_ways(const toml::node& node, const std::string& key) {
-    for (const auto& [name, value] : r_.table(node, key)) {
+    for (const auto& [name, value] : TomlReader::table(node)) {
         const auto letter = axis_named(name.str());
         const std::string whole = fmt::format("{}.{}", key, name.str());
         if (!letter || !turns(*letter))
             r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
-        ways_[static_cast<std::size_t>(*letter - 'A')] = way(value, whole);
+        ways_[static_cast<std::size_t>(*letter - 'A')] = way_of(value);
     }
 }
 
 void KinematicsReader::take_clamps(const toml::node& node, const std::string& key) {
-    for (const auto& [name, value] : r_.table(node, key)) {
+    for (const auto& [name, value] : TomlReader::table(node)) {
         const auto letter = axis_named(name.str());
         const std::string whole = fmt::format("{}.{}", key, name.str());
         if (!letter || !turns(*letter))
             r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
-        const toml::array& codes = r_.list(value, whole, 2);
+        const toml::array& codes = TomlReader::list(value);
         constexpr int kFirst = 10;  // smaller numbers have a fixed meaning on all controls
-        const auto clamp = m_code_named(r_.text(codes[0], whole), kFirst);
-        const auto release = m_code_named(r_.text(codes[1], whole), kFirst);
+        const auto clamp = m_code_named(TomlReader::text(codes[0]), kFirst);
+        const auto release = m_code_named(TomlReader::text(codes[1]), kFirst);
         if (!clamp || !release || clamp == release || *clamp == 30 || *release == 30)
             r_.fail(value, fmt::format("'{}': expected two M codes, [\"M10\", \"M11\"]", whole));
         clamps_.push_back({*letter, *clamp, *release});
     }
 }
 
-void KinematicsReader::take_assumed(const toml::node& node, const std::string& key) {
-    assumed_ = Name{&node, r_.text(node, key)};
+void KinematicsReader::take_assumed(const toml::node& node, const std::string&) {
+    assumed_ = Name{&node, TomlReader::text(node)};
 }
 
 void KinematicsReader::take_travel(char letter, const toml::node& node, const std::string& key) {
@@ -271,45 +245,40 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     std::optional<gcode::RotaryWay> told_way;
     const toml::node* clearance_at = nullptr;
     MeshKeys mesh(r_, folder_, inputs_);
-    const auto direction = [this](std::optional<Vec3>& into) {
-        return [this, &into](const toml::node& n, const std::string& k) {
-            into = r_.vector(n, k);
+    const auto into_direction = [this](std::optional<Vec3>& direction) {
+        return [this, &direction](const toml::node& n, const std::string& k) {
+            direction = TomlReader::vector(n);
             constexpr double kNothing = 1e-6;
-            if (norm(*into) < kNothing) r_.fail(n, fmt::format("'{}': it has no length", k));
+            if (norm(*direction) < kNothing) r_.fail(n, fmt::format("'{}': it has no length", k));
         };
     };
-    r_.each(r_.table(node, key), key,
-            {{"name", [&](const auto& n, const auto& k) { link.name = r_.text(n, k); }},
-             {"parent", [&](const auto& n, const auto& k) { link.parent = r_.text(n, k); }},
-             {"axis",
-              [&](const toml::node& n, const std::string& k) {
-                  letter = axis_named(r_.text(n, k));
-                  if (!letter) r_.fail(n, fmt::format("'{}': expected X, Y, Z, A, B or C", k));
-              }},
-             {"moves_along", direction(along)},
-             {"turns_about", direction(about)},
-             {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
-             {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
-             {"mesh", [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); }},
-             {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
-             {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
-             {"colour",
-              [&](const toml::node& n, const std::string& k) {
-                  link.colour = colour_named(r_.text(n, k));
-                  if (!link.colour) r_.fail(n, fmt::format("'{}': expected \"#rrggbb\"", k));
-              }},
-             {"clearance",
-              [&](const auto& n, const auto& k) {
-                  clearance_at = &n;
-                  link.clearance_mm = r_.not_negative(n, k);
-              }},
-             {"way", [&](const auto& n, const auto& k) { told_way = way(n, k); }},
-             {"positive", [&](const toml::node& n, const std::string& k) {
-                  const std::string which = r_.text(n, k);
-                  if (which != "part" && which != "tool")
-                      r_.fail(n, fmt::format("'{}': expected \"part\" or \"tool\"", k));
-                  turns_part = which == "part";
-              }}});
+    TomlReader::each(
+        TomlReader::table(node), key,
+        {{"name", into(link.name)},
+         {"parent", into(link.parent)},
+         {"axis", [&](const toml::node& n,
+                      const std::string&) { letter = axis_named(TomlReader::text(n)); }},
+         {"moves_along", into_direction(along)},
+         {"turns_about", into_direction(about)},
+         {"through", into(through)},
+         {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
+         {"mesh", [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); }},
+         {"scale", [&](const auto& n, const auto&) { mesh.take_scale(n); }},
+         {"hull", [&](const auto& n, const auto&) { mesh.take_hull(n); }},
+         {"colour",
+          [&](const toml::node& n, const std::string& k) {
+              link.colour = colour_named(TomlReader::text(n));
+              if (!link.colour) r_.fail(n, fmt::format("'{}': expected \"#rrggbb\"", k));
+          }},
+         {"clearance",
+          [&](const auto& n, const auto&) {
+              clearance_at = &n;
+              link.clearance_mm = TomlReader::number(n);
+          }},
+         {"way", [&](const auto& n, const auto&) { told_way = way_of(n); }},
+         {"positive", [&](const toml::node& n, const std::string&) {
+              turns_part = TomlReader::text(n) == "part";
+          }}});
     if (auto file = mesh.finish()) {
         link.mesh = std::move(file->mesh);
         link.deflection_mm = file->deflection_mm;
@@ -357,13 +326,13 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
 }
 
 void KinematicsReader::take_part(const toml::node& node, const std::string& key) {
-    r_.each(r_.table(node, key), key, {{"link", [this](const auto& n, const auto& k) {
-                                            part_ = Name{&n, r_.text(n, k)};
-                                        }}});
+    TomlReader::each(TomlReader::table(node), key, {{"link", [this](const auto& n, const auto&) {
+                                                         part_ = Name{&n, TomlReader::text(n)};
+                                                     }}});
 }
 
-void KinematicsReader::take_spindle_link(const toml::node& node, const std::string& key) {
-    tool_ = Name{&node, r_.text(node, key)};
+void KinematicsReader::take_spindle_link(const toml::node& node, const std::string&) {
+    tool_ = Name{&node, TomlReader::text(node)};
 }
 
 const KinematicsReader::Link* KinematicsReader::find(const std::string& name) const {

@@ -25,7 +25,7 @@ public:
     KinematicsReader(const TomlReader& reader, std::string folder, InputSet& inputs)
         : r_(reader), folder_(std::move(folder)), inputs_(inputs) {}
 
-    // The following functions throw std::runtime_error as the functions of TomlReader do.
+    // The following functions throw std::runtime_error with file, line and column.
     void take_preset(const toml::node& node, const std::string& key);
     void take_pivots(const toml::node& node, const std::string& key);
     void take_control(const toml::node& node, const std::string& key);
@@ -38,6 +38,8 @@ public:
     void take_ways(const toml::node& node, const std::string& key);
     void take_clamps(const toml::node& node, const std::string& key);
     void take_travel(char letter, const toml::node& node, const std::string& key);
+    /// Returns the travel of an axis.
+    machine::Travel travel(const toml::node& node, const std::string& key) const;
 
     // Results, after all keys were read. They throw std::runtime_error if keys contradict each
     // other.
@@ -74,8 +76,6 @@ private:
         const toml::node* node;
         std::string name;
     };
-    gcode::Coordinates tip_or_axes(const toml::node& node, const std::string& key,
-                                   const std::string& mode) const;
     SpecifiedKinematics of_preset() const;
     SpecifiedKinematics of_links() const;
     std::vector<const Link*> chain_to_base(const Name& from) const;
@@ -83,10 +83,8 @@ private:
     std::vector<MachineBody> links_that(bool have_a_mesh) const;
     const Link* find(const std::string& name) const;
     void take_table_offsets(const toml::node& node, const std::string& key, bool may_turn,
-                            gcode::TableOffsets& into) const;
+                            gcode::TableOffsets& offsets) const;
     std::array<double, 3> angles(const toml::node& node, const std::string& key) const;
-    gcode::RotaryWay way(const toml::node& node, const std::string& key) const;
-    machine::Travel travel(const toml::node& node, const std::string& key) const;
     void finish(SpecifiedKinematics& specified) const;
 
     const TomlReader& r_;

@@ -5,8 +5,8 @@
 
 #include "ncsim/setup/coordinate_systems.h"
 
+#include "files/schema.h"
 #include "files/toml_reader.h"
-#include "files/tool_keys.h"
 #include "machines/fixture_reader.h"
 #include "machines/kinematics_reader.h"
 
@@ -30,61 +30,49 @@ using verify::MachineDescription;
 
 constexpr int kG54 = 1;
 
-// Reads x, y and z by `read`.
-template <class Value, class Read>
-void read_axes(const TomlReader& r, const toml::node& node, const std::string& key,
-               std::array<std::optional<Value>, 3>& into, const Read& read) {
-    TomlReader::Keys keys;
-    for (std::size_t i = 0; i < 3; ++i) {
-        keys[std::string(1, "xyz"[i])] = [&into, &read, i](const auto& n, const auto& k) {
-            into[i] = read(n, k);
-        };
-    }
-    r.each(r.table(node, key), key, keys);
+// Reads x, y and z.
+TomlReader::Take into_axes(std::array<std::optional<double>, 3>& values) {
+    return [&values](const toml::node& node, const std::string& key) {
+        TomlReader::each(TomlReader::table(node), key,
+                         {{"x", into(values[0])}, {"y", into(values[1])}, {"z", into(values[2])}});
+    };
 }
 
-void read_travels(const TomlReader& r, const toml::node& node, const std::string& key,
-                  std::array<std::optional<AxisRange>, 3>& into, KinematicsReader& kinematics) {
-    TomlReader::Keys keys;
-    for (std::size_t i = 0; i < 3; ++i) {
-        keys[std::string(1, "xyz"[i])] = [&r, &into, i](const toml::node& n, const std::string& k) {
-            const toml::array& ends = r.list(n, k, 2);
-            into[i] = AxisRange{r.number(ends[0], k), r.number(ends[1], k)};
-            if (into[i]->min >= into[i]->max)
-                r.fail(n, fmt::format("'{}': the first end must be below the second", k));
-        };
-        keys[std::string(1, "abc"[i])] = [&kinematics, i](const auto& n, const auto& k) {
-            kinematics.take_travel("ABC"[i], n, k);
-        };
-    }
-    r.each(r.table(node, key), key, keys);
+TomlReader::Take into_travels(std::array<std::optional<AxisRange>, 3>& travels,
+                              KinematicsReader& kinematics) {
+    return [&](const toml::node& node, const std::string& key) {
+        TomlReader::Keys keys;
+        for (std::size_t i = 0; i < 3; ++i) {
+            keys[std::string(1, "xyz"[i])] = [&, i](const toml::node& n, const std::string& k) {
+                const machine::Travel travel = kinematics.travel(n, k);
+                travels[i] = AxisRange{travel.min, travel.max};
+            };
+            keys[std::string(1, "abc"[i])] = [&, i](const auto& n, const auto& k) {
+                kinematics.take_travel("ABC"[i], n, k);
+            };
+        }
+        TomlReader::each(TomlReader::table(node), key, keys);
+    };
 }
 
 void read_tool_limits(const TomlReader& r, const toml::node& node, const std::string& key,
                       std::map<int, verify::ToolFacts>& tools) {
     verify::ToolFacts facts;
-    std::optional<int> number;
-    const auto limit = [&r](std::optional<double>& into) {
-        return [&r, &into](const toml::node& n, const std::string& k) { into = r.positive(n, k); };
-    };
-    r.each(r.table(node, key), key,
-           {{"number",
-             [&](const toml::node& n, const std::string& k) {
-                 number = static_cast<int>(r.integer(n, k, 0, kMostTools));
-             }},
-            {"max_feed", limit(facts.max_feed)},
-            {"max_speed", limit(facts.max_rpm)},
-            {"max_depth", limit(facts.max_depth)},
-            {"max_engagement", limit(facts.max_engagement)},
-            {"max_removal_rate", limit(facts.max_removal_rate)},
-            {"max_ramp", limit(facts.max_ramp)},
-            {"blind_diameter",
-             [&](const auto& n, const auto& k) { facts.blind_diameter = r.not_negative(n, k); }},
-            {"left_handed",
-             [&](const auto& n, const auto& k) { facts.left_hand = r.yes_or_no(n, k); }}});
-    if (!number) r.fail(node, "a tool needs its number");
-    if (!tools.emplace(*number, std::move(facts)).second) {
-        r.fail(node, fmt::format("tool {} is described twice", *number));
+    constexpr int kNone = -1;
+    int number = kNone;
+    TomlReader::each(TomlReader::table(node), key,
+                     {{"number", into(number)},
+                      {"max_feed", into(facts.max_feed)},
+                      {"max_speed", into(facts.max_rpm)},
+                      {"max_depth", into(facts.max_depth)},
+                      {"max_engagement", into(facts.max_engagement)},
+                      {"max_removal_rate", into(facts.max_removal_rate)},
+                      {"max_ramp", into(facts.max_ramp)},
+                      {"blind_diameter", into(facts.blind_diameter)},
+                      {"left_handed", into(facts.left_hand)}});
+    if (number == kNone) r.fail(node, "a tool needs its number");
+    if (!tools.emplace(number, std::move(facts)).second) {
+        r.fail(node, fmt::format("tool {} is described twice", number));
     }
 }
 
@@ -92,18 +80,15 @@ void read_tool_limits(const TomlReader& r, const toml::node& node, const std::st
 using NamesAt = std::vector<std::pair<const toml::node*, std::string>>;
 
 // Reads [["table", "column"], …].
-std::vector<verify::NamePair> read_pairs(const TomlReader& r, const toml::node& node,
-                                         const std::string& key, NamesAt& names) {
-    std::vector<verify::NamePair> pairs;
-    const toml::array* all = node.as_array();
-    if (!all) r.fail(node, fmt::format("'{}': expected a list of pairs, [[\"a\", \"b\"]]", key));
-    for (const toml::node& element : *all) {
-        const toml::array& two = r.list(element, key, 2);
-        pairs.emplace_back(r.text(two[0], key), r.text(two[1], key));
-        names.emplace_back(&two[0], pairs.back().first);
-        names.emplace_back(&two[1], pairs.back().second);
-    }
-    return pairs;
+TomlReader::Take into_pairs(std::vector<verify::NamePair>& pairs, NamesAt& names) {
+    return [&](const toml::node& node, const std::string&) {
+        for (const toml::node& element : TomlReader::list(node)) {
+            const toml::array& two = TomlReader::list(element);
+            pairs.emplace_back(TomlReader::text(two[0]), TomlReader::text(two[1]));
+            names.emplace_back(&two[0], pairs.back().first);
+            names.emplace_back(&two[1], pairs.back().second);
+        }
+    };
 }
 
 // Checks names of pairs: an unknown name would have no effect, and an ambiguous name would affect
@@ -133,95 +118,63 @@ void check_names(const TomlReader& r, const NamesAt& names, const MachineFile& f
 MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     MachineFile file;
     MachineDescription& m = file.machine;
-    const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes));
+    const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes), kMachineSchema);
     const std::string folder = std::filesystem::path(path).parent_path().string();
-    const auto positive = [&r](const auto& n, const auto& k) { return r.positive(n, k); };
-    const auto point = [&r](std::optional<cda::Vec3>& into) {
-        return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
-    };
     KinematicsReader kinematics(r, folder, inputs);
     NamesAt named;
-    const auto take_pairs = [&](std::vector<verify::NamePair>& into, const toml::node& n,
-                                const std::string& k) { into = read_pairs(r, n, k, named); };
-    r.each(
+    // Reads a table with these keys.
+    const auto table = [](TomlReader::Keys keys) -> TomlReader::Take {
+        return [keys = std::move(keys)](const toml::node& n, const std::string& k) {
+            TomlReader::each(TomlReader::table(n), k, keys);
+        };
+    };
+    // Passes a value to a function of `kinematics`.
+    const auto kinematic = [&kinematics](auto take) -> TomlReader::Take {
+        return [&kinematics, take](const auto& n, const auto& k) { (kinematics.*take)(n, k); };
+    };
+    using K = KinematicsReader;
+    TomlReader::each(
         r.root(), "",
-        {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
-         {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
-         {"control", [&](const auto& n, const auto& k) { kinematics.take_control(n, k); }},
-         {"assumed", [&](const auto& n, const auto& k) { kinematics.take_assumed(n, k); }},
-         {"along_tool", [&](const auto& n, const auto& k) { kinematics.take_along_tool(n, k); }},
-         {"way", [&](const auto& n, const auto& k) { kinematics.take_ways(n, k); }},
-         {"clamps", [&](const auto& n, const auto& k) { kinematics.take_clamps(n, k); }},
-         {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},
-         {"ignore", [&](const auto& n, const auto& k) { take_pairs(file.ignored, n, k); }},
-         {"ask", [&](const auto& n, const auto& k) { take_pairs(file.checked_neighbours, n, k); }},
-         {"link",
-          [&](const toml::node& n, const std::string& k) {
-              r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
-                  kinematics.take_link(element, key);
-              });
-          }},
-         {"name", [&](const auto& n, const auto& k) { m.name = r.text(n, k); }},
-         {"travel", [&](const toml::node& n,
-                        const std::string& k) { read_travels(r, n, k, m.travel, kinematics); }},
-         {"rapid", [&](const auto& n, const auto& k) { read_axes(r, n, k, m.rapid, positive); }},
-         {"acceleration",
-          [&](const auto& n, const auto& k) { read_axes(r, n, k, m.acceleration, positive); }},
-         {"spindle",
-          [&](const toml::node& n, const std::string& k) {
-              r.each(r.table(n, k), k,
-                     {{"link", [&](const auto& v,
-                                   const auto& key) { kinematics.take_spindle_link(v, key); }},
-                      {"min",
-                       [&](const auto& v, const auto& key) { m.min_rpm = r.not_negative(v, key); }},
-                      {"max",
-                       [&](const auto& v, const auto& key) { m.max_rpm = r.positive(v, key); }}});
-          }},
-         {"feed",
-          [&](const toml::node& n, const std::string& k) {
-              r.each(r.table(n, k), k, {{"max", [&](const auto& v, const auto& key) {
-                                             m.max_feed = r.positive(v, key);
-                                         }}});
-          }},
+        {{"preset", kinematic(&K::take_preset)},
+         {"pivot", kinematic(&K::take_pivots)},
+         {"control", kinematic(&K::take_control)},
+         {"assumed", kinematic(&K::take_assumed)},
+         {"along_tool", kinematic(&K::take_along_tool)},
+         {"way", kinematic(&K::take_ways)},
+         {"clamps", kinematic(&K::take_clamps)},
+         {"part", kinematic(&K::take_part)},
+         {"ignore", into_pairs(file.ignored, named)},
+         {"ask", into_pairs(file.checked_neighbours, named)},
+         {"link", tables(kinematic(&K::take_link))},
+         {"name", into(m.name)},
+         {"travel", into_travels(m.travel, kinematics)},
+         {"rapid", into_axes(m.rapid)},
+         {"acceleration", into_axes(m.acceleration)},
+         {"spindle", table({{"link", kinematic(&K::take_spindle_link)},
+                            {"min", into(m.min_rpm)},
+                            {"max", into(m.max_rpm)}})},
+         {"feed", table({{"max", into(m.max_feed)}})},
          {"position",
-          [&](const toml::node& n, const std::string& k) {
-              r.each(r.table(n, k), k,
-                     {{"home", point(m.home)},
-                      {"tool_change", point(m.tool_change)},
-                      {"start", point(file.start)},
-                      {"work_zero", [&](const auto& v, const auto& key) {
-                           file.offsets[kG54] = r.vector(v, key);
-                       }}});
-          }},
-         {"offsets", [&](const toml::node& n,
-                         const std::string& k) { file.offsets.merge(read_offsets(r, n, k)); }},
-         {"below_stock",
-          [&](const auto& n, const auto& k) { m.below_stock = r.not_negative(n, k); }},
-         {"path_deviation",
-          [&](const auto& n, const auto& k) { m.path_deviation = r.positive(n, k); }},
-         {"time",
-          [&](const toml::node& n, const std::string& k) {
-              r.each(r.table(n, k), k,
-                     {{"tool_change",
-                       [&](const auto& v, const auto& key) {
-                           m.tool_change_seconds = r.not_negative(v, key);
-                       }},
-                      {"junction_deviation", [&](const auto& v, const auto& key) {
-                           m.junction_deviation = r.positive(v, key);
-                       }}});
-          }},
+          table({{"home", into(m.home)},
+                 {"tool_change", into(m.tool_change)},
+                 {"start", into(file.start)},
+                 {"work_zero", [&](const auto& n,
+                                   const auto&) { file.offsets[kG54] = TomlReader::vector(n); }}})},
+         {"offsets", [&](const auto& n, const auto&) { file.offsets.merge(read_offsets(r, n)); }},
+         {"below_stock", into(m.below_stock)},
+         {"path_deviation", into(m.path_deviation)},
+         {"time", table({{"tool_change", into(m.tool_change_seconds)},
+                         {"junction_deviation", into(m.junction_deviation)}})},
          {"fixture",
           [&](const toml::node& n, const std::string& k) {
               m.fixtures_specified = true;
-              r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
+              TomlReader::each_of(n, k, [&](const toml::node& element, const std::string& key) {
                   read_fixture(r, folder, inputs, element, key, m.fixtures);
               });
           }},
-         {"tool", [&](const toml::node& n, const std::string& k) {
-              r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
-                  read_tool_limits(r, element, key, file.tools);
-              });
-          }}});
+         {"tool", tables([&](const toml::node& element, const std::string& key) {
+              read_tool_limits(r, element, key, file.tools);
+          })}});
     file.kinematics = kinematics.kinematics();
     file.bodies = kinematics.bodies();
     file.other_links = kinematics.other_links();

@@ -17,7 +17,7 @@ namespace ncsim::setup {
 void MeshKeys::take_mesh(const toml::node& node, const std::string& key) {
     if (mesh_at_) r_.fail(node, fmt::format("'{}': a mesh is specified already", key));
     mesh_at_ = &node;
-    const std::string path = seen_in(folder_, r_.text(node, key));
+    const std::string path = seen_in(folder_, TomlReader::text(node));
     try {
         file_ = read_surface_file(path, inputs_);
     } catch (const std::runtime_error& e) {
@@ -25,14 +25,14 @@ void MeshKeys::take_mesh(const toml::node& node, const std::string& key) {
     }
 }
 
-void MeshKeys::take_scale(const toml::node& node, const std::string& key) {
+void MeshKeys::take_scale(const toml::node& node) {
     scale_at_ = &node;
-    scale_ = r_.positive(node, key);
+    scale_ = TomlReader::number(node);
 }
 
-void MeshKeys::take_hull(const toml::node& node, const std::string& key) {
+void MeshKeys::take_hull(const toml::node& node) {
     hull_at_ = &node;
-    as_hull_ = r_.yes_or_no(node, key);
+    as_hull_ = node.as_boolean()->get();
 }
 
 std::optional<SurfaceFile> MeshKeys::finish() {

@@ -19,10 +19,10 @@ public:
     MeshKeys(const TomlReader& reader, const std::string& folder, InputSet& inputs)
         : r_(reader), folder_(folder), inputs_(inputs) {}
 
-    // The following functions throw std::runtime_error as the functions of TomlReader do.
+    // The following functions throw std::runtime_error with file, line and column.
     void take_mesh(const toml::node& node, const std::string& key);
-    void take_scale(const toml::node& node, const std::string& key);
-    void take_hull(const toml::node& node, const std::string& key);
+    void take_scale(const toml::node& node);
+    void take_hull(const toml::node& node);
     /// Returns the mesh in mm, after all keys were read; empty if no mesh is specified. A file
     /// without unit and without scale is in mm. If it would then be shorter than 5 mm, it is
     /// refused, because it is probably in metres, and such a small body would never collide.

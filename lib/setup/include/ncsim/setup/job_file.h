@@ -78,7 +78,7 @@ struct JobFile {
     bool fixtures_specified = false;
     std::optional<double> below_stock;
     /// Options of commands: machine, tool tables, accuracy, rules. File names are as written.
-    std::vector<ProjectSetting> settings;
+    std::vector<OptionSetting> settings;
     /// Output files of ncsim run by format ("png", "step"), as written; of the last set-up.
     std::map<std::string, std::string> outputs;
     std::vector<AssumedValue> assumed;  ///< In addition to units, dialect, stock and tools.
@@ -96,6 +96,13 @@ std::optional<std::string> variable_name(std::string_view text);
 /// Returns the number of a register of cutter compensation, 1 to 9999, as in "D1"; empty for other
 /// texts.
 std::optional<int> compensation_register(std::string_view text);
+
+/// Options of commands that a job file may contain, by long name. A key has '_' instead of '-'.
+inline constexpr std::string_view kJobOptions[] = {
+    "machine",     "tool-table", "subprograms", "tolerance", "tool-tolerance", "model",
+    "rapid",       "design",     "design-tol",  "select",    "ignore",         "severity",
+    "baseline",    "cut-free",   "air-cuts",    "max-time",  "max-memory",     "warnings-as-errors",
+    "report-units"};
 
 /// A program of a job.
 struct JobStep {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/setup/input.h"
+#include "ncsim/setup/option_setting.h"
 
 #include <optional>
 #include <string>
@@ -15,20 +16,11 @@ namespace ncsim::setup {
 
 inline constexpr const char* kProjectFileName = "ncsim.toml";
 
-/// An option of a command in a project file.
-struct ProjectSetting {
-    std::string option;               ///< Long name without dashes: "tool-table".
-    std::vector<std::string> values;  ///< The values of the command line.
-    bool is_flag = false;             ///< True for an option without value, true or false.
-    bool is_on = true;                ///< Value of a flag.
-    std::string where;                ///< Place in the file, for messages: "ncsim.toml:3:1".
-};
-
 /// Content of a project file.
 struct ProjectFile {
     struct Section {
         std::vector<std::string> files;  ///< Patterns of programs; empty for all programs.
-        std::vector<ProjectSetting> settings;
+        std::vector<OptionSetting> settings;
         std::vector<std::string> places{};  ///< Places of the patterns: "ncsim.toml:5:10".
     };
     std::string name;  ///< Path of the file.
@@ -47,7 +39,7 @@ std::optional<std::string> find_project_file(const std::string& program);
 ProjectFile read_project_file(const std::string& path, InputSet& inputs);
 
 /// Returns the settings for a program. The last setting of an option in the file counts.
-std::vector<ProjectSetting> settings_for(const ProjectFile& project, const std::string& program);
+std::vector<OptionSetting> settings_for(const ProjectFile& project, const std::string& program);
 
 /// Checks that every pattern matches a program: a program of `programs`, or a program below the
 /// folder of the project. Folders with a project file or a repository of their own do not belong to
