@@ -87,6 +87,7 @@ std::string example_of(const cli::Option& option) {
                                                            {"N", "2"},
                                                            {"MM", "1"},
                                                            {"--background", "dark"},
+                                                           {"--shade", "none"},
                                                            {"GB", "1"},
                                                            {"S", "1"},
                                                            {"X,Y,Z", "1,2,3"},
@@ -153,8 +154,9 @@ std::vector<std::string> options_without_effect_on(const Shown& shown) {
 // cannot change a verdict.
 TEST(Options, OfCheckAreInTheKeyOfTheCacheUnlessTheyCannotChangeAVerdict) {
     const std::vector<std::string> files{
-        "--csv",   "--github", "--html",    "--json",     "--junit",          "--out",
-        "--sarif", "--png",    "--finding", "--tile-out", "--write-baseline", "--exit-zero"};
+        "--csv",     "--github",   "--html",           "--json",     "--junit",
+        "--out",     "--sarif",    "--see-through",    "--shade",    "--png",
+        "--finding", "--tile-out", "--write-baseline", "--exit-zero"};
     const std::vector<std::string> look_of_png{"--background", "--cut-view", "--marks",
                                                "--size",       "--view",     "--views"};
     const std::vector<std::string> division{"--cache", "--isolate", "--jobs", "--list",
