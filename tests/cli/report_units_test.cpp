@@ -22,9 +22,12 @@ std::string sample(const std::string& name) {
 
 // Returns the first length in mm in `text`.
 std::string length_in_mm(const std::string& text) {
-    static const std::regex kLength("[^\\n]*[0-9] ?(mm|mm[23]|cm3|m/min)\\b[^\\n]*");
+    static const std::regex kLength("[0-9] ?(mm|mm[23]|cm3|m/min)\\b");
     std::smatch found;
-    return std::regex_search(text, found, kLength) ? found.str() : std::string();
+    if (!std::regex_search(text, found, kLength)) return {};
+    const auto at = static_cast<std::size_t>(found.position());
+    const std::size_t begin = text.rfind('\n', at) + 1;
+    return text.substr(begin, text.find('\n', at) - begin);
 }
 
 void expect_inches(const Folder& folder, std::vector<std::string> words) {
