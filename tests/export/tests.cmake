@@ -97,6 +97,11 @@ target_compile_features(ncsim_read_vrml PRIVATE cxx_std_20)
 target_link_libraries(ncsim_read_vrml PRIVATE Coin::Coin)
 add_test(NAME export.vrml_is_read_by_coin COMMAND ncsim_read_vrml ${samples})
 set_tests_properties(export.vrml_is_read_by_coin PROPERTIES FIXTURES_REQUIRED export_samples)
+add_test(NAME export.vrml_with_fixtures_is_read_by_coin
+  COMMAND ${CMAKE_COMMAND} -D NCSIM=$<TARGET_FILE:ncsim> -D READER=$<TARGET_FILE:ncsim_read_vrml>
+    -D EXAMPLE=${PROJECT_SOURCE_DIR}/examples/rules/fixture-contact/passes.nc
+    -D WORK=${CMAKE_CURRENT_BINARY_DIR}/export/vrml_with_fixtures
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/export/vrml_with_fixtures.cmake)
 
 # STEP: OpenCASCADE finds valid closed solids. Its package config names no version that can be asked for.
 find_package(OpenCASCADE CONFIG REQUIRED)

@@ -552,9 +552,8 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
                 checked.page_data->deviation =
                     deviation_mesh(checked.page_data->mesh, *verification_options.design);
             }
-            checked.page_data->machine =
-                machine_page_data(plan, survey, verification_options.machine,
-                                  checked.verdict.findings);
+            checked.page_data->machine = machine_page_data(
+                plan, survey, verification_options.machine, checked.verdict.findings);
         }
     } else {
         // The program is known not to end, so the rules need not examine each iteration of its

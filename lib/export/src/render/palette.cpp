@@ -40,7 +40,7 @@ float to_linear(std::uint8_t channel) {
 
 std::uint8_t to_srgb(float channel) {
     const float c = std::sqrt(std::clamp(channel, 0.0F, 1.0F));
-    return static_cast<std::uint8_t>(static_cast<double>(255.0F * c) + 0.5);
+    return rounded(255.0F * c);
 }
 
 }  // namespace

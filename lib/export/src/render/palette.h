@@ -27,6 +27,12 @@ struct LinearColour {
     friend LinearColour operator*(float s, LinearColour a) { return {s * a.r, s * a.g, s * a.b}; }
 };
 
+/// Returns `channel`, from 0 to 255, rounded. The sum of a float and a half is exact as a double.
+inline std::uint8_t rounded(float channel) {
+    constexpr double kHalf = 0.5;
+    return static_cast<std::uint8_t>(static_cast<double>(channel) + kHalf);
+}
+
 /// Converts between sRGB and linear colours.
 LinearColour to_linear(Rgba8 colour);
 Rgba8 to_srgb(LinearColour colour);

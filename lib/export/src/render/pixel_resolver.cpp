@@ -63,7 +63,7 @@ bool continue_run(const SurfaceId* ids) {
 // Returns `colour` with `share` of its sRGB values.
 Rgba8 darkened(Rgba8 colour, float share) {
     const auto scaled = [share](std::uint8_t channel) {
-        return static_cast<std::uint8_t>(share * static_cast<float>(channel) + 0.5F);
+        return rounded(share * static_cast<float>(channel));
     };
     return {scaled(colour.r), scaled(colour.g), scaled(colour.b), colour.a};
 }

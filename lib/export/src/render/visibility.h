@@ -132,7 +132,7 @@ private:
     std::int64_t left_ = 0, top_ = 0;  // corner of the rectangle, in 1 / kUnit of a cell
     std::vector<SurfaceId> ids_;
     std::vector<std::int32_t> depths_;
-    std::vector<std::int32_t> peeled_;  // depths of the peeled content; empty: none
+    std::vector<std::int32_t> peeled_;    // depths of the peeled content; empty: none
     std::vector<std::uint32_t> stencil_;  // number of the latest facet with a mask there
     std::uint32_t facets_with_masks_ = 0;
     std::vector<Corner> corners_;  // of the current polygon
