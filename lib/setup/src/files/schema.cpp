@@ -169,14 +169,14 @@ private:
     }
 
     void table(const toml::table& t, const Json& schema, const std::string& where) const {
-        static const Json kNone = Json::object();
+        static const Json none = Json::object();
         const auto properties = schema.find("properties");
-        const Json& known = properties == schema.end() ? kNone : *properties;
+        const Json& known = properties == schema.end() ? none : *properties;
         const bool of_names = is_of_names(schema, known);
         for (const auto& [key, node] : t) {
             const std::string name(key.str());
             if (check_.is_option && check_.is_option(name)) continue;
-            const std::string path = where.empty() ? name : where + "." + name;
+            const std::string path = where.empty() ? name : fmt::format("{}.{}", where, name);
             if (const auto found = known.find(name); found != known.end()) {
                 value(node, *found, path);
             } else if (!of_names) {
