@@ -56,7 +56,7 @@ void select_severities(const char* option, const std::vector<std::string>& texts
         const std::size_t equals = text.find('=');
         const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
         const auto* const known = std::ranges::find(
-            kSeverities, value, [](const auto& severity) { return std::string(severity.word); });
+            kSeverities, value, [](const auto& severity) { return severity.word; });
         for (const std::string_view id : ids_of(option, text.substr(0, equals))) {
             if (known == std::end(kSeverities))
                 throw Refusal{fmt::format("{} '{}': expected rule=note, rule=warning or rule=error",

@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -50,7 +51,7 @@ void add_rows(cli::App& command, std::span<const OptionRow<std::type_identity_t<
 /// Word of the command line, and the value that it denotes.
 template <class Value>
 struct Choice {
-    const char* word;
+    std::string_view word;
     Value value;
 };
 

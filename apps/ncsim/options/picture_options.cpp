@@ -75,7 +75,7 @@ MarkOptions read_marks(const char* option, const std::string& list) {
                                                       {"legend", &MarkOptions::legend}};
     each_word(list, [&](const std::string& name) {
         const auto* const mark =
-            std::ranges::find(kMarks, name, [](const auto& m) { return std::string_view(m.word); });
+            std::ranges::find(kMarks, name, [](const auto& m) { return m.word; });
         if (mark == std::end(kMarks))
             throw Refusal{fmt::format("{} '{}': expected all, none, axes, zero, scale or legend",
                                       option, list)};

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -115,8 +116,9 @@ cda::Vec3 read_triple(const char* option, const std::string& text) {
 
 gcode::Dialect read_dialect(const char* option, const std::string& name) {
     std::vector<Choice<gcode::Dialect>> dialects;
+    dialects.reserve(std::size(gcode::kDialectList));
     for (const gcode::Dialect dialect : gcode::kDialectList)
-        dialects.push_back({gcode::name_of(dialect).data(), dialect});
+        dialects.push_back({gcode::name_of(dialect), dialect});
     return chosen(option, name, dialects);
 }
 

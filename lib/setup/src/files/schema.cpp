@@ -39,20 +39,25 @@ public:
     void compare(const toml::table& document) const { table(document, root_, ""); }
 
 private:
-    // Follows references.
+    // Follows references to definitions.
     const Json& resolved(const Json& schema) const {
-        const Json& target = schema.contains("allOf") ? schema["allOf"][0] : schema;
-        if (!target.contains("$ref")) return schema;
-        return root_.at(Json::json_pointer(target["$ref"].get_ref<const std::string&>().substr(1)));
+        const auto all = schema.find("allOf");
+        const Json& target = all == schema.end() ? schema : all->front();
+        const auto reference = target.find("$ref");
+        if (reference == target.end()) return schema;
+        constexpr std::string_view kDefinitions = "#/definitions/";
+        return root_["definitions"].at(
+            reference->get_ref<const std::string&>().substr(kDefinitions.size()));
     }
 
-    static std::string type_of(const Json& schema) {
-        if (schema.contains("type")) return schema["type"];
-        const bool has_words = schema.contains("enum") && schema["enum"][0].is_string();
-        return has_words ? "string" : "";
+    static std::string_view type_of(const Json& schema) {
+        const auto type = schema.find("type");
+        if (type != schema.end()) return type->get_ref<const std::string&>();
+        const auto words = schema.find("enum");
+        return words != schema.end() && words->front().is_string() ? "string" : "";
     }
 
-    static bool has_type(const toml::node& node, const std::string& type) {
+    static bool has_type(const toml::node& node, std::string_view type) {
         return type == "string"   ? node.is_string()
                : type == "array"  ? node.is_array()
                : type == "object" ? node.is_table()
@@ -80,7 +85,7 @@ private:
 
     void value(const toml::node& node, const Json& any, const std::string& key) const {
         const Json& schema = chosen(any, node);
-        const std::string type = type_of(schema);
+        const std::string_view type = type_of(schema);
         if (type == "string") {
             text(node, schema, key);
         } else if (type == "boolean") {
@@ -164,14 +169,14 @@ private:
     }
 
     void table(const toml::table& t, const Json& schema, const std::string& where) const {
-        static const Json kNone = Json::object();
+        static const Json none = Json::object();
         const auto properties = schema.find("properties");
-        const Json& known = properties == schema.end() ? kNone : *properties;
+        const Json& known = properties == schema.end() ? none : *properties;
         const bool of_names = is_of_names(schema, known);
         for (const auto& [key, node] : t) {
             const std::string name(key.str());
             if (check_.is_option && check_.is_option(name)) continue;
-            const std::string path = where.empty() ? name : where + "." + name;
+            const std::string path = where.empty() ? name : fmt::format("{}.{}", where, name);
             if (const auto found = known.find(name); found != known.end()) {
                 value(node, *found, path);
             } else if (!of_names) {

@@ -13,7 +13,7 @@
 namespace ncsim::setup {
 
 /// JSON schemas, draft 7.
-extern const std::string_view kMachineSchema, kJobSchema, kHoldersSchema, kProjectSchema;
+extern const std::string_view kMachineSchema, kJobSchema, kHoldersSchema;
 
 /// Checks the keys of a document and their values: types, ranges of numbers, sizes of lists, and
 /// words of short lists. Further rules of the schema, such as required keys, are left to the

@@ -78,7 +78,7 @@ std::vector<std::string> TomlReader::texts(const toml::node& node) {
 void TomlReader::each(const toml::table& in, const std::string& where, const Keys& known) {
     for (const auto& [key, node] : in) {
         const std::string name(key.str());
-        known.at(name)(node, where.empty() ? name : where + "." + name);
+        known.at(name)(node, where.empty() ? name : fmt::format("{}.{}", where, name));
     }
 }
 

@@ -6,7 +6,6 @@
 #include "ncsim/setup/input_observer.h"
 #include "ncsim/setup/program_folder.h"
 
-#include "files/schema.h"
 #include "files/toml_reader.h"
 #include "job/option_reader.h"
 
@@ -51,9 +50,9 @@ public:
             if (name == "version") {
                 if (node.value_exact<std::int64_t>() != 1) r_.fail(node, "'version': expected 1");
             } else if (name == "program") {
-                TomlReader::each_of(node, name, [&](const toml::node& n, const std::string&) {
-                    sections.push_back(section(n));
-                });
+                if (!node.is_array_of_tables()) r_.fail(node, "write [[program]]");
+                for (const toml::node& one : *node.as_array())
+                    sections.push_back(section(*one.as_table()));
             } else {
                 sections[0].settings.push_back(read_option(r_, name, name, node));
             }
@@ -62,19 +61,15 @@ public:
         return sections;
     }
 
-    static bool is_option(const std::string& key) {
-        return key != "version" && key != "program" && key != "files";
-    }
-
 private:
-    ProjectFile::Section section(const toml::node& node) {
+    ProjectFile::Section section(const toml::table& table) {
         ProjectFile::Section section;
-        for (const auto& [key, value] : TomlReader::table(node)) {
+        for (const auto& [key, value] : table) {
             const std::string name(key.str());
             if (name == "files") {
-                section.files = TomlReader::texts(value);
-                for (const toml::node& pattern : TomlReader::list(value)) {
-                    check_pattern(pattern);
+                if (!value.is_array()) r_.fail(value, "'files': expected a list in brackets");
+                for (const toml::node& pattern : *value.as_array()) {
+                    section.files.push_back(checked_pattern(pattern));
                     section.places.push_back(r_.place_of(pattern));
                 }
             } else {
@@ -82,19 +77,21 @@ private:
             }
         }
         if (section.files.empty())
-            r_.fail(node, "expected files, the programs that this is about: files = [\"a/**\"]");
+            r_.fail(table, "expected files, the programs that this is about: files = [\"a/**\"]");
         return section;
     }
 
-    // Refuses a pattern that cannot match any path.
-    void check_pattern(const toml::node& node) const {
-        const std::string pattern = TomlReader::text(node);
+    // Returns a pattern. Refuses a pattern that cannot match any path.
+    std::string checked_pattern(const toml::node& node) const {
+        if (!node.is_string()) r_.fail(node, "'files': expected a text in quotes");
+        std::string pattern = node.as_string()->get();
         const auto is_no_name = [](const std::string& name) {
             return name.empty() || name == "." || name == "..";
         };
         const std::vector<std::string> names = names_of(pattern);
         if (names.empty() || std::ranges::any_of(names, is_no_name))
             r_.fail(node, fmt::format("'{}': expected a path below this file", pattern));
+        return pattern;
     }
 
     const TomlReader& r_;
@@ -215,8 +212,7 @@ ProjectFile read_project_file(const std::string& path, InputSet& inputs) {
     ProjectFile project;
     project.name = path;
     project.folder = fs::path(path).parent_path().string();
-    const TomlReader reader(path, inputs.read(path, kMostSetUpBytes), kProjectSchema,
-                            ProjectReader::is_option);
+    const TomlReader reader(path, inputs.read(path, kMostSetUpBytes));
     project.sections = ProjectReader(reader).read();
     return project;
 }
