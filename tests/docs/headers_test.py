@@ -27,7 +27,8 @@ def undocumented(source, headers, work):
 
 
 def main():
-    source, work = (os.path.abspath(path) for path in sys.argv[1:3])
+    source, folder = (os.path.abspath(path) for path in sys.argv[1:3])
+    work = os.path.join(folder, "headers")  # removed first: never a folder that the caller has named
     if not shutil.which("doxygen"):
         print("skipped: no doxygen (packages.txt)")
         return 77

@@ -12,6 +12,7 @@ import sys
 import unittest
 
 NCSIM, SOURCE, WORK = (os.path.abspath(path) for path in sys.argv[1:4])
+WORK = os.path.join(WORK, "reference")  # removed first: never a folder that the caller has named
 UPDATE = "python3 docs/site/reference.py build/ncsim . docs/reference"
 
 
