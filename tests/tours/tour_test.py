@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the steps of a tutorial in an empty folder, as a user would, and compares what it shows.
 
-Usage: tour_test.py NCSIM PAGE
+Usage: tour_test.py NCSIM PAGE [--update]
 
 A block "```nc FILE" (or toml, python, yaml …) is a file, "```toml FILE +" is appended to a file. "```sh" has
 commands; "# exit code 4" at the end of a line is the code, otherwise 0. Each line of "```text" is part of the
-output of the commands above, in this order. A picture of the page is a file that a command writes, byte by byte. Exits with 77 if
-the page needs the Python package and there is none.
+output of the commands above, in this order. A picture of the page is a file that a command writes, byte by byte; --update copies it
+to the page. Exits with 77 if the page needs the Python package and there is none.
 """
 import filecmp
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -63,7 +64,9 @@ def run_page(text, folder, environment, pictures):
         made = os.path.join(folder, picture)
         if not os.path.exists(made):
             fail(f"no command of the page writes {picture}")
-        if not filecmp.cmp(made, os.path.join(pictures, picture), shallow=False):
+        if "--update" in sys.argv[3:]:
+            shutil.copy(made, os.path.join(pictures, picture))
+        elif not filecmp.cmp(made, os.path.join(pictures, picture), shallow=False):
             fail(f"a command of the page writes another {picture} than the page shows")
     if commands < LEAST or shown < LEAST:
         fail(f"{commands} commands, {shown} lines of output")
