@@ -55,7 +55,7 @@ private:
         cda::Vec3 across_C;
         double slope = 1.0;
     };
-    void prepare_hatches(const CutPlane& cut);
+    void prepare_hatches(const mesh::CutPlane& cut);
     void light_new_surfaces();
     LinearColour colour_at(SurfaceId id, double x, double y) const;
     LinearColour hatched(const Surface& surface, cda::Vec3 p_C) const;
