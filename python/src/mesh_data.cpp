@@ -46,14 +46,14 @@ void write_stl(const SharedMesh& data, const std::string& path) {
 
 }  // namespace
 
-MeshData mesh_data(const cda::Boundary& boundary, const exporter::Provenance& provenance,
+MeshData mesh_data(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                    unsigned threads) {
     MeshData data;
     data.mesh = cda::triangulate(boundary, threads);
     data.lines.reserve(data.mesh.triangles.size());
     data.tools.reserve(data.mesh.triangles.size());
     for (const std::uint32_t face : data.mesh.face) {
-        const exporter::Provenance::Entry entry = provenance.of(boundary.faces[face].origin);
+        const mesh::Provenance::Entry entry = provenance.of(boundary.faces[face].origin);
         data.lines.push_back(entry.nc_line);
         data.tools.push_back(entry.tool);
     }

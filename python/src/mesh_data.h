@@ -5,7 +5,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/mesh.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <pybind11/pybind11.h>
 
@@ -27,7 +27,7 @@ struct MeshData {
 };
 
 /// Triangulates `boundary`.
-MeshData mesh_data(const cda::Boundary& boundary, const exporter::Provenance& provenance,
+MeshData mesh_data(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                    unsigned threads);
 
 /// Adds the class Mesh to `module`.

@@ -331,7 +331,7 @@ void draw_boundary(const bench::Hulls& hulls, const cda::Boundary& boundary, dou
     options.height = kHeight;
     options.camera = camera;
     options.samples = 1;
-    exporter::Provenance provenance;
+    mesh::Provenance provenance;
     provenance.entries = {{0, 0}, {1, 1}};
     double seconds = 0.0;
     for (int turn = 0; turn < 2; ++turn) {

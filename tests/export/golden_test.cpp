@@ -6,8 +6,8 @@
 #include "ncsim/export/contact_sheet.h"
 #include "ncsim/export/render.h"
 
-#include "box_part.h"
-#include "polytope_part.h"
+#include "support/box_part.h"
+#include "support/polytope_part.h"
 
 #include <gtest/gtest.h>
 

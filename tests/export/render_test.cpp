@@ -5,8 +5,8 @@
 
 #include "ncsim/export/png.h"
 
-#include "box_part.h"
-#include "polytope_part.h"
+#include "support/box_part.h"
+#include "support/polytope_part.h"
 
 #include <gtest/gtest.h>
 
@@ -61,8 +61,8 @@ Comparison compare(const Image& stencil, const Image& boundary) {
     return result;
 }
 
-void expect_same_picture(const cda::WorkpieceModel& model, const Provenance& provenance, View view,
-                         Projection projection) {
+void expect_same_picture(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
+                         View view, Projection projection) {
     SCOPED_TRACE(name(view));
     const cda::Boundary boundary = model.boundary();
     const RenderOptions options = options_for(boundary, view, projection);
@@ -160,7 +160,7 @@ std::size_t path_pixels(const Image& with, const Image& without) {
 
 // Expects the same picture from all ways of drawing. The slow way, which draws every sample of
 // every pixel, is the oracle.
-void expect_same_in_all_ways(const cda::WorkpieceModel& model, const Provenance& provenance,
+void expect_same_in_all_ways(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
                              const RenderOptions& options, const Overlay& overlay = {}) {
     const cda::Boundary boundary = model.boundary();
     const auto draw = [&](bool by_masks, const RenderOptions& how) {
@@ -198,7 +198,7 @@ cda::FlatCda slotted_plate() {
     return part;
 }
 
-const Provenance kTwoSlots{{{0, 0}, {10, 1}, {20, 7}}, "plate.nc"};
+const mesh::Provenance kTwoSlots{{{0, 0}, {10, 1}, {20, 7}}, "plate.nc"};
 
 TEST(Render, OsmesaDrawsTheSamePictureButForPixelsAtEdges) {
     const cda::FlatCda part = slotted_plate();

@@ -5,7 +5,7 @@
 
 #include "ncsim/cda/tree.h"
 
-#include "polytope_part.h"
+#include "support/polytope_part.h"
 
 #include <gtest/gtest.h>
 

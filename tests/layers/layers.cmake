@@ -4,22 +4,23 @@ set(layers
   "trig:"
   "gcode:    trig"
   "cda:"
+  "mesh:     cda"
   "dexel:    cda"
   "machine:  cda trig"
   "toolpath: gcode machine cda trig"
   "verify:   gcode toolpath machine cda trig"
   "brep:     gcode cda machine toolpath trig"
-  "export:   cda brep trig"
+  "export:   cda mesh brep trig"
   "report:   gcode toolpath machine cda verify"
   "setup:    gcode toolpath machine cda trig verify report"
-  "simulation: gcode toolpath machine cda trig dexel verify brep export report setup"
-  "app:      gcode toolpath machine cda verify brep export report setup simulation"
-  "python:   gcode toolpath cda verify brep export report setup simulation")
+  "simulation: gcode toolpath machine cda trig mesh dexel verify brep export report setup"
+  "app:      gcode toolpath machine cda mesh verify brep export report setup simulation"
+  "python:   gcode toolpath cda mesh verify brep export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
 set(folders_python python/src)
-foreach(library trig gcode cda dexel machine toolpath verify brep export report setup simulation)
+foreach(library trig gcode cda mesh dexel machine toolpath verify brep export report setup simulation)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 
@@ -30,7 +31,7 @@ set(floors_gcode text control/paths control/frames control/cycles language klart
 set(floors_cda base exact polytope surface tree flat)
 set(floors_toolpath tools polytope motion)
 set(floors_brep geometry sources topology query heal recognise)
-set(floors_export mesh render formats)
+set(floors_export render formats)
 set(floors_setup files meshes machines job)
 set(floors_app system options run commands check merge)
 
@@ -39,7 +40,7 @@ set(headers_cda base:int128 base:mix base:vec base:tile_number exact:origin poly
   flat:visitor)
 set(headers_toolpath polytope:tool_pose polytope:side)
 set(headers_brep geometry:facets)
-set(headers_export mesh:cut_plane render:image render:overlay render:render_options formats:drawing formats:moving_scene mesh:simplified)
+set(headers_export render:image render:overlay render:render_options formats:drawing formats:moving_scene)
 set(headers_setup machines:specified_kinematics job:job_options job:option_setting)
 # Values that all floors hand on: every floor may include the public headers of these libraries.
 set(open_headers gcode)

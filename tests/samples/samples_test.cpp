@@ -8,8 +8,8 @@
 #include "ncsim/cda/tree.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
+#include "ncsim/mesh/simplify.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/sampler.h"
@@ -352,13 +352,12 @@ constexpr std::size_t kFacesOfSimple = 5 + 27 + 12 + 48 + 12 + 10 + 36;
 
 TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
     const Sample& s = sample("simple");
-    EXPECT_EQ(exporter::simplify(s.boundary, exporter::kFlatTolerance).boundary.faces.size(),
+    EXPECT_EQ(mesh::simplify(s.boundary, mesh::kFlatTolerance).boundary.faces.size(),
               kFacesOfSimple);
-    EXPECT_EQ(exporter::simplify(s.flat_boundary, exporter::kFlatTolerance).boundary.faces.size(),
+    EXPECT_EQ(mesh::simplify(s.flat_boundary, mesh::kFlatTolerance).boundary.faces.size(),
               kFacesOfSimple);
     // No two lines cut the same face: a tool that retracts along its axis cuts no more.
-    const auto by_line =
-        exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance);
+    const auto by_line = mesh::simplify(s.boundary, mesh::kFlatTolerance, &s.tree.provenance);
     EXPECT_EQ(by_line.boundary.faces.size(), kFacesOfSimple);
     std::map<std::uint32_t, std::size_t> faces;
     for (const auto& face : by_line.boundary.faces)
@@ -378,7 +377,7 @@ TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
 TEST(SampleFaces, OfSimpleStandInFilesOnce) {
     const Sample& s = sample("simple");
     const cda::Boundary part =
-        exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance).boundary;
+        mesh::simplify(s.boundary, mesh::kFlatTolerance, &s.tree.provenance).boundary;
     std::ostringstream step;
     exporter::write_step(step, s.boundary, s.tree.provenance);
     EXPECT_EQ(test::count(step.str(), "ADVANCED_FACE("), kFacesOfSimple);

@@ -6,7 +6,7 @@
 #include "ncsim/cda/parallel.h"
 #include "ncsim/cda/tiles.h"
 #include "ncsim/export/gltf.h"
-#include "ncsim/export/seams.h"
+#include "ncsim/mesh/seams.h"
 #include "ncsim/report/mesh_list.h"
 #include "ncsim/setup/digest.h"
 
@@ -30,7 +30,7 @@ namespace {
 struct MadeMesh {
     report::MeshFile file;
     std::string bytes;
-    std::vector<exporter::FloatEdge> open;
+    std::vector<mesh::FloatEdge> open;
 };
 
 // Returns whole millimetres near the middle of the stock, which are equal for all tiles.
@@ -71,7 +71,7 @@ void write_mesh_folder(const std::string& folder, const simulation::Plan& plan,
     const cda::Vec3 centre = common_centre(survey);
     const std::string name = without_slash(folder).filename().string();
     std::vector<report::MeshFile> files;
-    exporter::Seams seams;
+    mesh::Seams seams;
     cda::make_in_parallel(
         plan.threads, tiles.size(),
         [&](std::size_t tile) {

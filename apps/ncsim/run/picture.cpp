@@ -139,12 +139,12 @@ bool has_marks(const Options& o) {
 
 // Returns the plane that removes the half towards the eye; for a plane along the line of sight, the
 // half that an isometric view removes.
-exporter::CutPlane cut_plane(const brep::SectionPlane& plane, const exporter::Camera& camera) {
+mesh::CutPlane cut_plane(const brep::SectionPlane& plane, const exporter::Camera& camera) {
     constexpr double kAlong = 1e-9;
     constexpr cda::Vec3 kIsoSide{1, -1, 1};
     double side = camera.back[plane.axis];
     if (std::abs(side) < kAlong) side = kIsoSide[plane.axis];
-    exporter::CutPlane cut;
+    mesh::CutPlane cut;
     cut.normal[plane.axis] = side > 0.0 ? 1.0 : -1.0;
     cut.offset = cut.normal[plane.axis] * plane.at;
     return cut;

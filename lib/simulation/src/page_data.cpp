@@ -123,7 +123,7 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
     for (std::size_t t = 0; t < data.mesh.triangles.size(); ++t) {
         const std::uint32_t f = data.mesh.face[t];
         const cda::BoundaryFace& face = boundary.faces[f];
-        const exporter::Provenance::Entry entry = simulation.provenance.of(face.origin);
+        const mesh::Provenance::Entry entry = simulation.provenance.of(face.origin);
         data.lines.push_back(entry.nc_line);
         data.tool_of.push_back(entry.tool);
         for (const std::uint32_t v : data.mesh.triangles[t])
@@ -141,7 +141,7 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
 
 report::PlayData finish_play(PlayRecorder& play, const Simulation& simulation) {
     std::vector<std::uint32_t> lines;
-    for (const exporter::Provenance::Entry& entry : simulation.provenance.entries)
+    for (const mesh::Provenance::Entry& entry : simulation.provenance.entries)
         lines.push_back(entry.nc_line);
     return play.finish(*simulation.part, std::move(lines));
 }

@@ -19,8 +19,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-report::CutBy cut_by(const std::vector<cda::Origin>& origins,
-                     const exporter::Provenance& provenance) {
+report::CutBy cut_by(const std::vector<cda::Origin>& origins, const mesh::Provenance& provenance) {
     std::set<std::uint32_t> lines, tools;
     std::set<report::EarlierLine> earlier;
     for (const cda::Origin origin : origins) {

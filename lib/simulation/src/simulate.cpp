@@ -236,7 +236,7 @@ public:
 private:
     // Adds the stock and the motions of earlier runs.
     void begin_provenance(const StockHistory* history) {
-        exporter::Provenance& provenance = result_.provenance;
+        mesh::Provenance& provenance = result_.provenance;
         provenance.entries.push_back({});
         if (history) {
             provenance.entries = history->entries;

@@ -10,7 +10,7 @@
 
 namespace ncsim::exporter {
 
-CornerNormals::CornerNormals(const cda::Boundary& boundary, const Provenance& provenance,
+CornerNormals::CornerNormals(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                              const Palette& palette, const brep::Shading& shading)
     : boundary_(boundary), shading_(shading), first_(boundary.vertices.size() + 1, 0) {
     for (const cda::BoundaryFace& face : boundary.faces) {

@@ -5,7 +5,7 @@
 
 #include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include "render/palette.h"
 
@@ -23,7 +23,7 @@ namespace ncsim::exporter {
 class CornerNormals {
 public:
     /// Requires: all arguments outlive the object.
-    CornerNormals(const cda::Boundary& boundary, const Provenance& provenance,
+    CornerNormals(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                   const Palette& palette, const brep::Shading& shading);
 
     /// Returns the unit normal of `face` at `point`. `vertex` is the vertex of the boundary at

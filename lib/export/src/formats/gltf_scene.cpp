@@ -142,9 +142,9 @@ private:
             primitive.mode = TINYGLTF_MODE_TRIANGLES;
             primitive.material = static_cast<int>(model_.materials.size());
             model_.materials.push_back(plain_material(mesh.name, body.colour));
-            std::vector<FloatPoint> points;
+            std::vector<mesh::FloatPoint> points;
             for (const Vec3& p : body.surface.vertices)
-                points.push_back(to_floats(p - from.origin));
+                points.push_back(mesh::to_floats(p - from.origin));
             std::vector<std::uint32_t> indices;
             for (const auto& triangle : cda::triangulate(body.surface).triangles)
                 indices.insert(indices.end(), triangle.begin(), triangle.end());
@@ -213,17 +213,18 @@ private:
             add_channel(animation, target, "rotation", "LINEAR", times, packer_.pack_turns(turns));
             return;
         }
-        std::vector<FloatPoint> places;
-        make_samples(keys, times, places, [&](double mm) { return to_floats(place_of(node, mm)); });
+        std::vector<mesh::FloatPoint> places;
+        make_samples(keys, times, places,
+                     [&](double mm) { return mesh::to_floats(place_of(node, mm)); });
         add_channel(animation, target, "translation", "LINEAR", times, packer_.pack_places(places));
     }
 
     void add_visibility(const SceneNode& node, int target, tinygltf::Animation& animation) {
         std::vector<float> times;
-        std::vector<FloatPoint> scales;
+        std::vector<mesh::FloatPoint> scales;
         make_samples(visibility_keys(node), times, scales, [](double value) {
             const auto share = static_cast<float>(value);
-            return FloatPoint{share, share, share};
+            return mesh::FloatPoint{share, share, share};
         });
         add_channel(animation, target, "scale", "STEP", times, packer_.pack_places(scales));
     }
@@ -236,10 +237,11 @@ private:
 
 }  // namespace
 
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const MovingScene& scene, const brep::Shading& shading) {
+void write_gltf(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const MovingScene& scene,
+                const brep::Shading& shading) {
     const Vec3 centre = whole_centre(boundary);
-    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary), centre);
+    const mesh::FloatMesh mesh = mesh::round_to_floats(cda::triangulate(boundary), centre);
     tinygltf::Model model = model_of(boundary, provenance);
     const std::optional<int> part = add_part(model, {boundary, mesh, centre, shading}, provenance);
     SceneModel machine(scene, model);

@@ -30,7 +30,7 @@ void append(std::string& bytes, double number) {
     append(bytes, std::bit_cast<std::uint64_t>(number + 0.0));  // turns -0 into 0
 }
 
-std::string header(const Provenance& provenance, std::size_t vertices, std::size_t faces) {
+std::string header(const mesh::Provenance& provenance, std::size_t vertices, std::size_t faces) {
     return "ply\nformat binary_little_endian 1.0\n"
            "comment made by ncsim from " +
            printable_utf8(provenance.program) +
@@ -49,7 +49,7 @@ std::string header(const Provenance& provenance, std::size_t vertices, std::size
 }  // namespace
 
 void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance) {
+               const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     std::string bytes = header(provenance, mesh.vertices.size(), mesh.triangles.size());
     const auto flush = [&](std::size_t limit) {
@@ -64,7 +64,7 @@ void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::Tria
         flush(kFlushSize);
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Provenance::Entry entry = provenance.of(boundary.faces[mesh.face[t]].origin);
+        const mesh::Provenance::Entry entry = provenance.of(boundary.faces[mesh.face[t]].origin);
         const Rgba8 colour = palette.colour(entry);
         append(bytes, std::uint8_t{3});
         for (const std::uint32_t vertex : mesh.triangles[t])

@@ -10,7 +10,7 @@
 #include "ncsim/brep/parameter_curve.h"
 #include "ncsim/brep/patch.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/export/simplify.h"
+#include "ncsim/mesh/simplify.h"
 
 #include "formats/file_text.h"
 #include "render/palette.h"
@@ -111,7 +111,7 @@ std::string uncertainty_of(const brep::Part& part) {
 
 class StepWriter {
 public:
-    StepWriter(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+    StepWriter(std::ostream& out, const brep::Part& part, const mesh::Provenance& provenance,
                const StepOptions& options)
         : out_(out),
           part_(part),
@@ -428,7 +428,7 @@ private:
         std::vector<std::uint32_t> lines;
         std::uint32_t earlier = 0;
         for (const cda::Origin origin : face.origins) {
-            const Provenance::Entry entry = provenance_.of(origin);
+            const mesh::Provenance::Entry entry = provenance_.of(origin);
             earlier = std::max(earlier, entry.earlier_program);
             if (entry.earlier_program == 0) lines.push_back(entry.nc_line);
         }
@@ -523,9 +523,9 @@ private:
             if (faces_[f] == 0) continue;
             const brep::Face& face = part_.faces[f];
             const Entity aspect = aspect_of(name_of(face), faces_[f], parts[solids[f]]);
-            const std::array<std::string, 3> words{numbers_of(face, &Provenance::Entry::nc_line),
-                                                   numbers_of(face, &Provenance::Entry::tool),
-                                                   kind_of(face)};
+            const std::array<std::string, 3> words{
+                numbers_of(face, &mesh::Provenance::Entry::nc_line),
+                numbers_of(face, &mesh::Provenance::Entry::tool), kind_of(face)};
             for (std::size_t i = 0; i < words.size(); ++i) {
                 Attribute& a = attributes[i];
                 Entity& value = a.values[words[i]];
@@ -551,11 +551,13 @@ private:
     }
 
     // Returns the lines or tools of the face, ascending; empty for uncut stock.
-    std::string numbers_of(const brep::Face& face, std::uint32_t Provenance::Entry::*number) const {
+    std::string numbers_of(const brep::Face& face,
+                           std::uint32_t mesh::Provenance::Entry::*number) const {
         std::vector<std::uint32_t> numbers;
         for (const cda::Origin origin : face.origins) {
-            const Provenance::Entry entry = provenance_.of(origin);
-            if (entry.nc_line != 0 || (!entry.is_stock() && number == &Provenance::Entry::tool))
+            const mesh::Provenance::Entry entry = provenance_.of(origin);
+            if (entry.nc_line != 0 ||
+                (!entry.is_stock() && number == &mesh::Provenance::Entry::tool))
                 numbers.push_back(entry.*number);
         }
         std::sort(numbers.begin(), numbers.end());
@@ -713,7 +715,7 @@ private:
     }
 
     // Returns the style with the colour of the tool.
-    Entity style(Provenance::Entry entry) {
+    Entity style(mesh::Provenance::Entry entry) {
         Entity& made = styles_[palette_.rank(entry)];
         if (made != 0) return made;
         const Rgba8 colour = palette_.colour(entry);
@@ -759,7 +761,7 @@ private:
 
     std::ostream& out_;
     const brep::Part& part_;
-    const Provenance& provenance_;
+    const mesh::Provenance& provenance_;
     StepOptions options_;
     Palette palette_;
     Entity last_ = 0;
@@ -781,7 +783,7 @@ private:
 
 }  // namespace
 
-void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+void write_step_solid(std::ostream& out, const brep::Part& part, const mesh::Provenance& provenance,
                       const StepOptions& options) {
     if (part.faces.size() > options.max_faces) {
         throw std::runtime_error("the part has " + std::to_string(part.faces.size()) +
@@ -801,13 +803,13 @@ brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm) {
     return brep::flat_part([&](double times) {
         const double tolerance =
             times == 1.0 ? tolerance_mm : times * std::max(tolerance_mm, kStepTolerance);
-        Simplified part = simplify(boundary, tolerance);
+        mesh::Simplified part = mesh::simplify(boundary, tolerance);
         return brep::Facets{std::move(part.boundary), std::move(part.origins)};
     });
 }
 
-void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const StepOptions& options) {
+void write_step(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const StepOptions& options) {
     const brep::FlatPart flat = flat_solid(boundary, options.tolerance_mm);
     if (!flat.is_sound) throw std::runtime_error(kUnsoundSolid);
     write_step_solid(out, flat.part, provenance, options);

@@ -65,7 +65,7 @@ void append_materials(std::string& text, const Palette& palette) {
 }
 
 void append_object(std::string& text, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-                   const Provenance& provenance, const Palette& palette) {
+                   const mesh::Provenance& provenance, const Palette& palette) {
     text +=
         "<object id=\"2\" type=\"model\" name=\"part\" pid=\"1\" "
         "pindex=\"0\">\n<mesh>\n<vertices>\n";
@@ -92,12 +92,13 @@ void append_object(std::string& text, const cda::Boundary& boundary, const cda::
 
 }  // namespace
 
-void write_3mf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+void write_3mf(std::ostream& out, const cda::Boundary& boundary,
+               const mesh::Provenance& provenance) {
     write_3mf(out, boundary, cda::triangulate(boundary), provenance);
 }
 
 void write_3mf(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance) {
+               const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     std::string model(kModelStart);
     model += "<metadata name=\"Title\">" + xml_text(provenance.program) + "</metadata>\n";

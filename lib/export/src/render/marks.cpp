@@ -284,7 +284,7 @@ Camera with_mark_strip(Camera camera, double strip) {
     return camera;
 }
 
-std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const Provenance& provenance) {
+std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     std::vector<std::pair<std::uint32_t, Rgba8>> colours;
     for (const FaceSource& source : palette.face_sources()) {

@@ -4,9 +4,9 @@
 #include "render/overlay_art.h"
 
 #include "ncsim/cda/mesh.h"
+#include "ncsim/mesh/open_mesh.h"
 #include "ncsim/trig/angles.h"
 
-#include "mesh/open_mesh.h"
 #include "render/cut_surface.h"
 #include "render/line_scale.h"
 #include "render/palette.h"
@@ -142,9 +142,9 @@ void OverlayArt::add_body(const Body& body, const RenderOptions& options) {
         surfaces_.push_back({n_C, cda::dot(n_C, point), to_linear(body.colour)});
     }
     if (body.is_cut && options.cut) {
-        const CutPlane& cut = *options.cut;
+        const mesh::CutPlane& cut = *options.cut;
         const auto faces = static_cast<std::uint32_t>(body.surface.faces.size());
-        mesh = open_mesh(mesh, faces, cut).mesh;
+        mesh = mesh::open_mesh(mesh, faces, cut).mesh;
         surfaces_.push_back(cut_surface(map_, cut, to_linear(body.colour), Pattern::BodyHatch));
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

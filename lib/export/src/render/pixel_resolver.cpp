@@ -93,7 +93,7 @@ Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const Sur
     if (options.cut) prepare_hatches(*options.cut);
 }
 
-void Resolver::prepare_hatches(const CutPlane& cut) {
+void Resolver::prepare_hatches(const mesh::CutPlane& cut) {
     const Vec3 n = map_.direction_in_camera(cut.normal);
     int axis = 0;
     while (axis < 2 && std::abs(cut.normal[axis]) < 0.5)

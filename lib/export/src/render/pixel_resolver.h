@@ -59,7 +59,7 @@ private:
         std::uint32_t begin = 0, end = 0;
         SurfaceId id = kBackground;
     };
-    void prepare_hatches(const CutPlane& cut);
+    void prepare_hatches(const mesh::CutPlane& cut);
     void light_new_surfaces();
     static LinearColour lit(LinearColour material, cda::Vec3 n_C);
     LinearColour material_at(const Surface& surface, cda::Vec3 p_C) const;

@@ -5,8 +5,8 @@
 #include "ncsim/export/render.h"
 
 #include "ncsim/cda/mesh.h"
+#include "ncsim/mesh/open_mesh.h"
 
-#include "mesh/open_mesh.h"
 #include "render/cut_surface.h"
 #include "render/edge_tiles.h"
 #include "render/offscreen.h"
@@ -269,7 +269,7 @@ ScreenMap screen_map(const RenderOptions& options) {
 // Creates surfaces with the colours of the options.
 class Paint {
 public:
-    Paint(const ScreenMap& map, const Provenance& provenance, const RenderOptions& options)
+    Paint(const ScreenMap& map, const mesh::Provenance& provenance, const RenderOptions& options)
         : map_(map),
           provenance_(provenance),
           palette_(provenance),
@@ -298,7 +298,7 @@ public:
         return result;
     }
 
-    Surface cut(const CutPlane& plane) const {
+    Surface cut(const mesh::CutPlane& plane) const {
         Surface result = cut_surface(map_, plane, cut_, Pattern::PartHatch);
         result.has_shade = true;
         return result;
@@ -306,7 +306,7 @@ public:
 
 private:
     const ScreenMap& map_;
-    const Provenance& provenance_;
+    const mesh::Provenance& provenance_;
     Palette palette_;
     Colouring colouring_;
     bool ghost_;
@@ -372,7 +372,7 @@ public:
         cda::TriangleMesh whole = distances ? distances->mesh : cda::triangulate(boundary);
         if (options.cut) {
             const auto faces = static_cast<std::uint32_t>(boundary.faces.size());
-            OpenMesh open = open_mesh(whole, faces, *options.cut);
+            mesh::OpenMesh open = mesh::open_mesh(whole, faces, *options.cut);
             mesh_ = std::move(open.mesh);
             add_surfaces(map, whole, open.old_triangle, shading, distances, paint, table);
             add_cut(map, *options.cut, paint, table);
@@ -467,7 +467,7 @@ private:
     }
 
     // Appends the surface of the cut, for the remaining triangles.
-    void add_cut(const ScreenMap& map, const CutPlane& cut, const Paint& paint,
+    void add_cut(const ScreenMap& map, const mesh::CutPlane& cut, const Paint& paint,
                  SurfaceTable& table) {
         SurfaceId id = kBackground;
         if (faces_camera(map.camera(), cut.normal, cut.offset * cut.normal)) {
@@ -568,7 +568,7 @@ private:
     std::vector<Surface>& surfaces_;
 };
 
-Image draw_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+Image draw_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
                  const RenderOptions& options, const Overlay& overlay) {
     check(options);
     const ScreenMap map = screen_map(options);
@@ -579,7 +579,7 @@ Image draw_model(const cda::WorkpieceModel& model, const Provenance& provenance,
     return Painter(map, options, table, scene).paint();
 }
 
-Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+Image draw_boundary(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                     const RenderOptions& options, const Overlay& overlay,
                     const brep::Shading& shading) {
     check(options);
@@ -593,14 +593,14 @@ Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
 
 }  // namespace
 
-Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+Image render_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay) {
     return blend_transparent(overlay, [&](const Overlay& shown) {
         return draw_model(model, provenance, options, shown);
     });
 }
 
-Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+Image render_boundary(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                       const RenderOptions& options, const Overlay& overlay,
                       const brep::Shading& shading) {
     return blend_transparent(overlay, [&](const Overlay& shown) {

@@ -6,8 +6,8 @@
 #include "ncsim/cda/vec.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/image.h"
-#include "ncsim/export/provenance.h"
 #include "ncsim/export/render_options.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -60,7 +60,7 @@ double mark_strip(std::uint32_t width, std::uint32_t height);
 Camera with_mark_strip(Camera camera, double strip);
 
 /// Returns the number and the colour of each tool that cut, in the order of the numbers.
-std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const Provenance& provenance);
+std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const mesh::Provenance& provenance);
 
 /// Returns the colours of Colouring::Design, from the deepest gouge to the largest excess, `count`
 /// equal steps of distance.

@@ -6,7 +6,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/mesh.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <iosfwd>
 
@@ -19,6 +19,6 @@ namespace ncsim::exporter {
 /// Guarantees: an empty part gives a valid file. Equal input gives equal bytes.
 /// Throws: std::runtime_error if the stream fails.
 void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance);
+               const mesh::Provenance& provenance);
 
 }  // namespace ncsim::exporter

@@ -5,7 +5,7 @@
 
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/camera.h"
-#include "ncsim/export/cut_plane.h"
+#include "ncsim/mesh/open_mesh.h"
 
 #include <cstdint>
 #include <optional>
@@ -59,7 +59,7 @@ struct RenderOptions {
     /// For Colouring::Design, which needs the distances. They outlive the call.
     const DesignDistances* distances = nullptr;
     /// Plane at which the part is cut open; the cut is hatched. Only for render_boundary().
-    std::optional<CutPlane> cut;
+    std::optional<mesh::CutPlane> cut;
     /// Each pixel is the mean of samples × samples; 1 to 4.
     std::uint32_t samples = 2;
     /// Draws the part transparent: the nearest kLayers surfaces of the part on each line of sight,

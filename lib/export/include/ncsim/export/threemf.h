@@ -6,7 +6,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/mesh.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <iosfwd>
 
@@ -20,11 +20,12 @@ namespace ncsim::exporter {
 ///     the times in the archive are those of 1980.
 /// Throws: std::runtime_error if the file would exceed the 4 GiB of a plain ZIP archive, or if the
 ///     stream fails.
-void write_3mf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+void write_3mf(std::ostream& out, const cda::Boundary& boundary,
+               const mesh::Provenance& provenance);
 
 /// Writes a boundary that is already split into triangles.
 /// Requires: `mesh` is cda::triangulate(boundary).
 void write_3mf(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance);
+               const mesh::Provenance& provenance);
 
 }  // namespace ncsim::exporter
