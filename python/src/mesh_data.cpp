@@ -3,6 +3,7 @@
 // Makes the mesh of a part, and its NumPy arrays.
 #include "mesh_data.h"
 
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/stl.h"
 
 #include "arrays.h"
@@ -21,7 +22,7 @@ namespace {
 using SharedMesh = std::shared_ptr<const MeshData>;
 
 // The arrays refer to the coordinates and indices as rows of three.
-static_assert(sizeof(cda::Vec3) == 3 * sizeof(double));
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
 static_assert(sizeof(std::array<std::uint32_t, 3>) == 3 * sizeof(std::uint32_t));
 
 py::array vertices_of(const SharedMesh& data) {

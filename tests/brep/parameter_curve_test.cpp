@@ -23,9 +23,6 @@
 namespace ncsim::brep {
 namespace {
 
-using cda::cross;
-using cda::norm;
-
 // Calls `visit` for each edge of each face.
 template <class Visit>
 void for_edges_of_faces(const Part& part, const Visit& visit) {

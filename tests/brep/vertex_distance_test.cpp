@@ -38,7 +38,7 @@ cda::Boundary pit_through(double size) {
         cda::BoundaryFace made;
         const Vec3 a = boundary.vertices[loops[0][0]], b = boundary.vertices[loops[0][1]],
                    c = boundary.vertices[loops[0][2]];
-        made.normal = cda::normalized(cda::cross(b - a, c - a));
+        made.normal = normalized(cross(b - a, c - a));
         made.loops = std::move(loops);
         boundary.faces.push_back(made);
     };

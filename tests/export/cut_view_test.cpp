@@ -2,6 +2,7 @@
 //
 // Pictures of parts cut open, and of distances from a design.
 #include "ncsim/cda/flat.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/render.h"
 
 #include "render/palette.h"
@@ -19,7 +20,7 @@ namespace {
 const cda::Lattice kLattice = cda::Lattice::for_stock({{0, 0, 0}, {40, 30, 10}});
 const mesh::Provenance kCuts{{{0, 0}, {10, 1}, {20, 7}, {30, 9}}, "plate.nc"};
 
-cda::Cell box(cda::Vec3 min, cda::Vec3 max, std::uint32_t origin) {
+cda::Cell box(Vec3 min, Vec3 max, std::uint32_t origin) {
     return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{origin});
 }
 
@@ -125,7 +126,7 @@ DesignDistances distances_for(const cda::Boundary& part) {
     DesignDistances distances;
     distances.mesh = cda::triangulate(part);
     // The design has its top at Z 9 and is wider than the part.
-    for (const cda::Vec3& p : distances.mesh.vertices)
+    for (const Vec3& p : distances.mesh.vertices)
         distances.distance_mm.push_back(p.z - 9.0);
     distances.tolerance_mm = 0.5;
     distances.largest_mm = 10.0;

@@ -3,7 +3,7 @@
 // Tests glTF files. The Khronos validator checks that the files are valid (gltf/validate.mjs).
 #include "ncsim/export/gltf.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "support/box_part.h"
 

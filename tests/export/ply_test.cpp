@@ -3,6 +3,8 @@
 // Tests PLY files byte by byte.
 #include "ncsim/export/ply.h"
 
+#include "ncsim/cda/triangulate.h"
+
 #include "support/box_part.h"
 
 #include <gtest/gtest.h>

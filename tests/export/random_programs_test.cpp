@@ -5,8 +5,8 @@
 #include "support/random_programs.h"
 
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/stl.h"
 #include "ncsim/export/vrml.h"

@@ -186,7 +186,7 @@ void expect_same_in_all_ways(const cda::WorkpieceModel& model, const mesh::Prove
 
 const cda::Lattice kLattice = cda::Lattice::for_stock({{0, 0, 0}, {40, 30, 10}});
 
-cda::Cell box(cda::Vec3 min, cda::Vec3 max, std::uint32_t origin) {
+cda::Cell box(Vec3 min, Vec3 max, std::uint32_t origin) {
     return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{origin});
 }
 
@@ -374,7 +374,7 @@ TEST(Render, FacesThatCrossEachOtherAreSampled) {
     body.stock = {{0, 0, 0}, {1, 1, 1}};
     body.cell_mm = 30.0;
     body = body.tilted();
-    body.shift = body.shift + cda::Vec3{10, -8, -16};
+    body.shift = body.shift + Vec3{10, -8, -16};
     Overlay overlay;
     overlay.bodies.push_back({test::boundary_of(body), {200, 40, 90}});
     expect_same_in_all_ways(plate, kTwoSlots, options, overlay);
@@ -492,7 +492,7 @@ TEST(Render, AGhostIsPaleAndItsEdgesAreSeenWhereNothingStands) {
         };
         EXPECT_LT(contrast(pale), contrast(specified));
         EXPECT_GT(contrast(pale), 10);
-        const auto ink = [&](const cda::Box& box) {
+        const auto ink = [&](const Box& box) {
             return path_pixels(render_boundary(boundary, {}, options, {{}, {}, {{box}}}), pale);
         };
         EXPECT_EQ(ink({{0, 0, 0}, {40, 30, 10}}), 0U) << "its faces hide them";

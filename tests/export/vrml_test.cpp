@@ -131,8 +131,8 @@ cda::Boundary prism(const std::vector<std::array<double, 2>>& outline) {
         b.faces[0].loops[0].push_back(n - 1 - i);
         b.faces[1].loops[0].push_back(n + i);
         const std::uint32_t j = (i + 1) % n;
-        const cda::Vec3 along = b.vertices[j] - b.vertices[i];
-        b.faces.push_back({cda::normalized({along.y, -along.x, 0}),
+        const Vec3 along = b.vertices[j] - b.vertices[i];
+        b.faces.push_back({normalized({along.y, -along.x, 0}),
                            0.0,
                            cda::kStockOrigin,
                            0,

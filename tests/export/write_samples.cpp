@@ -3,7 +3,7 @@
 // write_samples <folder>: writes parts in every format, for independent readers. An .expect file
 // next to each part has the values that a reader must find: "volume <mm³>", "lines <numbers,
 // ascending>", "faces" and "solids".
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/moving_scene.h"
 #include "ncsim/export/ply.h"
@@ -83,10 +83,9 @@ cda::Boundary notched_prism() {
     b.faces.push_back({{0, 0, 1}, 1.0, cut, 0, {{5, 6, 7, 8, 9}}});
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t j = (i + 1) % n;
-        const cda::Vec3 along = b.vertices[j] - b.vertices[i];
-        const cda::Vec3 normal = cda::normalized({along.y, -along.x, 0});
-        b.faces.push_back(
-            {normal, cda::dot(normal, b.vertices[i]), cut, 0, {{i, j, j + n, i + n}}});
+        const Vec3 along = b.vertices[j] - b.vertices[i];
+        const Vec3 normal = normalized({along.y, -along.x, 0});
+        b.faces.push_back({normal, dot(normal, b.vertices[i]), cut, 0, {{i, j, j + n, i + n}}});
     }
     b.shells = 1;
     return b;
@@ -111,7 +110,7 @@ void write_pictures(const std::filesystem::path& stem, const test::BoxPart& part
 void write_machine(const std::filesystem::path& folder) {
     const test::BoxPart grooved = test::grooved_part();
     const cda::Boundary part = boundary_of(grooved);
-    const auto body = [&](cda::Vec3 shift) {
+    const auto body = [&](Vec3 shift) {
         test::BoxPart moved = grooved;
         moved.shift = shift;
         return Body{boundary_of(moved), {200, 120, 40}};

@@ -5,6 +5,7 @@
 
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/stl.h"
 
 #include "support/cube.h"
@@ -27,8 +28,6 @@
 namespace ncsim::mesh {
 namespace {
 
-using cda::TriangleMesh;
-using cda::Vec3;
 using ncsim::test::cube;
 using ncsim::test::Soundness;
 
@@ -237,7 +236,7 @@ TEST(FloatMesh, CornersInOnePlaceMoveNoFartherThanTheyMust) {
     for (std::uint32_t n = 0; n < 100; ++n) {
         const Vec3 tip{64, 64, 64};
         const Vec3 a = somewhere(), b = somewhere(), c = somewhere();
-        const bool is_right = cda::dot(cda::cross(a - tip, b - tip), c - tip) > 0.0;
+        const bool is_right = dot(cross(a - tip, b - tip), c - tip) > 0.0;
         mesh.vertices.insert(mesh.vertices.end(), {tip, a, is_right ? b : c, is_right ? c : b});
         for (const auto& t : std::vector<std::array<std::uint32_t, 3>>{
                  {0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) {
@@ -273,13 +272,13 @@ TEST(FloatMesh, WhatIsNotClosedIsRefused) {
 // stay connected.
 TEST(FloatMesh, PartsAsSmallAsAFewFloatsStaySound) {
     const TriangleMesh part = cda::triangulate(test::polytope_part().boundary());
-    cda::Box box;
+    Box box;
     for (const Vec3& v : part.vertices)
         box.add(v);
     std::size_t kept = 0;
     for (const double size : {1e-2, 3e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5}) {
         SCOPED_TRACE(size);
-        const double scale = size / cda::norm(box.size());
+        const double scale = size / norm(box.size());
         const TriangleMesh mesh = placed(part, scale, {-500, 700, 33});
         const Soundness found = written(mesh);
         EXPECT_TRUE(found.is_sound()) << to_string(found);

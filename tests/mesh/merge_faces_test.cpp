@@ -2,7 +2,7 @@
 //
 // Tests simplify() without a tolerance, which only merges faces.
 #include "ncsim/cda/check.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/mesh/simplify.h"
 
 #include "support/box_part.h"
@@ -46,7 +46,7 @@ TEST(MergeFaces, APocketIsAHoleInTheFaceAroundIt) {
         if (face.loops.size() == 1) continue;
         ++pierced;
         EXPECT_EQ(face.loops.size(), 3U);
-        EXPECT_EQ(face.normal, (cda::Vec3{0, 0, 1}));
+        EXPECT_EQ(face.normal, (Vec3{0, 0, 1}));
     }
     EXPECT_EQ(pierced, 1U);
 }
@@ -63,7 +63,7 @@ cda::Boundary block_with_touching_pits() {
     }
     b.vertices.insert(b.vertices.end(), {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});  // 25 … 28
     b.vertices.insert(b.vertices.end(), {{1.5, 1.5, 2}, {2.5, 2.5, 2}});                // 29, 30
-    const auto add = [&](cda::Vec3 n, std::vector<std::uint32_t> loop) {
+    const auto add = [&](Vec3 n, std::vector<std::uint32_t> loop) {
         b.faces.push_back({n, 0, cda::kStockOrigin, 0, {std::move(loop)}});
     };
     add({0, 0, -1}, {28, 27, 26, 25});
@@ -79,7 +79,7 @@ cda::Boundary block_with_touching_pits() {
                 add({0, 0, 1}, {corners.begin(), corners.end()});
                 continue;
             }
-            const std::array<cda::Vec3, 4> normals{
+            const std::array<Vec3, 4> normals{
                 {{0, s, s / 2}, {-s, 0, s / 2}, {0, -s, s / 2}, {s, 0, s / 2}}};
             for (std::size_t i = 0; i < 4; ++i) {
                 add(normals[i], {corners[i], corners[(i + 1) % 4], x == 1 ? 29U : 30U});

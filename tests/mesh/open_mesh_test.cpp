@@ -4,6 +4,7 @@
 #include "ncsim/mesh/open_mesh.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "support/box_part.h"
 #include "support/polytope_part.h"
@@ -16,8 +17,6 @@
 namespace ncsim::mesh {
 namespace {
 
-using cda::Vec3;
-
 CutPlane plane(int axis, double side, double at) {
     CutPlane cut;
     cut.normal[axis] = side;
@@ -27,7 +26,7 @@ CutPlane plane(int axis, double side, double at) {
 
 // Returns the volume of the half, which must be closed and lie behind the plane.
 double volume_of_half(const cda::Boundary& part, const CutPlane& cut) {
-    const cda::TriangleMesh whole = cda::triangulate(part);
+    const TriangleMesh whole = cda::triangulate(part);
     const auto faces = static_cast<std::uint32_t>(part.faces.size());
     const OpenMesh half = open_mesh(whole, faces, cut);
     EXPECT_EQ(cda::check(half.mesh).unpaired_edges, 0U);
@@ -77,7 +76,7 @@ TEST(OpenMesh, HalvesAreClosedAndTogetherTheWhole) {
          {test::boundary_of(test::grooved_part()), test::boundary_of(test::raster_part()),
           test::boundary_of(test::raster_part().tilted()), test::boundary_of(test::hollow_part()),
           test::boundary_of(test::halved_part()), test::plate_with_hole(), polytopes}) {
-        const cda::Box box = cda::bounds(part);
+        const Box box = cda::bounds(part);
         for (int axis = 0; axis < 3; ++axis) {
             for (const double share : {0.1, 0.25, 0.5, 0.61803, 0.75, 0.97})
                 expect_halves(part, axis, box.min[axis] + share * box.size()[axis]);

@@ -3,10 +3,11 @@
 // Tests that simplified boundaries stay closed and within the tolerance.
 #include "ncsim/mesh/simplify.h"
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/hull.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "plain.h"
 #include "support/box_part.h"
@@ -27,32 +28,29 @@
 namespace ncsim::mesh {
 namespace {
 
-using cda::Vec3;
-
 // Returns the distance from a point to a triangle: to the plane above the inside, otherwise to the
 // edges.
 double distance_to(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 n = cda::normalized(cda::cross(b - a, c - a));
+    const Vec3 n = normalized(cross(b - a, c - a));
     const auto left_of = [&](Vec3 from, Vec3 to) {
-        return cda::dot(cda::cross(to - from, p - from), n) >= 0.0;
+        return dot(cross(to - from, p - from), n) >= 0.0;
     };
-    if (cda::norm(n) > 0.5 && left_of(a, b) && left_of(b, c) && left_of(c, a))
-        return std::abs(cda::dot(n, p - a));
+    if (norm(n) > 0.5 && left_of(a, b) && left_of(b, c) && left_of(c, a))
+        return std::abs(dot(n, p - a));
     const auto to_edge = [&](Vec3 from, Vec3 to) {
         const Vec3 along = to - from;
-        const double length = cda::dot(along, along);
-        const double t =
-            length > 0.0 ? std::clamp(cda::dot(p - from, along) / length, 0.0, 1.0) : 0.0;
-        return cda::norm(p - from - t * along);
+        const double length = dot(along, along);
+        const double t = length > 0.0 ? std::clamp(dot(p - from, along) / length, 0.0, 1.0) : 0.0;
+        return norm(p - from - t * along);
     };
     return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
 }
 
 // Returns the largest distance from `to` of the corners and middles of the triangles of `from`.
-double farthest(const cda::TriangleMesh& from, const cda::TriangleMesh& to) {
+double farthest(const TriangleMesh& from, const TriangleMesh& to) {
     double result = 0.0;
     const auto look = [&](Vec3 p) {
-        double nearest = cda::Box::kInf;
+        double nearest = Box::kInf;
         for (const auto& t : to.triangles) {
             nearest = std::min(
                 nearest, distance_to(p, to.vertices[t[0]], to.vertices[t[1]], to.vertices[t[2]]));
@@ -70,13 +68,13 @@ double farthest(const cda::TriangleMesh& from, const cda::TriangleMesh& to) {
 }
 
 double shortest_edge(const cda::Boundary& boundary) {
-    double shortest = cda::Box::kInf;
+    double shortest = Box::kInf;
     for (const auto& face : boundary.faces) {
         for (const auto& loop : face.loops) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const Vec3 a = boundary.vertices[loop[i]];
                 const Vec3 b = boundary.vertices[loop[(i + 1) % loop.size()]];
-                shortest = std::min(shortest, cda::norm(b - a));
+                shortest = std::min(shortest, norm(b - a));
             }
         }
     }
@@ -106,9 +104,9 @@ TEST(Simplify, JoinsFacetsOfAFlatThatRoundingHasTornApart) {
     }
     for (auto& face : boundary.faces) {
         const Vec3 a = boundary.vertices[face.loops[0][0]];
-        face.normal = cda::normalized(cda::cross(boundary.vertices[face.loops[0][1]] - a,
-                                                 boundary.vertices[face.loops[0][2]] - a));
-        face.offset = cda::dot(face.normal, a);
+        face.normal = normalized(cross(boundary.vertices[face.loops[0][1]] - a,
+                                       boundary.vertices[face.loops[0][2]] - a));
+        face.offset = dot(face.normal, a);
     }
     EXPECT_GT(simplify(boundary, 0.0).boundary.faces.size(), 100U);
     const Simplified result = simplify(boundary, 1e-2);
@@ -123,9 +121,9 @@ class SimplifyBy : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Tolerances, SimplifyBy, testing::Values(1e-5, 1e-3, 0.1, 0.5));
 
 // Returns the triangles of the shells of `before` that `after` has, too.
-cda::TriangleMesh of_shells_in(const cda::Boundary& after, const cda::Boundary& before) {
-    cda::TriangleMesh mesh = cda::triangulate(before);
-    cda::TriangleMesh result;
+TriangleMesh of_shells_in(const cda::Boundary& after, const cda::Boundary& before) {
+    TriangleMesh mesh = cda::triangulate(before);
+    TriangleMesh result;
     result.vertices = mesh.vertices;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::uint32_t shell = before.faces[mesh.face[t]].shell;
@@ -145,8 +143,8 @@ TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
     EXPECT_LE(result.boundary.faces.size(), boundary.faces.size());
     EXPECT_LE(result.deviation_mm, tolerance);
     EXPECT_TRUE(cda::check(result.boundary).is_closed());
-    const cda::TriangleMesh before = of_shells_in(result.boundary, boundary);
-    const cda::TriangleMesh after = cda::triangulate(result.boundary);
+    const TriangleMesh before = of_shells_in(result.boundary, boundary);
+    const TriangleMesh after = cda::triangulate(result.boundary);
     EXPECT_TRUE(cda::check(after).is_closed());
     const double rounding = 1e-9;
     // The code only tests whether most points are nearer than the farthest point so far. The slow
@@ -185,7 +183,7 @@ cda::Boundary random_part(std::uint64_t seed) {
 }
 
 // Returns the number of vertices that no triangle of the mesh has.
-std::size_t count_unused(const cda::TriangleMesh& mesh) {
+std::size_t count_unused(const TriangleMesh& mesh) {
     std::vector<bool> is_used(mesh.vertices.size(), false);
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t v : triangle)
@@ -287,7 +285,7 @@ TEST(Simplify, OfAPlainBoundaryIsThatOfAnyBoundary) {
 TEST(Simplify, HandsOutTheTrianglesOfItsBoundary) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const Simplified result = simplify(random_part(seed), 1e-2);
-        const cda::TriangleMesh mesh = cda::triangulate(result.boundary);
+        const TriangleMesh mesh = cda::triangulate(result.boundary);
         EXPECT_EQ(result.mesh.triangles, mesh.triangles) << "seed " << seed;
         EXPECT_EQ(result.mesh.vertices, mesh.vertices) << "seed " << seed;
     }
@@ -302,7 +300,7 @@ TEST(Simplify, AFlakeThinnerThanTheToleranceVanishesAndNothingElse) {
         if (v.z == 3.0) v.z = 2.0001;
     }
     for (auto& face : boundary.faces)
-        face.offset = cda::dot(face.normal, boundary.vertices[face.loops[0][0]]);
+        face.offset = dot(face.normal, boundary.vertices[face.loops[0][0]]);
     ASSERT_EQ(boundary.shells, 2U);
     EXPECT_EQ(simplify(boundary, 1e-4).boundary.faces.size(), 12U);
     const Simplified result = simplify(boundary, 1e-3);

@@ -4,6 +4,7 @@
 #include "slivers.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "support/cube.h"
 #include "support/polytope_part.h"
@@ -16,8 +17,6 @@
 namespace ncsim::mesh {
 namespace {
 
-using cda::TriangleMesh;
-using cda::Vec3;
 using ncsim::test::cube;
 
 // Returns the number of triangles lower than `least`.
@@ -27,8 +26,8 @@ std::size_t low(const TriangleMesh& mesh, double least) {
             const Vec3 ab = mesh.vertices[t[1]] - mesh.vertices[t[0]];
             const Vec3 ac = mesh.vertices[t[2]] - mesh.vertices[t[0]];
             const Vec3 bc = mesh.vertices[t[2]] - mesh.vertices[t[1]];
-            const double longest = std::max({cda::norm(ab), cda::norm(ac), cda::norm(bc)});
-            return cda::norm(cda::cross(ab, ac)) < least * longest;
+            const double longest = std::max({norm(ab), norm(ac), norm(bc)});
+            return norm(cross(ab, ac)) < least * longest;
         }));
 }
 

@@ -11,8 +11,6 @@ namespace ncsim::test {
 
 namespace {
 
-using cda::Vec3;
-
 // Side of a box, perpendicular to `axis` at `at`; `outwards` is +1 or -1.
 struct Side {
     std::size_t axis;
@@ -202,7 +200,7 @@ cda::Boundary boundary_of(const BoxPart& part) {
         if (outwards < 0) std::reverse(loop.begin(), loop.end());
         cda::BoundaryFace face;
         face.normal = normal_of(part, side, false);
-        face.offset = cda::dot(face.normal, boundary.vertices[loop[0]]);
+        face.offset = dot(face.normal, boundary.vertices[loop[0]]);
         face.origin = beyond == kOutside ? cda::kStockOrigin
                                          : cda::Origin{static_cast<std::uint32_t>(beyond + 1)};
         face.loops.push_back(std::move(loop));

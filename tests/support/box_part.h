@@ -26,10 +26,10 @@ struct BoxPart {
     GridBox stock;
     std::vector<GridBox> cuts;
     double cell_mm = 1.0;
-    std::array<cda::Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    cda::Vec3 shift;
+    std::array<Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    Vec3 shift;
 
-    cda::Vec3 to_W(cda::Vec3 p_G) const;
+    Vec3 to_W(Vec3 p_G) const;
     /// Returns the part, rotated by rational angles (no sine): 3-4-5 about Z, then 5-12-13 about X.
     BoxPart tilted() const;
 };
@@ -53,7 +53,7 @@ public:
     std::unique_ptr<cda::WorkpieceModel> clone() const override;
     double volume() const override { return cda::volume(boundary()); }
     cda::Boundary boundary() const override { return boundary_of(part_); }
-    bool contains(cda::Vec3 point) const override;
+    bool contains(Vec3 point) const override;
 
 private:
     BoxPart part_;

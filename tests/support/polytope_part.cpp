@@ -18,12 +18,12 @@ cda::Cell random_cell(std::mt19937& random, const cda::Lattice& lattice, cda::Or
     const auto between = [&](double a, double b) {
         return a + (b - a) * static_cast<double>(component(random) + 1000) / 2000.0;
     };
-    const cda::Vec3 centre{between(0, 40), between(0, 30), between(5, 15)};
+    const Vec3 centre{between(0, 40), between(0, 30), between(5, 15)};
     cda::Cell cell;
     cell.origin = origin;
     const auto add_plane = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
-        const cda::Vec3 n{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-        const double d = cda::dot(n, centre) + between(2, 6) * cda::norm(n);
+        const Vec3 n{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+        const double d = dot(n, centre) + between(2, 6) * norm(n);
         cell.planes.push_back(
             cda::canonical(x, y, z, static_cast<std::int64_t>(d / lattice.unit_mm)));
     };
@@ -36,8 +36,8 @@ cda::Cell random_cell(std::mt19937& random, const cda::Lattice& lattice, cda::Or
     }
     for (int i = 0; i < 6; ++i)
         add_plane(component(random), component(random), 1 + component(random));
-    cell.bounds.add(centre - cda::Vec3{20, 20, 20});
-    cell.bounds.add(centre + cda::Vec3{20, 20, 20});
+    cell.bounds.add(centre - Vec3{20, 20, 20});
+    cell.bounds.add(centre + Vec3{20, 20, 20});
     return cell;
 }
 
@@ -45,7 +45,7 @@ cda::Cell random_cell(std::mt19937& random, const cda::Lattice& lattice, cda::Or
 
 cda::FlatCda polytope_part() {
     std::mt19937 random(20010117);
-    const cda::Box stock{{0, 0, 0}, {40, 30, 10}};
+    const Box stock{{0, 0, 0}, {40, 30, 10}};
     const cda::Lattice lattice = cda::Lattice::for_stock(stock);
     cda::FlatCda part(cda::box_cell(lattice.round(stock.min), lattice.round(stock.max), lattice),
                       lattice);

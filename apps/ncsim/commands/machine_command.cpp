@@ -68,7 +68,7 @@ std::string sheet_of_pose(const setup::MachineFile& file, const std::string& pos
             throw std::runtime_error(fmt::format("--pose: the machine has no axis {}", letter));
     }
     const machine::Pose X_WT = file.kinematics->chain.placed({}, 0.0).pose(values);
-    const cda::Vec3 axis = axis_of(X_WT), tip = X_WT.translation;
+    const Vec3 axis = axis_of(X_WT), tip = X_WT.translation;
     return fmt::format(
         "  at {}: spindle nose at X{:.6g} Y{:.6g} Z{:.6g} of the part, whose zero is that of the "
         "machine, tool along {:.6g}, {:.6g}, {:.6g}\n",
@@ -81,7 +81,7 @@ struct MachineOfJob {
     std::string set_ups;
 };
 
-std::string text_of(const std::map<int, cda::Vec3>& offsets,
+std::string text_of(const std::map<int, Vec3>& offsets,
                     const std::vector<verify::Fixture>& fixtures) {
     std::string text;
     for (const auto& [system, at] : offsets)

@@ -83,8 +83,8 @@ bool is_quiet(const std::vector<std::string>& words) {
 }
 
 // Returns the job file: of the command line, otherwise of the project.
-std::string job_of(const ProgramOptions& options,
-                   const std::vector<setup::OptionSetting>& settings, const std::string& folder) {
+std::string job_of(const ProgramOptions& options, const std::vector<setup::OptionSetting>& settings,
+                   const std::string& folder) {
     if (!options.job.empty()) return options.job;
     for (const setup::OptionSetting& setting : settings) {
         if (setting.option == "job" && setting.values.size() == 1)

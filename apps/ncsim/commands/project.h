@@ -40,7 +40,7 @@ public:
     /// Removes the values of `settings` that the job specifies, too: the same option, tool,
     /// variable or register. Adds a line to `overridden` for each removed value that differs.
     std::vector<setup::OptionSetting> without_own(std::vector<setup::OptionSetting> settings,
-                                                   std::vector<std::string>& overridden) const;
+                                                  std::vector<std::string>& overridden) const;
     /// Returns a line for each value of the job, with its place, except the options `given`.
     std::vector<std::string> lines(const std::function<bool(const std::string&)>& given) const;
 

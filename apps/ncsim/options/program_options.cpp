@@ -107,7 +107,7 @@ void read_compensation(const char* option, const std::vector<std::string>& texts
     }
 }
 
-cda::Vec3 read_triple(const char* option, const std::string& text) {
+Vec3 read_triple(const char* option, const std::string& text) {
     const auto triple = toolpath::parse_triple(text);
     if (!triple) throw Refusal{fmt::format("{} '{}': expected x,y,z in mm", option, text)};
     return *triple;

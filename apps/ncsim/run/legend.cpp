@@ -113,7 +113,7 @@ exporter::Marks marks_of(const Outcome& outcome, const exporter::RenderOptions& 
     marks.zero = shown.zero;
     marks.scale = shown.scale;
     const report::LengthUnit unit = outcome.options.report_unit;
-    const cda::Vec3 size = outcome.survey.stock->box.size();
+    const Vec3 size = outcome.survey.stock->box.size();
     marks.size = report::in_unit(1.0, unit) * size;
     marks.mm_per_unit = 1.0 / report::in_unit(1.0, unit);
     marks.unit = report::name_of(unit);

@@ -5,7 +5,7 @@
 
 #include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/recognise.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/drawing.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/ply.h"

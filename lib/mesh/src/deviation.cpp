@@ -6,8 +6,8 @@
 // search is repeated with all triangles.
 #include "deviation.h"
 
-#include "ncsim/cda/mix.h"
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/base/mix.h"
+#include "ncsim/base/triangle_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -22,18 +22,15 @@ namespace ncsim::mesh {
 
 namespace {
 
-using cda::TriangleMesh;
-using cda::TriangleTree;
-using cda::Vec3;
 using Triple = std::array<std::uint32_t, 3>;
 
 // True if a triangle is within `limit` of `p`; rounding can give false at the limit. `last` is the
 // triangle that was near the previous point, which is tried first; it is set to the triangle found.
 bool is_within(const TriangleTree& tree, Vec3 p, double limit, std::uint32_t& last) {
-    if (cda::distance(p, cda::corners_of(tree.mesh(), last)) <= limit) return true;
+    if (distance(p, corners_of(tree.mesh(), last)) <= limit) return true;
     bool found = false;
     tree.visit(
-        [&](const cda::Box& box) {
+        [&](const Box& box) {
             for (int axis = 0; axis < 3; ++axis) {
                 if (p[axis] < box.min[axis] - limit || p[axis] > box.max[axis] + limit)
                     return false;
@@ -41,7 +38,7 @@ bool is_within(const TriangleTree& tree, Vec3 p, double limit, std::uint32_t& la
             return !found;
         },
         [&](std::uint32_t t) {
-            if (found || cda::distance(p, cda::corners_of(tree.mesh(), t)) > limit) return;
+            if (found || distance(p, corners_of(tree.mesh(), t)) > limit) return;
             found = true;
             last = t;
         });
@@ -69,14 +66,14 @@ Farthest farthest(const std::vector<Vec3>& points, const TriangleTree& tree) {
 
 bool is_nearer_than(double limit, Vec3 p, const TriangleMesh& mesh) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const cda::Corners corners = cda::corners_of(mesh, t);
+        const TriangleCorners corners = corners_of(mesh, t);
         bool is_near = true;
         for (int axis = 0; axis < 3 && is_near; ++axis) {
             const auto [low, high] =
                 std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
             is_near = p[axis] > low - limit && p[axis] < high + limit;
         }
-        if (is_near && cda::distance(p, corners) < limit) return true;
+        if (is_near && distance(p, corners) < limit) return true;
     }
     return false;
 }
@@ -108,7 +105,7 @@ private:
     std::uint32_t number(Vec3 p) {
         std::uint64_t hash = 0;
         for (const double x : {p.x, p.y, p.z})
-            hash = cda::mix(hash, std::bit_cast<std::uint64_t>(x + 0.0));
+            hash = mix(hash, std::bit_cast<std::uint64_t>(x + 0.0));
         const std::size_t mask = slots_.size() - 1;
         std::size_t slot = static_cast<std::size_t>(hash) & mask;
         for (; slots_[slot] != kNone; slot = (slot + 1) & mask) {
@@ -205,7 +202,7 @@ double farthest(const UnmatchedTriangles& from, const TriangleMesh& to,
 
 double deviation(const TriangleMesh& a, const TriangleMesh& b) {
     if (a.triangles.empty() || b.triangles.empty())
-        return a.triangles.empty() == b.triangles.empty() ? 0.0 : cda::Box::kInf;
+        return a.triangles.empty() == b.triangles.empty() ? 0.0 : Box::kInf;
     SamePlaces places(a.vertices.size() + b.vertices.size());
     const std::vector<Triple> of_a = places.triangles(a);
     const std::vector<Triple> of_b = places.triangles(b);

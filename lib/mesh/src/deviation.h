@@ -3,7 +3,7 @@
 // Distance between two surfaces.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 namespace ncsim::mesh {
 
@@ -11,6 +11,6 @@ namespace ncsim::mesh {
 /// the other mesh: the Hausdorff distance, sampled at these points. Infinite if exactly one mesh is
 /// empty.
 /// Cost: O(n log n) expected.
-double deviation(const cda::TriangleMesh& a, const cda::TriangleMesh& b);
+double deviation(const TriangleMesh& a, const TriangleMesh& b);
 
 }  // namespace ncsim::mesh

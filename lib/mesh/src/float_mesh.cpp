@@ -23,8 +23,8 @@
 // further corner that has yet to move.
 #include "ncsim/mesh/float_mesh.h"
 
-#include "ncsim/cda/mix.h"
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/mix.h"
+#include "ncsim/base/parallel.h"
 #include "ncsim/cda/predicates.h"
 
 #include "slivers.h"
@@ -44,8 +44,6 @@ namespace ncsim::mesh {
 
 namespace {
 
-using cda::Int128;
-using cda::Vec3;
 using Vertex = std::uint32_t;
 using Triangle = std::array<Vertex, 3>;
 
@@ -90,7 +88,7 @@ public:
     std::optional<std::vector<Vertex>> vertices_with_several_fans(std::size_t threads) {
         std::atomic<bool> is_closed = true;
         const auto vertices = static_cast<Vertex>(first_.size() - 1);
-        std::vector<Vertex> several = cda::filter_indices(threads, vertices, [&](Vertex v) {
+        std::vector<Vertex> several = filter_indices(threads, vertices, [&](Vertex v) {
             int count = 0;
             if (!visit(v, [&](const auto&) { ++count; })) is_closed = false;
             return count > 1;
@@ -247,7 +245,7 @@ private:
     std::size_t find(const FloatPoint& place) const {
         std::uint64_t h = 0;
         for (const float x : place)
-            h = cda::mix(h, std::bit_cast<std::uint32_t>(x));
+            h = mix(h, std::bit_cast<std::uint32_t>(x));
         std::size_t i = h & (slots_.size() - 1);
         while (slots_[i].vertex != kNone && slots_[i].place != place)
             i = (i + 1) & (slots_.size() - 1);
@@ -286,7 +284,7 @@ public:
                 is_used[v] = true;
         }
         std::vector<Vertex> suspects;
-        for (const std::uint32_t t : cda::filter_indices(
+        for (const std::uint32_t t : filter_indices(
                  threads_, static_cast<std::uint32_t>(triangles_.size()), [&](std::uint32_t i) {
                      const auto& [a, b, c] = triangles_[i];
                      return steps_.are_collinear(points_[a], points_[b], points_[c]);
@@ -356,7 +354,7 @@ private:
                         const Vec3 off{static_cast<double>(place[0]) - exact_[v].x,
                                        static_cast<double>(place[1]) - exact_[v].y,
                                        static_cast<double>(place[2]) - exact_[v].z};
-                        shell.push_back({cda::dot(off, off), place});
+                        shell.push_back({dot(off, off), place});
                     }
                 }
             }
@@ -400,13 +398,13 @@ bool are_places_right(const FloatMesh& mesh, const Steps& steps) {
 }
 
 // Restores the order by faces, because flips give triangles to other faces.
-void sort_by_face(cda::TriangleMesh& mesh) {
+void sort_by_face(TriangleMesh& mesh) {
     if (std::is_sorted(mesh.face.begin(), mesh.face.end())) return;
     std::vector<std::uint32_t> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return mesh.face[a] < mesh.face[b]; });
-    cda::TriangleMesh sorted;
+    TriangleMesh sorted;
     for (const std::uint32_t t : order) {
         sorted.triangles.push_back(mesh.triangles[t]);
         sorted.face.push_back(mesh.face[t]);
@@ -417,12 +415,12 @@ void sort_by_face(cda::TriangleMesh& mesh) {
 
 // Steps 2 to 4; nullopt if the check fails.
 std::optional<FloatMesh> rounded(const std::vector<Vec3>& exact, const Steps& steps,
-                                 cda::TriangleMesh mesh, bool contracts, std::size_t threads) {
+                                 TriangleMesh mesh, bool contracts, std::size_t threads) {
     FloatMesh result;
     result.points.resize(exact.size());
     mesh.vertices.resize(exact.size());
-    const cda::Runs runs(exact.size(), std::size_t{1} << 14);
-    cda::in_parallel(threads, runs.tasks(), [&](std::size_t task) {
+    const Runs runs(exact.size(), std::size_t{1} << 14);
+    in_parallel(threads, runs.tasks(), [&](std::size_t task) {
         for (std::size_t i = runs.begin(task); i < runs.end(task); ++i) {
             const FloatPoint q = steps.round(exact[i]);
             result.points[i] = q;
@@ -457,8 +455,8 @@ FloatPoint to_floats(Vec3 p) {
     return point;
 }
 
-FloatMesh round_to_floats(const cda::TriangleMesh& mesh, Vec3 origin, std::size_t threads) {
-    cda::TriangleMesh parted;
+FloatMesh round_to_floats(const TriangleMesh& mesh, Vec3 origin, std::size_t threads) {
+    TriangleMesh parted;
     parted.triangles = mesh.triangles;
     parted.face = mesh.face;
     std::vector<std::uint32_t> vertex(mesh.vertices.size());

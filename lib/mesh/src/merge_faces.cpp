@@ -20,14 +20,13 @@ namespace ncsim::mesh {
 
 namespace {
 
-using cda::Vec3;
 using VertexIndex = std::uint32_t;
 
 // Returns a number from 0 to 4 that grows with the angle from `back` to `out`, counter-clockwise
 // about `normal`. Comparison of angles needs no arctangent.
 double counterclockwise_turn(Vec3 back, Vec3 out, Vec3 normal) {
-    const double x = cda::dot(back, out);
-    const double y = cda::dot(cda::cross(back, out), normal);
+    const double x = dot(back, out);
+    const double y = dot(cross(back, out), normal);
     const double length = std::abs(x) + std::abs(y);
     if (length == 0.0) return 4.0;
     const double quarter = x / length;  // 1 … -1 over the first half turn
@@ -38,10 +37,10 @@ double signed_area(const std::vector<Vec3>& vertices, const std::vector<VertexIn
                    Vec3 normal) {
     Vec3 sum;
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-        sum = sum + cda::cross(vertices[loop[i]] - vertices[loop[0]],
-                               vertices[loop[i + 1]] - vertices[loop[0]]);
+        sum = sum + cross(vertices[loop[i]] - vertices[loop[0]],
+                          vertices[loop[i + 1]] - vertices[loop[0]]);
     }
-    return cda::dot(sum, normal);
+    return dot(sum, normal);
 }
 
 // Step 2 for a group with the remaining `edges`, sorted by their start.
@@ -86,7 +85,7 @@ std::vector<std::vector<VertexIndex>> walk(const std::vector<Vec3>& vertices,
 
 }  // namespace
 
-MergedFaces merge_groups(const cda::Boundary& boundary, cda::DisjointSets& groups) {
+MergedFaces merge_groups(const cda::Boundary& boundary, DisjointSets& groups) {
     const std::vector<HalfEdge> edges = half_edges(boundary);
     const std::vector<std::uint32_t> twins = twins_of(edges);
     // Remaining edges of each group, by the number of the group's first face.

@@ -3,8 +3,8 @@
 // Merging of coplanar adjacent faces, so each visible face of the part is a face.
 #pragma once
 
+#include "ncsim/base/disjoint_sets.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/disjoint_sets.h"
 
 #include "half_edges.h"
 
@@ -27,6 +27,6 @@ struct MergedFaces {
 /// approximately in the plane of the group's first face. A group without an outline, which is a
 /// whole shell, gets no face. All vertices stay.
 /// Cost: O(n log n).
-MergedFaces merge_groups(const cda::Boundary& boundary, cda::DisjointSets& groups);
+MergedFaces merge_groups(const cda::Boundary& boundary, DisjointSets& groups);
 
 }  // namespace ncsim::mesh

@@ -4,6 +4,8 @@
 // 2. Join the cuts of the triangles to closed loops. 3. Triangulate the region in the loops.
 #include "ncsim/mesh/open_mesh.h"
 
+#include "ncsim/cda/triangulate.h"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -13,7 +15,6 @@ namespace ncsim::mesh {
 
 namespace {
 
-using cda::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
 // Distance within which a point counts as behind the plane, mm.
@@ -21,7 +22,7 @@ constexpr double kInPlane = 1e-6;
 
 class Opening {
 public:
-    Opening(const cda::TriangleMesh& mesh, std::uint32_t faces, const CutPlane& plane)
+    Opening(const TriangleMesh& mesh, std::uint32_t faces, const CutPlane& plane)
         : mesh_(mesh), faces_(faces), plane_(plane) {
         result_.mesh.vertices = mesh.vertices;
         heights_.reserve(mesh.vertices.size());
@@ -99,14 +100,14 @@ private:
                 at = next_.find(next);
             }
         }
-        cda::TriangleMesh cap = cda::triangulate(cut);
+        TriangleMesh cap = cda::triangulate(cut);
         result_.mesh.vertices = std::move(cap.vertices);
         result_.mesh.triangles.insert(result_.mesh.triangles.end(), cap.triangles.begin(),
                                       cap.triangles.end());
         result_.mesh.face.resize(result_.mesh.triangles.size(), faces_);
     }
 
-    const cda::TriangleMesh& mesh_;
+    const TriangleMesh& mesh_;
     std::uint32_t faces_;
     const CutPlane& plane_;
     std::vector<double> heights_;  // of the vertices above the plane, mm
@@ -117,7 +118,7 @@ private:
 
 }  // namespace
 
-OpenMesh open_mesh(const cda::TriangleMesh& mesh, std::uint32_t faces, const CutPlane& plane) {
+OpenMesh open_mesh(const TriangleMesh& mesh, std::uint32_t faces, const CutPlane& plane) {
     return Opening(mesh, faces, plane).run();
 }
 

@@ -3,7 +3,8 @@
 // Decision which faces are split into triangles, and the triangles.
 #include "ncsim/mesh/pieces.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,6 @@
 namespace ncsim::mesh {
 
 namespace {
-
-using cda::Vec3;
 
 // Largest sine of a right turn that counts as a rounding error and is harmless in a fan.
 constexpr double kStraight = 1e-7;
@@ -27,8 +26,7 @@ bool is_convex(const cda::Boundary& boundary, const cda::BoundaryFace& face) {
         const Vec3 a = boundary.vertices[loop[i]];
         const Vec3 b = boundary.vertices[loop[(i + 1) % loop.size()]];
         const Vec3 c = boundary.vertices[loop[(i + 2) % loop.size()]];
-        const double turn =
-            cda::dot(face.normal, cda::cross(cda::normalized(b - a), cda::normalized(c - b)));
+        const double turn = dot(face.normal, cross(normalized(b - a), normalized(c - b)));
         if (turn < -kStraight) return false;
     }
     return true;
@@ -44,8 +42,8 @@ bool is_low(const std::vector<Vec3>& vertices, const Triangle& t) {
     const Vec3 ab = vertices[t[1]] - vertices[t[0]];
     const Vec3 ac = vertices[t[2]] - vertices[t[0]];
     const Vec3 bc = vertices[t[2]] - vertices[t[1]];
-    const double longest = std::max({cda::norm(ab), cda::norm(ac), cda::norm(bc)});
-    return cda::norm(cda::cross(ab, ac)) < kTouching * longest;
+    const double longest = std::max({norm(ab), norm(ac), norm(bc)});
+    return norm(cross(ab, ac)) < kTouching * longest;
 }
 
 // True if the loop has a nearly straight corner, which only adjacent faces need.
@@ -63,7 +61,7 @@ bool has_straight_corner(const std::vector<Vec3>& vertices,
 Pieces::Pieces(const cda::Boundary& boundary)
     : boundary_(boundary), first_(boundary.faces.size() + 1, 0) {
     // Triangulates all faces together, so no diagonal of a face is an edge of another face.
-    cda::TriangleMesh mesh = cda::triangulate(boundary);
+    TriangleMesh mesh = cda::triangulate(boundary);
     vertices_ = std::move(mesh.vertices);
     std::vector<std::vector<Triangle>> triangles(boundary.faces.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -4,6 +4,8 @@
 // for boundaries that pass.
 #include "plain.h"
 
+#include "ncsim/cda/triangulate.h"
+
 #include "half_edges.h"
 
 #include <algorithm>
@@ -18,15 +20,14 @@ namespace ncsim::mesh {
 
 namespace {
 
-using cda::Vec3;
 using LoopOfVertices = std::vector<std::uint32_t>;
 
 // Returns the normal times twice the area inside the loop, summed as in merge_groups().
 Vec3 loop_area_vector(const std::vector<Vec3>& vertices, const LoopOfVertices& loop) {
     Vec3 sum;
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-        sum = sum + cda::cross(vertices[loop[i]] - vertices[loop[0]],
-                               vertices[loop[i + 1]] - vertices[loop[0]]);
+        sum = sum + cross(vertices[loop[i]] - vertices[loop[0]],
+                          vertices[loop[i + 1]] - vertices[loop[0]]);
     }
     return sum;
 }
@@ -53,8 +54,7 @@ double largest_distance(const std::vector<Vec3>& vertices, const cda::BoundaryFa
     double farthest = 0.0;
     for (const auto& loop : of.loops) {
         for (const std::uint32_t v : loop)
-            farthest =
-                std::max(farthest, std::abs(cda::dot(plane.normal, vertices[v]) - plane.offset));
+            farthest = std::max(farthest, std::abs(dot(plane.normal, vertices[v]) - plane.offset));
     }
     return farthest;
 }
@@ -71,7 +71,7 @@ bool any_are_joinable(const cda::Boundary& boundary, double share, const Provena
         const cda::BoundaryFace& f = boundary.faces[edges[e].face];
         const cda::BoundaryFace& g = boundary.faces[edges[twins[e]].face];
         if (&f == &g) return true;
-        if (cda::dot(f.normal, g.normal) < kMinNormalCosine || place_of(f) != place_of(g)) continue;
+        if (dot(f.normal, g.normal) < kMinNormalCosine || place_of(f) != place_of(g)) continue;
         if (f.normal == g.normal || largest_distance(boundary.vertices, f, g) <= share ||
             largest_distance(boundary.vertices, g, f) <= share)
             return true;
@@ -87,7 +87,7 @@ bool order_loops(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
         std::rotate(loop.begin(), std::ranges::min_element(loop), loop.end());
     std::ranges::sort(face.loops, {}, [](const LoopOfVertices& loop) { return loop.front(); });
     const auto is_outline = [&](const LoopOfVertices& loop) {
-        return cda::dot(loop_area_vector(vertices, loop), face.normal) > 0.0;
+        return dot(loop_area_vector(vertices, loop), face.normal) > 0.0;
     };
     const auto holes = std::stable_partition(face.loops.begin(), face.loops.end(), is_outline);
     return holes == face.loops.begin() + 1;
@@ -95,20 +95,20 @@ bool order_loops(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
 
 // True if a triangle may be lower than `share`, so simplify_any() might move it; a conservative
 // test.
-bool any_is_thin(const cda::TriangleMesh& mesh, double share) {
+bool any_is_thin(const TriangleMesh& mesh, double share) {
     return std::ranges::any_of(mesh.triangles, [&](const auto& corners) {
         const Vec3 a = mesh.vertices[corners[0]], b = mesh.vertices[corners[1]];
         const Vec3 c = mesh.vertices[corners[2]];
-        const std::array sides{cda::norm(b - a), cda::norm(c - b), cda::norm(a - c)};
+        const std::array sides{norm(b - a), norm(c - b), norm(a - c)};
         const double longest = std::ranges::max(sides);
-        const double area = 0.5 * cda::norm(cda::cross(b - a, c - a));
+        const double area = 0.5 * norm(cross(b - a, c - a));
         return std::ranges::min(sides) < share || area < share * longest ||
                !(area > 0.0 && std::isfinite(area));
     });
 }
 
 // True if all vertices of some shell may be near the plane of its largest triangle.
-bool any_is_flake(const cda::Boundary& boundary, const cda::TriangleMesh& mesh, double share) {
+bool any_is_flake(const cda::Boundary& boundary, const TriangleMesh& mesh, double share) {
     struct Largest {
         double area = -1.0;
         std::uint32_t face = 0;
@@ -118,8 +118,8 @@ bool any_is_flake(const cda::Boundary& boundary, const cda::TriangleMesh& mesh, 
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
         Largest& shell = shells[boundary.faces[mesh.face[t]].shell];
-        const double area = cda::norm(
-            cda::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+        const double area =
+            norm(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
         if (area > shell.area) shell = {area, mesh.face[t], true};
     }
     for (const cda::BoundaryFace& face : boundary.faces) {
@@ -144,7 +144,7 @@ std::optional<Simplified> plain_boundary(const cda::Boundary& boundary, double s
         Vec3 area;
         for (const LoopOfVertices& loop : face.loops)
             area = area + loop_area_vector(boundary.vertices, loop);
-        if (!order_loops(boundary.vertices, face) || !(cda::dot(area, face.normal) > 0.0) ||
+        if (!order_loops(boundary.vertices, face) || !(dot(area, face.normal) > 0.0) ||
             largest_distance(boundary.vertices, face, face) > share_mm)
             return std::nullopt;
         result.origins.push_back({face.origin});

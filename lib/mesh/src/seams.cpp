@@ -3,7 +3,7 @@
 // Counts of directed edges without partners.
 #include "ncsim/mesh/seams.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +17,7 @@ std::size_t Seams::Hash::operator()(const FloatEdge& edge) const {
     std::uint64_t h = 0;
     for (const auto& corner : edge) {
         for (const float x : corner)
-            h = cda::mix(h, std::bit_cast<std::uint32_t>(x));
+            h = mix(h, std::bit_cast<std::uint32_t>(x));
     }
     return h;
 }

@@ -14,9 +14,10 @@
 // Source: Douglas and Peucker, Algorithms for the reduction of the number of points, 1973 (step 4).
 #include "ncsim/mesh/simplify.h"
 
-#include "ncsim/cda/disjoint_sets.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/base/disjoint_sets.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/triangle_tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "deviation.h"
 #include "half_edges.h"
@@ -35,12 +36,11 @@ namespace ncsim::mesh {
 
 namespace {
 
-using cda::Vec3;
 using Vertex = std::uint32_t;
 using Loop = std::vector<Vertex>;
 
 double distance(Vec3 a, Vec3 b) {
-    return cda::norm(b - a);
+    return norm(b - a);
 }
 
 // Returns the normal times the area, summed over all loops.
@@ -49,15 +49,15 @@ Vec3 area_vector(const std::vector<Vec3>& vertices, const cda::BoundaryFace& fac
     const Vec3 apex = vertices[face.loops.front().front()];
     for (const Loop& loop : face.loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            sum = sum + cda::cross(vertices[loop[i]] - apex,
-                                   vertices[loop[(i + 1) % loop.size()]] - apex);
+            sum =
+                sum + cross(vertices[loop[i]] - apex, vertices[loop[(i + 1) % loop.size()]] - apex);
         }
     }
     return 0.5 * sum;
 }
 
 // Returns each triangle as a face in the plane of its original face.
-cda::Boundary boundary_of(const cda::TriangleMesh& mesh, const cda::Boundary& from) {
+cda::Boundary boundary_of(const TriangleMesh& mesh, const cda::Boundary& from) {
     cda::Boundary result;
     result.vertices = mesh.vertices;
     result.shells = from.shells;
@@ -84,14 +84,14 @@ void drop_flakes(cda::Boundary& boundary, double tolerance) {
     std::vector<Shell> shells(boundary.shells);
     for (const auto& face : boundary.faces) {
         Shell& shell = shells[face.shell];
-        const double area = cda::norm(area_vector(boundary.vertices, face));
+        const double area = norm(area_vector(boundary.vertices, face));
         if (area > shell.area) shell.area = area, shell.largest = &face;
     }
     for (const auto& face : boundary.faces) {
         Shell& shell = shells[face.shell];
         for (const Vertex v : face.loops.front()) {
             const double off =
-                cda::dot(shell.largest->normal, boundary.vertices[v]) - shell.largest->offset;
+                dot(shell.largest->normal, boundary.vertices[v]) - shell.largest->offset;
             shell.is_flake = shell.is_flake && std::abs(off) < tolerance;
         }
     }
@@ -106,7 +106,7 @@ public:
         for (const auto& face : boundary.faces) {
             Flat flat;
             const Vec3 area = area_vector(boundary.vertices, face);
-            flat.area = cda::norm(area);
+            flat.area = norm(area);
             flat.normal = face.normal;
             flat.offset = face.offset;
             flat.origin = face.origin;
@@ -163,7 +163,7 @@ public:
     /// Returns the origin of the largest face in the group of `face`.
     cda::Origin origin(std::uint32_t face) { return flats_[groups_.find(face)].origin; }
 
-    cda::DisjointSets& groups() { return groups_; }
+    DisjointSets& groups() { return groups_; }
 
 private:
     struct Flat {
@@ -182,10 +182,10 @@ private:
         Flat& large = flats_[a];
         Flat& small = flats_[b];
         if (!small.is_thin && large.place != small.place) return;
-        if (!small.is_thin && cda::dot(large.normal, small.normal) < kMinNormalCosine) return;
+        if (!small.is_thin && dot(large.normal, small.normal) < kMinNormalCosine) return;
         double farthest = 0.0;
         for (const Vertex v : small.vertices) {
-            const double off = cda::dot(large.normal, boundary_.vertices[v]) - large.offset;
+            const double off = dot(large.normal, boundary_.vertices[v]) - large.offset;
             farthest = std::max(farthest, std::abs(off));
         }
         if (farthest > tolerance_ && !is_exact) return;
@@ -205,7 +205,7 @@ private:
 
     cda::Boundary& boundary_;
     double tolerance_;
-    cda::DisjointSets groups_;
+    DisjointSets groups_;
     std::vector<Flat> flats_;  // for a group: the entry of the first face
 };
 
@@ -309,9 +309,9 @@ private:
         std::size_t middle = first + 1;
         double far = -1.0;
         for (std::size_t i = first + 1; i < last; ++i) {
-            const double d = cda::distance_to_segment(boundary_.vertices[chain[i]],
-                                                      boundary_.vertices[chain[first]],
-                                                      boundary_.vertices[chain[last]]);
+            const double d =
+                distance_to_segment(boundary_.vertices[chain[i]], boundary_.vertices[chain[first]],
+                                    boundary_.vertices[chain[last]]);
             if (d > far) far = d, middle = i;
         }
         if (far <= tolerance_ && !keeps_one) return;
@@ -331,7 +331,7 @@ double farthest_from_plane(const std::vector<Vec3>& vertices, const cda::Boundar
     double farthest = 0.0;
     for (const Loop& loop : face.loops) {
         for (const Vertex v : loop) {
-            const double off = cda::dot(face.normal, vertices[v]) - face.offset;
+            const double off = dot(face.normal, vertices[v]) - face.offset;
             farthest = std::max(farthest, std::abs(off));
         }
     }
@@ -341,12 +341,12 @@ double farthest_from_plane(const std::vector<Vec3>& vertices, const cda::Boundar
 // Step 5: sets the plane normal to the area vector, through the middle of the corners.
 void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     const Vec3 area = area_vector(vertices, face);
-    if (!(cda::norm(area) > 0.0)) return;
-    face.normal = cda::normalized(area);
-    double least = cda::Box::kInf;
-    double most = -cda::Box::kInf;
+    if (!(norm(area) > 0.0)) return;
+    face.normal = normalized(area);
+    double least = Box::kInf;
+    double most = -Box::kInf;
     for (const Vertex v : face.loops.front()) {
-        const double at = cda::dot(face.normal, vertices[v]);
+        const double at = dot(face.normal, vertices[v]);
         least = std::min(least, at);
         most = std::max(most, at);
     }
@@ -377,7 +377,7 @@ void remove_unused_vertices(cda::Boundary& boundary) {
     }
 }
 
-Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh, double share,
+Simplified simplify_steps(const cda::Boundary& boundary, TriangleMesh mesh, double share,
                           const Provenance* lines) {
     remove_slivers(mesh, share);
     cda::Boundary work = boundary_of(mesh, boundary);
@@ -394,7 +394,7 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
     remove_unused_vertices(merged.boundary);
     for (auto& face : merged.boundary.faces) {
         const bool is_right_way =
-            cda::dot(area_vector(merged.boundary.vertices, face), face.normal) > 0.0;
+            dot(area_vector(merged.boundary.vertices, face), face.normal) > 0.0;
         if (!is_right_way || farthest_from_plane(merged.boundary.vertices, face) > share)
             fit_plane(merged.boundary.vertices, face);
     }
@@ -403,8 +403,8 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
 
 // Returns `mesh` without the shells that vanished. A flake thinner than the tolerance may vanish
 // whatever its width: its points are near empty space, but may be far from the remaining surface.
-cda::TriangleMesh remove_lost_shells(cda::TriangleMesh mesh, const cda::Boundary& before,
-                                     const cda::Boundary& after) {
+TriangleMesh remove_lost_shells(TriangleMesh mesh, const cda::Boundary& before,
+                                const cda::Boundary& after) {
     std::vector<bool> is_left(before.shells, false);
     for (const auto& face : after.faces)
         is_left[face.shell] = true;
@@ -429,7 +429,7 @@ Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Pr
 
 Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
                         const Provenance* lines) {
-    const cda::TriangleMesh before = cda::triangulate(boundary);
+    const TriangleMesh before = cda::triangulate(boundary);
     Simplified result;
     for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
         // Far below the tolerance, only rounding is left to move.

@@ -9,7 +9,7 @@
 //     Triangle Meshes, 2001 (flips).
 #include "slivers.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,6 @@ namespace ncsim::mesh {
 
 namespace {
 
-using cda::Vec3;
 using Vertex = std::uint32_t;
 using Triangle = std::array<Vertex, 3>;
 
@@ -38,18 +37,16 @@ void make_set(std::vector<std::uint32_t>& numbers) {
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-double doubled_area(const cda::TriangleMesh& mesh, const Triangle& corners) {
+double doubled_area(const TriangleMesh& mesh, const Triangle& corners) {
     const auto& [a, b, c] = corners;
-    return cda::norm(
-        cda::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+    return norm(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
 }
 
 // True if the triangle has an edge or a height shorter than `least`.
-bool is_low(const cda::TriangleMesh& mesh, const Triangle& corners, double least) {
+bool is_low(const TriangleMesh& mesh, const Triangle& corners, double least) {
     double base = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double edge =
-            cda::norm(mesh.vertices[corners[(i + 1) % 3]] - mesh.vertices[corners[i]]);
+        const double edge = norm(mesh.vertices[corners[(i + 1) % 3]] - mesh.vertices[corners[i]]);
         if (edge < least) return true;
         base = std::max(base, edge);
     }
@@ -100,7 +97,7 @@ private:
 class Slivers {
 public:
     /// Requires: `low` lists the low triangles.
-    Slivers(cda::TriangleMesh& mesh, double least, std::vector<std::uint32_t> low)
+    Slivers(TriangleMesh& mesh, double least, std::vector<std::uint32_t> low)
         : mesh_(mesh),
           least_(least),
           low_(std::move(low)),
@@ -127,9 +124,7 @@ public:
     }
 
 private:
-    double length(Vertex a, Vertex b) const {
-        return cda::norm(mesh_.vertices[b] - mesh_.vertices[a]);
-    }
+    double length(Vertex a, Vertex b) const { return norm(mesh_.vertices[b] - mesh_.vertices[a]); }
 
     // Updates the list of low triangles from the touched triangles.
     void update_low_triangles() {
@@ -325,7 +320,7 @@ private:
         }
     }
 
-    cda::TriangleMesh& mesh_;
+    TriangleMesh& mesh_;
     double least_;
     std::vector<std::uint32_t> low_;  // ascending
     TrianglesAt triangles_at_;
@@ -337,11 +332,11 @@ private:
 
 }  // namespace
 
-bool remove_slivers(cda::TriangleMesh& mesh, double least_mm, std::size_t threads) {
+bool remove_slivers(TriangleMesh& mesh, double least_mm, std::size_t threads) {
     if (!(least_mm > 0.0)) return false;
-    std::vector<std::uint32_t> low = cda::filter_indices(
-        threads, static_cast<std::uint32_t>(mesh.triangles.size()),
-        [&](std::uint32_t t) { return is_low(mesh, mesh.triangles[t], least_mm); });
+    std::vector<std::uint32_t> low =
+        filter_indices(threads, static_cast<std::uint32_t>(mesh.triangles.size()),
+                       [&](std::uint32_t t) { return is_low(mesh, mesh.triangles[t], least_mm); });
     return !low.empty() && Slivers(mesh, least_mm, std::move(low)).run();
 }
 

@@ -3,7 +3,7 @@
 // Removal of thin triangles, which readers with a tolerance of their own reject.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 #include <cstddef>
 
@@ -20,6 +20,6 @@ namespace ncsim::mesh {
 /// Guarantees: the mesh stays closed. A vertex is replaced by a vertex at most 2 `least_mm` away;
 ///     replaced vertices stay in the list, unused.
 /// Cost: O(n log n) expected.
-bool remove_slivers(cda::TriangleMesh& mesh, double least_mm, std::size_t threads = 1);
+bool remove_slivers(TriangleMesh& mesh, double least_mm, std::size_t threads = 1);
 
 }  // namespace ncsim::mesh

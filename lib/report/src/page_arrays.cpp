@@ -95,12 +95,12 @@ std::string packed_text(const std::string& text) {
     return base64(compressed(text, kTextLevel, Z_DEFAULT_STRATEGY));
 }
 
-void append_position(std::vector<std::uint32_t>& numbers, const cda::Vec3& position) {
+void append_position(std::vector<std::uint32_t>& numbers, const Vec3& position) {
     for (const double c : {position.x, position.y, position.z})
         numbers.push_back(integer(c / kPageUnit));
 }
 
-void append_direction(std::vector<std::uint32_t>& numbers, const cda::Vec3& direction) {
+void append_direction(std::vector<std::uint32_t>& numbers, const Vec3& direction) {
     for (const double c : {direction.x, direction.y, direction.z})
         numbers.push_back(integer(kUnitVector * c));
 }

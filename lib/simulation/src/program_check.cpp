@@ -319,7 +319,7 @@ struct PreparedCheck {
     std::vector<std::string> not_used;  // specified values that are not used
 
     bool is_simulated() const { return survey.is_ready() && needs_simulation(setup); }
-    cda::Box stock() const { return survey.is_ready() ? survey.stock->box : cda::Box{}; }
+    Box stock() const { return survey.is_ready() ? survey.stock->box : Box{}; }
     cda::Lattice lattice() const {
         return survey.is_ready() ? toolpath::stock_lattice(*survey.stock) : cda::Lattice{};
     }
@@ -552,9 +552,8 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
                 checked.page_data->deviation =
                     deviation_mesh(checked.page_data->mesh, *verification_options.design);
             }
-            checked.page_data->machine =
-                machine_page_data(plan, survey, verification_options.machine,
-                                  checked.verdict.findings);
+            checked.page_data->machine = machine_page_data(
+                plan, survey, verification_options.machine, checked.verdict.findings);
         }
     } else {
         // The program is known not to end, so the rules need not examine each iteration of its

@@ -391,7 +391,7 @@ private:
     verify::Verifier* verifier_;
     std::optional<std::uint32_t> most_cuts_;
     std::optional<std::uint64_t> only_motion_;
-    std::optional<cda::Vec3> nearest_to_;
+    std::optional<Vec3> nearest_to_;
     bool last_removes_nothing_;
     std::uint64_t approached_ = 0;  // motion to which nearest_mm_ belongs
     double nearest_mm_ = 0.0;
@@ -413,7 +413,7 @@ private:
     std::uint32_t line_ = 0;  // line of the current motion
     int tool_ = 0;
     bool tool_volumes_;
-    std::optional<cda::Box> place_of_tile_;
+    std::optional<Box> place_of_tile_;
     double volume_;               // at the last tool change
     bool is_near_stock_ = false;  // whether the tool was near the stock since its change
     OperationCourse course_;

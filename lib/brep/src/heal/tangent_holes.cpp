@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heal/tangent_holes.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/frames.h"
-#include "ncsim/trig/angles.h"
 
 #include "heal/non_simple_faces.h"
 #include "topology/angular_extent.h"
@@ -22,12 +22,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
 
 std::uint32_t start_of(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
@@ -368,7 +362,7 @@ std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
             if (!halves) continue;
             const Vec3 out = halves->middle - cone.apex;
             constexpr double kTurn = 360.0, kNearCorner = 0.02;
-            double share = trig::angle_of(dot(out, start), dot(out, side)) / kTurn;
+            double share = angle_of(dot(out, start), dot(out, side)) / kTurn;
             if (share < 0.0) share += 1.0;
             if (share < kNearCorner || share > 1.0 - kNearCorner) continue;
             const Vec3 at = track.at(share);

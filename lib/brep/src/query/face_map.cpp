@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "query/face_map.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
@@ -11,12 +11,6 @@
 #include <limits>
 
 namespace ncsim::brep {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
 
 namespace {
 
@@ -87,7 +81,7 @@ MapPoint FaceMap::operator()(Vec3 at) const {
         const CoilPlace place = project_onto(*c, at);
         const double x = ahead_ * dot(place.out, place.motion);
         const double y = ahead_ * dot(place.out, cross(c->axis, place.motion));
-        return {c->radius * trig::angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
+        return {c->radius * angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
     }
     if (const auto* s = std::get_if<Spiral>(form_)) {
         const SpiralPlace place = project_onto(*s, at);

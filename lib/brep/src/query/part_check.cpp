@@ -24,11 +24,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 // True if a chord passes so near to the apex of a cone, and is off the cone by more than rounding
 // in programs, that the side of the apex is undetermined; or if the chord passes the axis.
 bool passes_near_apex(const Form& form, Vec3 from, Vec3 to) {

@@ -6,7 +6,7 @@
 // is the start of a piece and the end of a piece.
 #include "ncsim/brep/section.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/cut_walk.h"
 #include "geometry/no_index.h"
@@ -23,12 +23,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
 
 // Distance within which a point counts as in the plane, mm.
 constexpr double kInPlane = 1e-6;
@@ -82,7 +76,7 @@ struct ExtentOf {
     Extent operator()(const FlatArc& c) const {
         const auto angle = [&](FlatPoint p) {
             const FlatPoint d = minus(p, c.centre);
-            return trig::angle_of(d.u, d.v);
+            return angle_of(d.u, d.v);
         };
         const double turn =
             turn_of(angle(piece->from), angle(piece->to), c.is_ccw) * kRadiansPerDegree;
@@ -96,8 +90,7 @@ struct ExtentOf {
         const FlatPoint x{e.major.u / major, e.major.v / major};
         const auto angle = [&](FlatPoint p) {
             const FlatPoint d = minus(p, e.centre);
-            return trig::angle_of((d.u * x.u + d.v * x.v) / major,
-                                  across_of(x, d) / e.minor_radius);
+            return angle_of((d.u * x.u + d.v * x.v) / major, across_of(x, d) / e.minor_radius);
         };
         const double start = angle(piece->from);
         const double turn = turn_of(start, angle(piece->to), e.is_ccw);
@@ -107,7 +100,7 @@ struct ExtentOf {
         double length = 0.0;
         for (int i = 0; i < kSteps; ++i) {
             const double middle = (e.is_ccw ? turn : -turn) * (i + 0.5) / kSteps;
-            const auto t = trig::sin_cos(start + middle);
+            const auto t = sin_cos(start + middle);
             const double du = major * t.sin, dv = e.minor_radius * t.cos;
             length += std::sqrt(du * du + dv * dv) * turn * kRadiansPerDegree / kSteps;
         }
@@ -440,7 +433,7 @@ private:
         if (!f) return std::nullopt;
         const Vec3 out = normalized(q - f->centre);
         const Vec3 x = any_perpendicular(out);
-        const auto angle = trig::sin_cos(180.0 * (turn + 0.129) / 16.0);
+        const auto angle = sin_cos(180.0 * (turn + 0.129) / 16.0);
         return normalized(angle.cos * x + angle.sin * cross(out, x));
     }
 

@@ -19,9 +19,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-using cda::norm;
-
 // Calls `v` for each field: point(), direction() (unit), vector(), length() (positive) and number()
 // (any sign).
 template <class V>
@@ -365,8 +362,8 @@ void move(Form& form, Mover& mover) {
 }
 
 // Returns the box around the moved box. Bounds may be infinite.
-cda::Box moved(const cda::Box& box, const RigidMotion& motion) {
-    cda::Box result{motion.shift, motion.shift};
+Box moved(const Box& box, const RigidMotion& motion) {
+    Box result{motion.shift, motion.shift};
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) {
             const double share = motion.rows[static_cast<std::size_t>(i)][k];
@@ -422,7 +419,7 @@ std::optional<CandidateSurface> candidate_of(std::string_view text) {
         mark = reader.word();
     }
     if (take(kWithin)) {
-        cda::Box& box = candidate.place.emplace();
+        Box& box = candidate.place.emplace();
         for (Vec3* corner : {&box.min, &box.max}) {
             for (int i = 0; i < 3; ++i)
                 reader.any_number((*corner)[i]);

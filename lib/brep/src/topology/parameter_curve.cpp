@@ -4,8 +4,8 @@
 // derivatives; pieces are halved until the curve is near enough.
 #include "ncsim/brep/parameter_curve.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/frames.h"
-#include "ncsim/trig/angles.h"
 
 #include "geometry/spline_surface.h"
 
@@ -18,11 +18,6 @@
 
 namespace ncsim::brep {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using trig::kRadiansPerDegree;
-
 namespace {
 
 constexpr double kMostMiss = 2e-6;     // mm: readers project what is farther off in their own way
@@ -32,7 +27,7 @@ constexpr double kParallel = 1e-9;     // sine
 constexpr double kTurn = 360.0 * kRadiansPerDegree;
 
 double angle_rad(double x, double y) {
-    return trig::angle_of(x, y) * kRadiansPerDegree;
+    return angle_of(x, y) * kRadiansPerDegree;
 }
 
 // Returns the factors of `u` and `v` in the part of `w` in their plane. Where they are parallel,
@@ -101,7 +96,7 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
         return {p.at, p.by_around, p.by_along};
     }
     const Vec3 x = frame_.x, z = frame_.axis, y = cross(z, x);
-    const auto u = trig::sin_cos(place[0] / kRadiansPerDegree);
+    const auto u = sin_cos(place[0] / kRadiansPerDegree);
     const Vec3 out = u.cos * x + u.sin * y, on = u.cos * y - u.sin * x;
     const auto turned = [&](double radius, double height, double radius_by_v, double height_by_v) {
         return Point{frame_.origin + radius * out + height * z, radius * on,
@@ -118,7 +113,7 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
                 form->along};
     const auto* torus = std::get_if<Torus>(&form_);
     const double tip = torus && is_spindle(*torus) ? tip_degrees(*torus) : 0.0;
-    const auto v = trig::sin_cos(place[1] / kRadiansPerDegree + tip);
+    const auto v = sin_cos(place[1] / kRadiansPerDegree + tip);
     if (const auto* form = std::get_if<Sphere>(&form_)) {
         const double r = form->radius;
         return turned(r * v.cos, r * v.sin, -r * v.sin, r * v.cos);

@@ -4,8 +4,8 @@
 // facet's plane, in doubles.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/plane.h"
-#include "ncsim/cda/vec.h"
 
 #include "exact/half_box.h"
 

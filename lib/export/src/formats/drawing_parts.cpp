@@ -3,7 +3,7 @@
 // Extents, placement, chords and titles of sections on a drawing.
 #include "formats/drawing_parts.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "formats/file_text.h"
 
@@ -55,8 +55,7 @@ DrawnBox box_of(const brep::Section& section) {
             if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
                 if (piece.from == piece.to) around(arc->centre, arc->radius);
             } else if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
-                if (piece.from == piece.to)
-                    around(e->centre, trig::length_of(e->major.u, e->major.v));
+                if (piece.from == piece.to) around(e->centre, hypotenuse(e->major.u, e->major.v));
             }
             if (piece.from == piece.to) continue;
             for (const FlatPoint& p : chords_of(piece))
@@ -91,7 +90,7 @@ DrawnBox box_of(const std::vector<DrawnSection>& sections) {
 }
 
 double angle_about(FlatPoint centre, FlatPoint p) {
-    const double angle = trig::angle_of(p.u - centre.u, p.v - centre.v);
+    const double angle = angle_of(p.u - centre.u, p.v - centre.v);
     return angle < 0.0 ? angle + 360.0 : angle;
 }
 
@@ -105,10 +104,10 @@ std::vector<FlatPoint> chords_of(const brep::SectionPiece& piece) {
             turn += 360.0;
         // The error of a chord over the angle a is r (1 - cos(a / 2)), about r a² / 8.
         const double most = std::sqrt(8.0 * brep::kChordsMm / std::max(radius, brep::kChordsMm)) /
-                            trig::kRadiansPerDegree;
+                            kRadiansPerDegree;
         const int steps = std::max(1, static_cast<int>(std::ceil(turn / most)));
         for (int i = 1; i < steps; ++i) {
-            const auto t = trig::sin_cos(start + (is_ccw ? turn : -turn) * i / steps);
+            const auto t = sin_cos(start + (is_ccw ? turn : -turn) * i / steps);
             points.push_back({c.u + t.cos * x.u + t.sin * y.u, c.v + t.cos * x.v + t.sin * y.v});
         }
     };
@@ -117,14 +116,13 @@ std::vector<FlatPoint> chords_of(const brep::SectionPiece& piece) {
            angle_about(arc->centre, piece.from), angle_about(arc->centre, piece.to), arc->is_ccw,
            arc->radius);
     } else if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
-        const double major = trig::length_of(e->major.u, e->major.v);
+        const double major = hypotenuse(e->major.u, e->major.v);
         const double ratio = e->minor_radius / major;
         const FlatPoint minor{-ratio * e->major.v, ratio * e->major.u};
         const auto place = [&](FlatPoint p) {
             const double u = p.u - e->centre.u, v = p.v - e->centre.v;
-            return trig::angle_of(
-                (u * e->major.u + v * e->major.v) / (major * major),
-                (u * minor.u + v * minor.v) / (e->minor_radius * e->minor_radius));
+            return angle_of((u * e->major.u + v * e->major.v) / (major * major),
+                            (u * minor.u + v * minor.v) / (e->minor_radius * e->minor_radius));
         };
         go(e->centre, e->major, minor, place(piece.from), place(piece.to), e->is_ccw, major);
     } else if (const auto* chords = std::get_if<brep::FlatChords>(&piece.curve)) {

@@ -8,8 +8,9 @@
 //     accessor for each stream of each primitive.
 #include "ncsim/export/gltf.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/shape.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/mesh/float_mesh.h"
 
 #include "formats/corner_normals.h"
@@ -89,8 +90,8 @@ std::vector<Primitive> primitives(const PartMesh& part, const mesh::Provenance& 
             const auto [found, is_new] = local.try_emplace(point, 0);
             if (is_new) {
                 const mesh::FloatPoint& p = mesh.points[point];
-                const mesh::FloatPoint normal = mesh::to_floats(normals.at(
-                    current_face, mesh.vertex[point], centre + cda::Vec3{p[0], p[1], p[2]}));
+                const mesh::FloatPoint normal = mesh::to_floats(
+                    normals.at(current_face, mesh.vertex[point], centre + Vec3{p[0], p[1], p[2]}));
                 found->second = primitive.vertex(point, p, normal, entry);
             }
             primitive.indices.push_back(found->second);
@@ -129,7 +130,7 @@ tinygltf::Mesh mesh_of(const std::vector<Primitive>& primitives, const Palette& 
 
 // Returns a node that converts mm relative to `centre`, z up, to metres, y up: x stays, z becomes
 // y, y becomes -z.
-tinygltf::Node node_of(cda::Vec3 centre) {
+tinygltf::Node node_of(Vec3 centre) {
     constexpr double kMetres = 0.001;
     const double half_root = std::sqrt(0.5);
     tinygltf::Node node;
@@ -164,7 +165,7 @@ void check_size(const std::vector<Primitive>& primitives) {
 
 // Rounds each vertex independently of all others, so two files round a shared vertex to the same
 // floats. Omits triangles with two equal corners.
-mesh::FloatMesh round_vertices(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
+mesh::FloatMesh round_vertices(const TriangleMesh& mesh, Vec3 centre) {
     mesh::FloatMesh result;
     result.points.reserve(mesh.vertices.size());
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -183,8 +184,8 @@ mesh::FloatMesh round_vertices(const cda::TriangleMesh& mesh, cda::Vec3 centre) 
 
 }  // namespace
 
-cda::Vec3 whole_centre(const cda::Boundary& boundary) {
-    const cda::Vec3 centre = cda::bounds(boundary).centre();
+Vec3 whole_centre(const cda::Boundary& boundary) {
+    const Vec3 centre = cda::bounds(boundary).centre();
     return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
 }
 
@@ -254,14 +255,14 @@ void write_mesh(std::ostream& out, const PartMesh& part, const mesh::Provenance&
 void write_gltf(std::ostream& out, const cda::Boundary& boundary,
                 const mesh::Provenance& provenance, std::size_t threads,
                 const brep::Shading& shading) {
-    const cda::Vec3 centre = whole_centre(boundary);
+    const Vec3 centre = whole_centre(boundary);
     const mesh::FloatMesh mesh =
         mesh::round_to_floats(cda::triangulate(boundary, threads), centre, threads);
     write_mesh(out, {boundary, mesh, centre, shading}, provenance);
 }
 
 std::vector<mesh::FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
-                                              const mesh::Provenance& provenance, cda::Vec3 centre,
+                                              const mesh::Provenance& provenance, Vec3 centre,
                                               const brep::Shading& shading) {
     const mesh::FloatMesh mesh = round_vertices(cda::triangulate(piece), centre);
     write_mesh(out, {piece, mesh, centre, shading}, provenance);

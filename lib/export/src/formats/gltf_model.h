@@ -142,7 +142,7 @@ private:
 struct PartMesh {
     const cda::Boundary& boundary;
     const mesh::FloatMesh& mesh;  ///< Triangles of `boundary`, relative to `centre`.
-    cda::Vec3 centre;             ///< In mm, W.
+    Vec3 centre;                  ///< In mm, W.
     const brep::Shading& shading;
 };
 
@@ -156,7 +156,7 @@ std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
                             const mesh::Provenance& provenance);
 /// Returns the centre of the part rounded to whole mm, so positions with few decimals keep few
 /// decimals.
-cda::Vec3 whole_centre(const cda::Boundary& boundary);
+Vec3 whole_centre(const cda::Boundary& boundary);
 /// Returns a material with `colour` (sRGB) and without gloss.
 tinygltf::Material plain_material(const std::string& name, Rgba8 colour);
 /// Throws: std::runtime_error if the stream fails.

@@ -2,9 +2,9 @@
 //
 // A machine as glTF: node 0 converts mm to metres, node i + 1 is node i of the scene, and the part
 // is last.
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/gltf.h"
-#include "ncsim/trig/angles.h"
 
 #include "formats/file_text.h"
 #include "formats/gltf_model.h"
@@ -19,7 +19,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
 using Extra = tinygltf::Value;
 
 using Quaternion = std::array<float, 4>;
@@ -36,7 +35,7 @@ void add_components(Extra::Object& specified, const std::string& name, Vec3 v) {
 }
 
 std::array<double, 4> turn_of(const SceneJoint& joint, double degrees) {
-    const trig::SinCos half = trig::sin_cos(0.5 * degrees);
+    const SinCos half = sin_cos(0.5 * degrees);
     const Vec3 axis = half.sin * joint.direction;
     return {axis.x, axis.y, axis.z, half.cos};
 }

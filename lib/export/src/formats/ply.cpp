@@ -3,7 +3,8 @@
 // The part as binary PLY.
 #include "ncsim/export/ply.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/boundary.h"
 
 #include "formats/file_text.h"
 #include "render/palette.h"
@@ -48,7 +49,7 @@ std::string header(const mesh::Provenance& provenance, std::size_t vertices, std
 
 }  // namespace
 
-void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
+void write_ply(std::ostream& out, const cda::Boundary& boundary, const TriangleMesh& mesh,
                const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     std::string bytes = header(provenance, mesh.vertices.size(), mesh.triangles.size());
@@ -57,7 +58,7 @@ void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::Tria
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         bytes.clear();
     };
-    for (const cda::Vec3& p : mesh.vertices) {
+    for (const Vec3& p : mesh.vertices) {
         append(bytes, p.x);
         append(bytes, p.y);
         append(bytes, p.z);

@@ -34,7 +34,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
 using Entity = std::uint64_t;  // number after #
 
 // Smallest uncertainty in a file, in mm: readers identify points that are nearer. The value is
@@ -374,7 +373,7 @@ private:
     }
 
     Entity curve_of(const brep::Line&, const brep::Edge& e, const Vertex& from) {
-        const Vec3 along = cda::normalized(part_.vertices[e.to] - part_.vertices[e.from]);
+        const Vec3 along = normalized(part_.vertices[e.to] - part_.vertices[e.from]);
         const Entity vector = add("VECTOR(''," + ref(direction(along)) + ",1.)");
         return add("LINE(''," + ref(from.point) + "," + ref(vector) + ")");
     }
@@ -382,7 +381,7 @@ private:
     // The parameter of the circle is 0 at the start of the edge.
     Entity curve_of(const brep::Circle& c, const brep::Edge& e, const Vertex&) {
         const Vec3 out = part_.vertices[e.from] - c.centre;
-        const Vec3 x = cda::normalized(out - cda::dot(out, c.axis) * c.axis);
+        const Vec3 x = normalized(out - dot(out, c.axis) * c.axis);
         return add("CIRCLE(''," + ref(placement(c.centre, c.axis, x)) + "," + real(c.radius) + ")");
     }
 
@@ -632,7 +631,7 @@ private:
                    ")");
     }
     Entity surface_of(const brep::Cone& form, const brep::Face& face) {
-        const double height = cda::dot(face.frame.origin - form.apex, form.axis);
+        const double height = dot(face.frame.origin - form.apex, form.axis);
         const double half = brep::half_angle_rad(form);
         return add("CONICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.slope * height) +
                    "," + real(half) + ")");
@@ -651,7 +650,7 @@ private:
     }
     // Writes an exact half circle as a rational cubic.
     Entity half_circle(const brep::Extrusion& form, Vec3 middle) {
-        const Vec3 end = form.radius * cda::cross(form.axis, middle);
+        const Vec3 end = form.radius * cross(form.axis, middle);
         const Vec3 out = (2.0 * form.radius) * middle;
         std::vector<Entity> points;
         for (const Vec3& p : {-end, out - end, out + end, end})
@@ -692,7 +691,7 @@ private:
     // revolution: the arc of its circle from tip to tip, rotated about the axis. The circle begins
     // in the lower tip.
     Entity spindle(const brep::Torus& form, const brep::Frame& frame) {
-        const Vec3 y = cda::cross(frame.axis, frame.x);
+        const Vec3 y = cross(frame.axis, frame.x);
         const double height =
             std::sqrt(std::max(0.0, form.minor * form.minor - form.major * form.major));
         const Vec3 down = (-1.0 / form.minor) * (form.major * frame.x + height * frame.axis);
@@ -701,7 +700,7 @@ private:
         const Entity from = point(frame.origin - height * frame.axis);
         // If both tips are one point, a circle trimmed there would be ambiguous.
         constexpr double kLeastApart = 1e-2, kMost = 175.0;
-        const auto last = trig::sin_cos(kMost);
+        const auto last = sin_cos(kMost);
         const Entity to =
             point(height > kLeastApart * form.minor
                       ? frame.origin + height * frame.axis

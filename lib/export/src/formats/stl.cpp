@@ -4,7 +4,7 @@
 // unused bytes; little-endian.
 #include "ncsim/export/stl.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 #include "ncsim/cda/shape.h"
 #include "ncsim/mesh/float_mesh.h"
 
@@ -51,17 +51,16 @@ using Corners = std::array<mesh::FloatPoint, 3>;
 // if the corners are collinear.
 mesh::FloatPoint normal_of(const Corners& corners) {
     const auto widened = [](const mesh::FloatPoint& p) {
-        return cda::Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]),
-                         static_cast<double>(p[2])};
+        return Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]),
+                    static_cast<double>(p[2])};
     };
-    const cda::Vec3 a = widened(corners[0]);
-    return mesh::to_floats(
-        cda::normalized(cda::cross(widened(corners[1]) - a, widened(corners[2]) - a)));
+    const Vec3 a = widened(corners[0]);
+    return mesh::to_floats(normalized(cross(widened(corners[1]) - a, widened(corners[2]) - a)));
 }
 
 }  // namespace
 
-void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads,
+void write_stl(std::ostream& out, const TriangleMesh& mesh, std::size_t threads,
                std::string_view assumed) {
     const mesh::FloatMesh rounded = mesh::round_to_floats(mesh, {}, threads);
     if (rounded.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
@@ -76,8 +75,8 @@ void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t thr
     head.resize(kHeaderSize + sizeof(std::uint32_t), '\0');
     put(head.data() + kHeaderSize, static_cast<std::uint32_t>(rounded.triangles.size()));
     out.write(head.data(), static_cast<std::streamsize>(head.size()));
-    const cda::Runs runs(rounded.triangles.size(), kFlushSize / kRecordSize);
-    cda::make_in_parallel(
+    const Runs runs(rounded.triangles.size(), kFlushSize / kRecordSize);
+    make_in_parallel(
         threads, runs.tasks(),
         [&](std::size_t task) {
             std::string bytes((runs.end(task) - runs.begin(task)) * kRecordSize, '\0');

@@ -5,7 +5,7 @@
 //
 // The form suits OpenSCAD, too: the view box begins at 0, and the coloured outlines are used from
 // definitions, because OpenSCAD fills each closed outline and widens each line.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "formats/drawing_parts.h"
 #include "formats/file_text.h"
@@ -118,8 +118,8 @@ private:
                                      2.0 * e->centre.v - piece.from.v};
             // An arc of more than half the ellipse also spans more than 180° about the centre, so
             // the angles about the centre decide the large-arc flag.
-            return arcs(piece, trig::length_of(e->major.u, e->major.v), e->minor_radius,
-                        -trig::angle_of(e->major.u, e->major.v), e->is_ccw, opposite,
+            return arcs(piece, hypotenuse(e->major.u, e->major.v), e->minor_radius,
+                        -angle_of(e->major.u, e->major.v), e->is_ccw, opposite,
                         angle_about(e->centre, piece.from), angle_about(e->centre, piece.to));
         }
         std::string text;

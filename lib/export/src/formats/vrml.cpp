@@ -71,7 +71,7 @@ private:
     }
 
     // Writes the part below its parent node, whose frame has its origin at `origin`.
-    void placed_part(const MovingScene& scene, cda::Vec3 origin) {
+    void placed_part(const MovingScene& scene, Vec3 origin) {
         text_ += "DEF PART Transform { translation ";
         append_point(text_, scene.zero - origin);
         text_ += " children [\n";
@@ -180,7 +180,7 @@ private:
         polygons += "-1\n";
     }
 
-    void point(cda::Vec3 p) {
+    void point(Vec3 p) {
         append_point(text_, p);
         text_ += '\n';
     }

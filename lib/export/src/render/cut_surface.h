@@ -15,7 +15,7 @@ inline Surface cut_surface(const ScreenMap& map, const mesh::CutPlane& plane, Li
                            Pattern hatch) {
     Surface surface;
     surface.n_C = map.direction_in_camera(plane.normal);
-    surface.offset = cda::dot(surface.n_C, map.point_in_camera(plane.offset * plane.normal));
+    surface.offset = dot(surface.n_C, map.point_in_camera(plane.offset * plane.normal));
     surface.colour = colour;
     surface.pattern = hatch;
     return surface;

@@ -3,7 +3,7 @@
 // Drawing of axes, program zero, scale and legend over a finished picture.
 #include "ncsim/export/marks.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "render/lettering.h"
 #include "render/palette.h"
@@ -19,8 +19,6 @@
 namespace ncsim::exporter {
 
 namespace {
-
-using cda::Vec3;
 
 // Shares of the height of the strip.
 constexpr double kLetter = 0.13;     // height of capitals
@@ -71,16 +69,16 @@ public:
             return d;
         };
         // The axis that points most towards the eye is drawn last.
-        std::ranges::sort(
-            order, {}, [&](std::size_t axis) { return cda::dot(direction(axis), camera_.back); });
+        std::ranges::sort(order, {},
+                          [&](std::size_t axis) { return dot(direction(axis), camera_.back); });
         for (const std::size_t axis : order) {
-            const double x = cda::dot(direction(axis), camera_.right);
-            const double y = -cda::dot(direction(axis), camera_.up);
+            const double x = dot(direction(axis), camera_.right);
+            const double y = -dot(direction(axis), camera_.up);
             const PixelPoint end{origin.x + length * x, origin.y + length * y};
             const Rgba8 colour = kAxisColours[axis];
             arrow(origin, end, colour);
             // An axis along the line of sight has its letter next to the origin.
-            const double shown = trig::length_of(x, y);
+            const double shown = hypotenuse(x, y);
             const double gap = 0.8 * letter_;
             const PixelPoint at = shown > 0.2
                                       ? PixelPoint{end.x + gap * x / shown, end.y + gap * y / shown}
@@ -213,8 +211,8 @@ private:
     PixelPoint pixel_of(Vec3 p_W) const {
         const double pixel = camera_.height / image_.height;  // mm
         const Vec3 from_target = p_W - camera_.target;
-        return {0.5 * image_.width + cda::dot(from_target, camera_.right) / pixel,
-                0.5 * image_.height - cda::dot(from_target, camera_.up) / pixel};
+        return {0.5 * image_.width + dot(from_target, camera_.right) / pixel,
+                0.5 * image_.height - dot(from_target, camera_.up) / pixel};
     }
 
     double left_of_legend() const { return (2.0 * kStripMargin + 0.9) * strip_; }
@@ -224,7 +222,7 @@ private:
 
     void arrow(PixelPoint from, PixelPoint to, Rgba8 colour) {
         draw_stroke(image_, from, to, 1.4 * line_, colour);
-        const double length = trig::length_of(to.x - from.x, to.y - from.y);
+        const double length = hypotenuse(to.x - from.x, to.y - from.y);
         if (length < letter_) return;
         const double x = 0.45 * letter_ * (to.x - from.x) / length;
         const double y = 0.45 * letter_ * (to.y - from.y) / length;
@@ -236,7 +234,7 @@ private:
         constexpr int kSides = 32;
         PixelPoint last{centre.x + radius, centre.y};
         for (int i = 1; i <= kSides; ++i) {
-            const trig::SinCos at = trig::sin_cos(360.0 * i / kSides);
+            const SinCos at = sin_cos(360.0 * i / kSides);
             const PixelPoint next{centre.x + radius * at.cos, centre.y + radius * at.sin};
             draw_stroke(image_, last, next, width, colour);
             last = next;

@@ -4,7 +4,8 @@
 // renderers differ only in how they find hidden and removed parts of a surface.
 #include "ncsim/export/render.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/mesh/open_mesh.h"
 
 #include "render/cut_surface.h"
@@ -31,8 +32,6 @@
 namespace ncsim::exporter {
 
 namespace {
-
-using cda::Vec3;
 
 constexpr std::uint32_t kMaxSamples = 4;
 constexpr unsigned kOpaque = 255;
@@ -284,7 +283,7 @@ public:
         const Vec3 n_C = map_.direction_in_camera(normal);
         Surface result;
         result.n_C = n_C;
-        result.offset = cda::dot(n_C, map_.point_in_camera(point));
+        result.offset = dot(n_C, map_.point_in_camera(point));
         result.has_shade = true;
         const bool is_cut = origin != cda::kStockOrigin;
         if (is_cut && colouring_ == Colouring::Line) {
@@ -369,7 +368,7 @@ public:
         : boundary_(boundary), surfaces_(table.surfaces), sees_backs_(options.see_through) {
         const DesignDistances* const distances =
             options.colouring == Colouring::Design ? options.distances : nullptr;
-        cda::TriangleMesh whole = distances ? distances->mesh : cda::triangulate(boundary);
+        TriangleMesh whole = distances ? distances->mesh : cda::triangulate(boundary);
         if (options.cut) {
             const auto faces = static_cast<std::uint32_t>(boundary.faces.size());
             mesh::OpenMesh open = mesh::open_mesh(whole, faces, *options.cut);
@@ -406,7 +405,7 @@ public:
 private:
     // Appends a surface for each triangle of mesh_ that lies in a face of the boundary.
     // `whole_triangle`: index of the triangle of `whole` that contains it; empty: the same index.
-    void add_surfaces(const ScreenMap& map, const cda::TriangleMesh& whole,
+    void add_surfaces(const ScreenMap& map, const TriangleMesh& whole,
                       std::span<const std::uint32_t> whole_triangle, const brep::Shading& shading,
                       const DesignDistances* distances, const Paint& paint, SurfaceTable& table) {
         const std::size_t count =
@@ -495,7 +494,7 @@ private:
     const std::vector<Surface>& surfaces_;
     bool sees_backs_;                        // also faces that face away are drawn
     std::vector<std::uint32_t> flat_faces_;  // flat faces that are drawn
-    cda::TriangleMesh mesh_;
+    TriangleMesh mesh_;
     std::vector<ScreenPoint> points_;
     // Surface of each triangle; kBackground: the triangle is not drawn.
     std::vector<SurfaceId> ids_;

@@ -4,7 +4,7 @@
 // element, on a line or an arc. All points are computed on the path of the tool centre.
 // Source: HEIDENHAIN TNC 640, User's Manual for Klartext Programming, 34059x, "Approaching and
 // departing a contour"; TNC7, 81762x-16 (direction of the arc).
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "klartext/control.h"
 #include "text/message.h"
@@ -41,12 +41,12 @@ Point left_of(Point direction) {
 Point turned_about(Point centre, Point point, double degrees) {
     double x = point[0] - centre[0];
     double y = point[1] - centre[1];
-    trig::rotate(x, y, degrees);
+    rotate(x, y, degrees);
     return {centre[0] + x, centre[1] + y};
 }
 
 std::optional<Point> unit(double x, double y) {
-    const double length = trig::length_of(x, y);
+    const double length = hypotenuse(x, y);
     if (!(length > 0.0)) return std::nullopt;
     return Point{x / length, y / length};
 }
@@ -103,7 +103,7 @@ std::optional<Point> Control::start_direction(const Block& next, const Block* ce
     if (next.verb != Verb::ArcByRadius) {
         if (pole) to_centre = unit((*pole)[0] - at[axes.first], (*pole)[1] - at[axes.second]);
     } else if (words.radius) {
-        const double half = trig::length_of(x, y) / 2.0;
+        const double half = hypotenuse(x, y) / 2.0;
         const double height = std::sqrt(std::max(0.0, *words.radius * *words.radius - half * half));
         const double side = ((turn > 0.0) == (*words.radius >= 0.0) ? height : -height);
         if (half > 0.0)
@@ -119,9 +119,9 @@ std::optional<Point> Control::tangent_point(Point from, Point centre, double rad
                                             double turn) const {
     const double x = from[0] - centre[0];
     const double y = from[1] - centre[1];
-    const double distance = trig::length_of(x, y);
+    const double distance = hypotenuse(x, y);
     if (!(distance > radius)) return std::nullopt;
-    const double angle = trig::angle_of(radius, std::sqrt(distance * distance - radius * radius));
+    const double angle = angle_of(radius, std::sqrt(distance * distance - radius * radius));
     const Point nearest = along(centre, {x / distance, y / distance}, radius);
     return turned_about(centre, nearest, turn * angle);
 }

@@ -3,7 +3,7 @@
 // SL cycles: 14 (contours), 20 (data), 22 (roughing), 23 and 24 (finishing of floor and side), 25
 // (contour train). The contours are subprograms that are recorded, not executed.
 // Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903, "SL cycles".
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "klartext/control.h"
 #include "text/message.h"
@@ -96,7 +96,7 @@ bool Control::read_contours(SourceSpan span, bool is_climb, ContourMilling& m) {
         if (contour.outline.empty()) return needs("contours of lines and arcs in the plane");
         const PlanePoint begin = contour.outline.front().from;
         const PlanePoint end = contour.outline.back().to;
-        if (trig::length_of(end.x - begin.x, end.y - begin.y) > kMaxClosingGap / unit)
+        if (hypotenuse(end.x - begin.x, end.y - begin.y) > kMaxClosingGap / unit)
             return needs("contours that end where they begin");
         contour.outline.back().to = begin;
         if (read->side == CutterSide::Off) return needs("contours with RL or RR");
@@ -279,7 +279,7 @@ bool Control::mill_contour(const ContourMilling& m, const Area& area, const Mill
     const OutlineMove& first = contour.outline.front();
     const PlanePoint middle = point_at(first, 0.5);
     const PlanePoint ahead = direction_in_middle(first);
-    const double length = trig::length_of(ahead.x, ahead.y);
+    const double length = hypotenuse(ahead.x, ahead.y);
     if (length == 0.0) return true;
     const bool is_left = contour.side == CutterSide::Left;
     const double in = is_left ? m.inset / length : -m.inset / length;

@@ -3,7 +3,7 @@
 // Moves of pocket, slot and stud cycles: passes parallel to the outline at each level, then
 // finishing of side and floor. Manuals give the order, the levels and the largest distance of
 // passes; the passes themselves are a choice of ncsim and leave the same part.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "language/block_control.h"
 #include "text/message.h"
@@ -29,11 +29,10 @@ double step_of(const Milling& m) {
 }
 
 double length_of(const OutlineMove& move) {
-    const double chord = trig::length_of(move.to.x - move.from.x, move.to.y - move.from.y);
+    const double chord = hypotenuse(move.to.x - move.from.x, move.to.y - move.from.y);
     if (move.turns == 0) return chord;
     // At least the chord; ramps need no more.
-    return std::max(chord,
-                    trig::length_of(move.from.x - move.centre.x, move.from.y - move.centre.y));
+    return std::max(chord, hypotenuse(move.from.x - move.centre.x, move.from.y - move.centre.y));
 }
 
 /// Returns the number of passes parallel to the outline, the outermost at `inset`.
@@ -274,7 +273,7 @@ bool BlockControl::mill_face(const FaceMilling& m) {
     const double levels = m.infeed > 0.0 ? (m.surface - m.bottom) / m.infeed + 1.0 : 1.0;
     if (!(count * levels < kMostPasses)) return fail(Message::CycleRepeats, cycle_span_);
     const double reach = m.tool_radius + m.margin;
-    const trig::SinCos direction = trig::sin_cos(m.angle);
+    const SinCos direction = sin_cos(m.angle);
     const auto place = [&](double to, double row) {
         const double x = (m.is_along_second ? row : to) * (m.length < 0.0 ? -1.0 : 1.0);
         const double y = (m.is_along_second ? to : row) * (m.width < 0.0 ? -1.0 : 1.0);

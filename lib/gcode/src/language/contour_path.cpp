@@ -2,7 +2,7 @@
 //
 // Moves of cycles that mill along a contour: the way to the contour, the contour with cutter
 // compensation, the way back, level by level.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "language/block_control.h"
 #include "text/message.h"
@@ -21,7 +21,7 @@ PlanePoint direction_at(const OutlineMove& move, bool at_end) {
         const double turn = move.turns > 0 ? 1.0 : -1.0;
         ahead = {-turn * (at.y - move.centre.y), turn * (at.x - move.centre.x)};
     }
-    const double length = trig::length_of(ahead.x, ahead.y);
+    const double length = hypotenuse(ahead.x, ahead.y);
     return length > 0.0 ? PlanePoint{ahead.x / length, ahead.y / length} : PlanePoint{1.0, 0.0};
 }
 

@@ -3,7 +3,7 @@
 // Outlines of rectangles and polygons with round corners, and of bands about arcs.
 #include "language/milled_area.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 constexpr double kSideRounding = 1e-9;
 
 PlanePoint polar(PlanePoint centre, double radius, double degrees) {
-    const trig::SinCos direction = trig::sin_cos(degrees);
+    const SinCos direction = sin_cos(degrees);
     return {centre.x + radius * direction.cos, centre.y + radius * direction.sin};
 }
 
@@ -49,7 +49,7 @@ Pass outline_of_polygon(const MilledArea& area, double inset) {
     const double side = area.length / 2.0 - inset;  // Distance of the sides from the centre.
     const double r = std::clamp(area.corner - inset, 0.0, side);
     const double step = 360.0 / area.sides;
-    const double to_centres = (side - r) / trig::sin_cos(step / 2.0).cos;
+    const double to_centres = (side - r) / sin_cos(step / 2.0).cos;
     const auto centre = [&](int i) {
         return polar(area.centre, to_centres, area.angle + i * step);
     };
@@ -76,11 +76,11 @@ double MilledArea::half_width() const {
 
 double MilledArea::reach() const {
     if (!is_polygon()) return length / 2.0;
-    return (length / 2.0 - corner) / trig::sin_cos(180.0 / sides).cos + corner;
+    return (length / 2.0 - corner) / sin_cos(180.0 / sides).cos + corner;
 }
 
 PlanePoint point_in(const MilledArea& area, double x, double y) {
-    const trig::SinCos direction = trig::sin_cos(area.angle);
+    const SinCos direction = sin_cos(area.angle);
     return {area.centre.x + x * direction.cos - y * direction.sin,
             area.centre.y + x * direction.sin + y * direction.cos};
 }

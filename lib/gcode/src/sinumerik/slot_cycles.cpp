@@ -2,7 +2,7 @@
 //
 // Slots on a circle: SLOT1, LONGHOLE (straight, pointing outwards), SLOT2 (along the circle).
 // Source: SINUMERIK 840D sl/840D/840Di/810D, Programming Manual Cycles, 11/2006.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
@@ -105,7 +105,7 @@ bool Control::mill_slots_cycle(const CycleCall& call, double radius) {
     if (!rise(hole.retract)) return false;
     for (int i = 0; i < *count; ++i) {
         area.angle = at(place + 3) + i * step;
-        const trig::SinCos direction = trig::sin_cos(area.angle);
+        const SinCos direction = sin_cos(area.angle);
         area.centre = {at(place) + middle * direction.cos, at(place + 1) + middle * direction.sin};
         if (!mill(m, call.name) || !move_to(hole.retract, std::nullopt)) return false;
     }

@@ -36,7 +36,7 @@ std::string name_of_system(int system) {
     return system > 6 ? fmt::format("G59.{}", system - 6) : fmt::format("G{}", 53 + system);
 }
 
-void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origin) {
+void tell_offset(gcode::InterpreterOptions& options, int system, Vec3 origin) {
     gcode::Position at;
     at.x = gcode::Length::from_mm(origin.x);
     at.y = gcode::Length::from_mm(origin.y);
@@ -51,10 +51,8 @@ void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origi
     }
 }
 
-std::optional<cda::Vec3> origin_of(const gcode::InterpreterOptions& options, int system) {
-    const auto vector = [](const gcode::Position& p) {
-        return cda::Vec3{p.x.mm(), p.y.mm(), p.z.mm()};
-    };
+std::optional<Vec3> origin_of(const gcode::InterpreterOptions& options, int system) {
+    const auto vector = [](const gcode::Position& p) { return Vec3{p.x.mm(), p.y.mm(), p.z.mm()}; };
     const int named = static_cast<int>(options.work_offsets.size());
     if (system > named) {
         const auto found = options.extended_offsets.find(system - named);

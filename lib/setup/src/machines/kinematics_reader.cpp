@@ -17,7 +17,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
 using gcode::Coordinates;
 
 constexpr std::size_t kMostLinks = 100;

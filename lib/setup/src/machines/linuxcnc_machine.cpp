@@ -21,7 +21,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
 using gcode::Coordinates;
 using machine::joint_of;
 using machine::Positive;

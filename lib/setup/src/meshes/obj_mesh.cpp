@@ -62,7 +62,7 @@ bool is_obj(std::string_view bytes) {
     return false;
 }
 
-std::vector<cda::Vec3> read_obj(std::string_view bytes) {
+std::vector<Vec3> read_obj(std::string_view bytes) {
     Polygons polygons;
     std::size_t number = 0;
     const auto refuse = [&number](const char* what) {
@@ -73,7 +73,7 @@ std::vector<cda::Vec3> read_obj(std::string_view bytes) {
         std::string_view line = next_line(bytes);
         const std::string_view key = next_word(line);
         if (key == "v") {
-            cda::Vec3 p;
+            Vec3 p;
             for (int axis = 0; axis < 3; ++axis) {
                 const auto value = number_in<double>(next_word(line));
                 if (!value) refuse("a point has three numbers");

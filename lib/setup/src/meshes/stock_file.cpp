@@ -3,11 +3,12 @@
 // Stock from surfaces and from .ncstock files.
 #include "ncsim/setup/stock_file.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/setup/mesh_file.h"
-#include "ncsim/trig/angles.h"
 
 #include <fmt/format.h>
 
@@ -41,10 +42,10 @@ bool is_saved(const toolpath::StockFile& file, InputSet& inputs) {
 }
 
 // Turns and moves a closed surface. The result is on the finest lattice that contains it.
-cda::Shape turned(cda::TriangleMesh& mesh, const Turn& turn, cda::Vec3 move) {
-    cda::Box box;
-    for (cda::Vec3& p : mesh.vertices) {
-        cda::Vec3 q = move;
+cda::Shape turned(TriangleMesh& mesh, const Turn& turn, Vec3 move) {
+    Box box;
+    for (Vec3& p : mesh.vertices) {
+        Vec3 q = move;
         for (int i = 0; i < 3; ++i) {
             for (int k = 0; k < 3; ++k)
                 q[i] += turn.rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] * p[k];
@@ -75,7 +76,7 @@ cda::Shape read_saved(const toolpath::StockFile& file, const Turn& turn, const s
         return cda::placed(shape, placement);
     }
     // The turned surface is cut into other cells, so their origins are unknown.
-    cda::TriangleMesh mesh =
+    TriangleMesh mesh =
         cda::triangulate(cda::create(cda::TreeCda(cda::TreeParameters{}), shape)->boundary());
     cda::Shape result = turned(mesh, turn, file.move);
     result.assumed = std::move(shape.assumed);
@@ -174,7 +175,7 @@ Turn parse_any_turn(const std::string& text) {
     }
     all.placement.reset();
     for (const AxisTurn& turn : *turns) {
-        const trig::SinCos angle = trig::sin_cos(turn.degrees);
+        const SinCos angle = sin_cos(turn.degrees);
         const auto a = static_cast<std::size_t>((turn.axis + 1) % 3);
         const auto b = static_cast<std::size_t>((turn.axis + 2) % 3);
         for (std::size_t k = 0; k < 3; ++k) {

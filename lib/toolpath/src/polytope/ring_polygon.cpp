@@ -3,7 +3,7 @@
 // Lattice polygons around circles, and coarser polygons with parallel sides.
 #include "polytope/ring_polygon.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "polytope/half_plane.h"
 
@@ -70,7 +70,7 @@ bool is_strictly_convex(const Corners& corners) {
 std::vector<double> corner_cosines(int sides) {
     std::vector<double> cosines(static_cast<std::size_t>(sides / 4));
     for (std::size_t j = 0; j < cosines.size(); ++j) {
-        cosines[j] = trig::sin_cos(static_cast<double>(2 * j + 1) * (180.0 / sides)).cos;
+        cosines[j] = sin_cos(static_cast<double>(2 * j + 1) * (180.0 / sides)).cos;
     }
     return cosines;
 }

@@ -3,8 +3,8 @@
 // Search for the cheapest stack of rings that approximates a profile.
 #include "polytope/ring_walk.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/cda/lattice.h"
-#include "ncsim/trig/angles.h"
 
 #include "polytope/half_plane.h"
 
@@ -40,7 +40,7 @@ Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
     f.d1 = unit(corner - before);
     f.d2 = unit(after - corner);
     f.rho = rho;
-    f.turn_degrees = trig::angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
+    f.turn_degrees = angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
     const double leg = rho * cross(f.d1, f.d2) / (1 + dot(f.d1, f.d2));
     f.start = corner - leg * f.d1;
     f.end = corner + leg * f.d2;
@@ -77,7 +77,7 @@ std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double 
 }
 
 double turning_angle(const Fillet& f, Vec d) {
-    return trig::angle_of(dot(f.d1, d), cross(f.d1, d));
+    return angle_of(dot(f.d1, d), cross(f.d1, d));
 }
 
 // A walk up to a ring.
@@ -740,7 +740,7 @@ double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& famil
     for (const RingPolygon& polygon : family) {
         auto& reach = reaches.emplace_back();
         for (std::size_t i = 0; i < kAround; ++i) {
-            const trig::SinCos a = trig::sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
+            const SinCos a = sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
             for (const auto& [x, y] : polygon.corners) {
                 reach[i] = std::max(
                     reach[i], a.cos * static_cast<double>(x) + a.sin * static_cast<double>(y));
@@ -751,7 +751,7 @@ double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& famil
     for (const Fillet& f : fillets_of(piece.profile, unit_mm)) {
         const Vec out = -1.0 * left_normal(f.d1);
         for (int k = 0; k < kAlong; ++k) {
-            const trig::SinCos a = trig::sin_cos((k + 0.5) * f.turn_degrees / kAlong);
+            const SinCos a = sin_cos((k + 0.5) * f.turn_degrees / kAlong);
             const Vec n = a.cos * out + a.sin * left_normal(out);
             if (n.h >= 0) break;
             const double seen = n.h * n.h * n.h * n.h;

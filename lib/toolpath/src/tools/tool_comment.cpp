@@ -474,7 +474,7 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
     }
     if (starts("MATERIAL ORIGIN:")) {
         const auto origin = named_triple(s.substr(16));
-        const bool at_corner = origin && origin->value == cda::Vec3{};
+        const bool at_corner = origin && origin->value == Vec3{};
         remark.what = at_corner ? What::ZeroXY : What::Elsewhere;
         remark.first.value = {-1, -1, 0};
         return remark;

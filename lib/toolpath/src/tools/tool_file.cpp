@@ -3,7 +3,7 @@
 // Readers of tool tables: LinuxCNC, CSV, and JSON of CAMotics, Fusion and Kiri:Moto.
 #include "ncsim/toolpath/tool_file.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "tools/comment_text.h"
 #include "tools/csv_tools.h"
@@ -35,7 +35,7 @@ bool read_table_line(std::string_view line, std::uint32_t number, double unit, C
     std::string_view rest = text::trimmed(words);
     if (rest.empty()) return true;
     ToolSpec spec;
-    cda::Vec3 offset;
+    Vec3 offset;
     bool has_tool = false;
     bool has_pocket = false;
     std::optional<double> diameter;
@@ -132,7 +132,7 @@ bool is_imperial(const std::string& units) {
 // Returns the included angle, degrees, of a cone of this diameter and height. Rounding to 1e-9
 // restores whole numbers.
 double angle_of_cone(double diameter, double height) {
-    const double degrees = 2 * trig::angle_of(height, diameter / 2);
+    const double degrees = 2 * angle_of(height, diameter / 2);
     return std::round(degrees * 1e9) / 1e9;
 }
 
@@ -185,10 +185,10 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
     }
     const Json& workpiece = member(json, "workpiece");
     const Json& bounds = member(workpiece, "bounds");
-    const auto corner = [&bounds](const char* key) -> std::optional<cda::Vec3> {
+    const auto corner = [&bounds](const char* key) -> std::optional<Vec3> {
         const auto found = bounds.find(key);
         if (found == bounds.end() || !found->is_array() || found->size() != 3) return std::nullopt;
-        cda::Vec3 v;
+        Vec3 v;
         for (int axis = 0; axis < 3; ++axis) {
             const Json& value = (*found)[static_cast<std::size_t>(axis)];
             if (!value.is_number() || !(std::abs(value.get<double>()) < 1e6)) return std::nullopt;
@@ -203,9 +203,9 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
     const bool is_automatic =
         automatic != workpiece.end() && automatic->is_boolean() && automatic->get<bool>();
     if (min && max && !is_automatic) {
-        cda::Box box;
+        Box box;
         box.add(*min), box.add(*max);
-        const cda::Vec3 size = box.size();
+        const Vec3 size = box.size();
         if (size.x > 0 && size.y > 0 && size.z > 0) {
             result.stock = StockEntry{{box}, ValueSource::Table, {}, "the workpiece"};
         }

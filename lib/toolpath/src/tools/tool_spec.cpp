@@ -125,7 +125,7 @@ void add_assembly(Tool& tool, const ToolSpec& spec) {
     }
 }
 
-double angle_of(const ToolSpec& spec, ToolKind kind) {
+double tip_angle_of(const ToolSpec& spec, ToolKind kind) {
     return spec.angle.value_or(kind == ToolKind::Drill ? 118.0 : 90.0);
 }
 
@@ -146,11 +146,12 @@ Tool shape_tool(const ToolSpec& spec, double length) {
         case ToolKind::VCutter:
         case ToolKind::ChamferMill:
         case ToolKind::Countersink: {
-            Tool tool = v_cutter(d, spec.tip_diameter.value_or(0.0), angle_of(spec, kind), length);
+            Tool tool =
+                v_cutter(d, spec.tip_diameter.value_or(0.0), tip_angle_of(spec, kind), length);
             tool.kind = kind;
             return tool;
         }
-        case ToolKind::Drill: return drill(d, angle_of(spec, kind), length);
+        case ToolKind::Drill: return drill(d, tip_angle_of(spec, kind), length);
         case ToolKind::TaperedEndMill:
             return tapered_end_mill(d, corner, spec.taper.value_or(0.0), length);
         case ToolKind::SlotMill: return slot_mill(d, corner, length);
@@ -322,7 +323,7 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length) {
         if (*result.kind != ToolKind::CornerRoundingMill) assume("diameter");
     }
     if (*result.kind == ToolKind::Drill || is_conical(result.kind)) {
-        result.angle = angle_of(spec, *result.kind);
+        result.angle = tip_angle_of(spec, *result.kind);
         if (!spec.angle) assume("angle");
     }
     if (*result.kind == ToolKind::DovetailMill && !spec.taper) {
@@ -422,7 +423,7 @@ std::string assumed_values_text(const ToolSpec& spec, double assumed_length) {
         add("diameter " + text::number(diameter_of(spec)) + " mm");
     if (kind == ToolKind::Other) add("the shape of a flat end mill");
     if ((kind == ToolKind::Drill || is_conical(kind)) && !part.angle) {
-        add("angle " + text::number(angle_of(spec, kind)) + " deg");
+        add("angle " + text::number(tip_angle_of(spec, kind)) + " deg");
     }
     if (kind == ToolKind::DovetailMill && !part.taper)
         add("taper " + text::number(spec.taper.value_or(kDovetailTaper)) + " deg");

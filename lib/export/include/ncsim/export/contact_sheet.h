@@ -32,10 +32,10 @@ std::uint32_t columns_for(std::size_t pictures);
 
 /// Puts `pictures` side by side and the lines of `caption` below. Up to three pictures are in a
 /// row; more are in a grid that is as square as possible. Text is ASCII; any other character is
-/// drawn as a box. The letters scale with the pictures, and all lines of the caption have one size; a
-/// line that does not fit ends in "...", see wrapped(). The size of the sheet depends on the size of the pictures and the number
-/// of lines only. The number of rows is even, as video formats require, if the pictures have an
-/// even number of rows.
+/// drawn as a box. The letters scale with the pictures, and all lines of the caption have one size;
+/// a line that does not fit ends in "...", see wrapped(). The size of the sheet depends on the size
+/// of the pictures and the number of lines only. The number of rows is even, as video formats
+/// require, if the pictures have an even number of rows.
 ///
 /// Throws: std::runtime_error if there is no picture, if pictures differ in size, or if a side of
 ///     the sheet would exceed kMaxImageSide.

@@ -47,7 +47,7 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary,
 /// Returns: the edges that no other triangle of the file uses in the opposite direction. Another
 ///     file has their partners.
 std::vector<mesh::FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
-                                              const mesh::Provenance& provenance, cda::Vec3 centre,
+                                              const mesh::Provenance& provenance, Vec3 centre,
                                               const brep::Shading& shading = {});
 
 /// Writes `scene` with the part and the motion. The node `machine` stands for machine coordinates

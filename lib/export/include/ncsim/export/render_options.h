@@ -3,7 +3,7 @@
 // Size, camera and colours of a picture.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/mesh/open_mesh.h"
 
@@ -32,7 +32,7 @@ enum class Colouring {
 
 /// Distances of the surface of a part from a design.
 struct DesignDistances {
-    cda::TriangleMesh mesh;  ///< Triangles of the faces of the part, mm, W.
+    TriangleMesh mesh;  ///< Triangles of the faces of the part, mm, W.
     /// For each vertex, mm; positive: material is left, negative: the part is cut into the design.
     std::vector<double> distance_mm;
     double tolerance_mm = 0.0;

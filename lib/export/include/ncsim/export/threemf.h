@@ -4,8 +4,9 @@
 // Source: 3MF Consortium, 3MF Core Specification and Reference Guide, version 1.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/mesh/provenance.h"
 
 #include <iosfwd>
@@ -25,7 +26,7 @@ void write_3mf(std::ostream& out, const cda::Boundary& boundary,
 
 /// Writes a boundary that is already split into triangles.
 /// Requires: `mesh` is cda::triangulate(boundary).
-void write_3mf(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
+void write_3mf(std::ostream& out, const cda::Boundary& boundary, const TriangleMesh& mesh,
                const mesh::Provenance& provenance);
 
 }  // namespace ncsim::exporter

@@ -3,7 +3,7 @@
 // Distances and scan lines of polygons.
 #include "control/cycles/area.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ double distance(PlanePoint p, PlanePoint a, PlanePoint b) {
     const double length_2 = x * x + y * y;
     double t = length_2 > 0.0 ? ((p.x - a.x) * x + (p.y - a.y) * y) / length_2 : 0.0;
     t = std::clamp(t, 0.0, 1.0);
-    return trig::length_of(p.x - (a.x + t * x), p.y - (a.y + t * y));
+    return hypotenuse(p.x - (a.x + t * x), p.y - (a.y + t * y));
 }
 
 double distance(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
@@ -56,7 +56,7 @@ std::optional<Stroke> near_segment(PlanePoint a, PlanePoint b, double radius, do
         add(p.x - half, p.x + half);
     }
     // The two sides of the band between the end circles.
-    const double length = trig::length_of(b.x - a.x, b.y - a.y);
+    const double length = hypotenuse(b.x - a.x, b.y - a.y);
     if (length == 0.0) return out;
     const PlanePoint n{-(b.y - a.y) / length * radius, (b.x - a.x) / length * radius};
     for (const double side : {-1.0, 1.0}) {

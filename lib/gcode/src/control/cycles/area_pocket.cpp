@@ -2,7 +2,7 @@
 //
 // G150 of Haas: a pocket of any shape. The outline is in a subprogram that is not executed but
 // recorded: a line from the starting hole to the outline, then once around the outline.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/cycles/area.h"
 #include "control/machine.h"
@@ -130,8 +130,8 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
         return needs("a line (G1) from the starting hole to the outline");
     const std::vector<OutlineMove> loop(contour_.begin() + 1, contour_.end());
     const double unit = state_.unit_mm();
-    if (trig::length_of(loop.back().to.x - loop.front().from.x,
-                        loop.back().to.y - loop.front().from.y) > kMaxClosingGap / unit) {
+    if (hypotenuse(loop.back().to.x - loop.front().from.x, loop.back().to.y - loop.front().from.y) >
+        kMaxClosingGap / unit) {
         return needs("an outline that ends where it begins");
     }
     const double cutter = std::abs(radius_of_register(command, span));
@@ -212,7 +212,7 @@ bool Machine::mill_outline(const std::vector<OutlineMove>& loop, CutterSide side
     const OutlineMove& first = loop.front();
     const PlanePoint middle = point_at(first, 0.5);
     const PlanePoint ahead = direction_in_middle(first);
-    const double length = trig::length_of(ahead.x, ahead.y);
+    const double length = hypotenuse(ahead.x, ahead.y);
     const double in = side == CutterSide::Left ? radius / length : -radius / length;
     const PlanePoint offset_point{middle.x - in * ahead.y, middle.y + in * ahead.x};
 

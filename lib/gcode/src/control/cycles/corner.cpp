@@ -4,7 +4,7 @@
 // RND, CHF and CHR of other languages: the same; RND also next to arcs.
 // ,A: the direction of a line for which one coordinate of the end is given, or which ends at the
 // next line. Each such line is held back because the end depends on the next line.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/cycles/fillet.h"
 #include "control/machine.h"
@@ -128,8 +128,8 @@ bool Machine::cut_corner(const Axes& next, const ProgramArc* arc) {
     const double y1 = held.end[axes.second] - from[axes.second];
     const double x2 = next[axes.first] - held.end[axes.first];
     const double y2 = next[axes.second] - held.end[axes.second];
-    const double length_1 = trig::length_of(x1, y1);
-    const double length_2 = trig::length_of(x2, y2);
+    const double length_1 = hypotenuse(x1, y1);
+    const double length_2 = hypotenuse(x2, y2);
     if (std::min(length_1, length_2) <= kCornerRounding)
         return refuse("two lines that have a length");
     const double dot = (x1 * x2 + y1 * y2) / (length_1 * length_2);
@@ -200,7 +200,7 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     const std::optional<Fillet> found = fillet(first, second, held.size, side);
     if (!found) return refuse("elements that are long enough for it");
     const auto axes_at = [&](PlanePoint p, PlanePoint limit, const Axes& end) {
-        if (trig::length_of(p.x - limit.x, p.y - limit.y) <= kCornerRounding) return end;
+        if (hypotenuse(p.x - limit.x, p.y - limit.y) <= kCornerRounding) return end;
         Axes out = held.end;
         out[axes.first] = p.x;
         out[axes.second] = p.y;
@@ -263,7 +263,7 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
         if (i != axes.first && i != axes.second && (mask & 1U << i) != 0)
             return refuse("a line in the plane (G17, G18, G19)");
     }
-    const trig::SinCos d = trig::sin_cos(command.angle);
+    const SinCos d = sin_cos(command.angle);
     const double x = to[axes.first] - from[axes.first];
     const double y = to[axes.second] - from[axes.second];
     const bool tells_first = (mask & 1U << axes.first) != 0;
@@ -340,8 +340,8 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     if (!stays_in_plane(state_.position, next)) return refuse("a next line in the plane");
     const Axes from = to_programmed(state_.position);
     const Axes to = to_programmed(next);
-    const trig::SinCos a = trig::sin_cos(*held.angle);
-    const trig::SinCos b = trig::sin_cos(command.angle);
+    const SinCos a = sin_cos(*held.angle);
+    const SinCos b = sin_cos(command.angle);
     const double cross = a.cos * b.sin - a.sin * b.cos;
     if (std::abs(cross) <= kCornerRounding) return refuse("a next line that it meets");
     const double x = to[axes.first] - from[axes.first];

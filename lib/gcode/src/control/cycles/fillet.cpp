@@ -4,7 +4,7 @@
 // parallel lines or concentric circles.
 #include "control/cycles/fillet.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 constexpr double kFilletRounding = 1e-9;
 
 double distance(PlanePoint a, PlanePoint b) {
-    return trig::length_of(b.x - a.x, b.y - a.y);
+    return hypotenuse(b.x - a.x, b.y - a.y);
 }
 
 /// Points at the same distance from an element: a line, or a circle.
@@ -86,8 +86,8 @@ double PlaneElement::way(PlanePoint a, PlanePoint b) const {
         return (b.x - a.x) * d.x + (b.y - a.y) * d.y;
     }
     constexpr double kTurn = 360.0;
-    const double begin = trig::angle_of(a.x - centre.x, a.y - centre.y);
-    const double end = trig::angle_of(b.x - centre.x, b.y - centre.y);
+    const double begin = angle_of(a.x - centre.x, a.y - centre.y);
+    const double end = angle_of(b.x - centre.x, b.y - centre.y);
     double angle = turn * (end - begin);
     angle -= kTurn * std::floor(angle / kTurn);
     const double per_degree = radius() * std::numbers::pi / 180.0;
@@ -99,7 +99,7 @@ PlanePoint PlaneElement::foot(PlanePoint p) const {
     const double x = p.x - base.x;
     const double y = p.y - base.y;
     if (is_arc) {
-        const double factor = radius() / trig::length_of(x, y);
+        const double factor = radius() / hypotenuse(x, y);
         return {centre.x + factor * x, centre.y + factor * y};
     }
     const PlanePoint d = direction_at(from);

@@ -3,7 +3,7 @@
 // A closed mesh in floats, for formats without doubles.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 #include <array>
 #include <cstddef>
@@ -21,12 +21,12 @@ struct FloatMesh {
     std::vector<std::uint32_t> vertex;  ///< For each point, the vertex of the original mesh.
     /// Counter-clockwise seen from outside; in the order of their faces.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::uint32_t> face;  ///< As in cda::TriangleMesh.
+    std::vector<std::uint32_t> face;  ///< As in TriangleMesh.
 };
 
 /// Returns the floats nearest to `p`; never -0.
 /// Throws: std::runtime_error if a coordinate is 2^100 or more.
-FloatPoint to_floats(cda::Vec3 p);
+FloatPoint to_floats(Vec3 p);
 
 /// Rounds the corners of `mesh`, relative to `origin` (mm), to floats. A coordinate becomes the
 /// nearest float. If rounding would make two corners equal or a triangle flat, and topology does
@@ -44,7 +44,6 @@ FloatPoint to_floats(cda::Vec3 p);
 ///     result is the same for any number of threads.
 /// Throws: std::invalid_argument if `mesh` is not closed; std::logic_error for a bug.
 /// Cost: O(n log n) expected.
-FloatMesh round_to_floats(const cda::TriangleMesh& mesh, cda::Vec3 origin = {},
-                          std::size_t threads = 1);
+FloatMesh round_to_floats(const TriangleMesh& mesh, Vec3 origin = {}, std::size_t threads = 1);
 
 }  // namespace ncsim::mesh

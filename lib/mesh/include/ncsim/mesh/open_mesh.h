@@ -3,7 +3,7 @@
 // Removes the half of a closed mesh in front of a plane.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 #include <cstdint>
 #include <vector>
@@ -12,7 +12,7 @@ namespace ncsim::mesh {
 
 /// Plane that cuts bodies open. Points with normal · x > offset are removed; mm, W.
 struct CutPlane {
-    cda::Vec3 normal;  ///< Unit vector towards the removed half.
+    Vec3 normal;  ///< Unit vector towards the removed half.
     double offset = 0.0;
 };
 
@@ -20,7 +20,7 @@ struct CutPlane {
 struct OpenMesh {
     /// Triangles of the old faces, with the old vertices first, then triangles of the cut, whose
     /// `face` is the number of old faces.
-    cda::TriangleMesh mesh;
+    TriangleMesh mesh;
     /// For each triangle of an old face, the index of the old triangle that contains it.
     std::vector<std::uint32_t> old_triangle;
 };
@@ -31,6 +31,6 @@ struct OpenMesh {
 /// Requires: each directed edge of `mesh` has one partner in the opposite direction.
 /// Guarantees: the result is closed up to rounding.
 /// Cost: O(n + k log k) for n triangles, k of which meet the plane.
-OpenMesh open_mesh(const cda::TriangleMesh& mesh, std::uint32_t faces, const CutPlane& plane);
+OpenMesh open_mesh(const TriangleMesh& mesh, std::uint32_t faces, const CutPlane& plane);
 
 }  // namespace ncsim::mesh

@@ -22,7 +22,7 @@ public:
     explicit Pieces(const cda::Boundary& boundary);
 
     /// Returns the vertices of the boundary, followed by those that triangulate() added.
-    const std::vector<cda::Vec3>& vertices() const { return vertices_; }
+    const std::vector<Vec3>& vertices() const { return vertices_; }
 
     /// Returns the number of pieces of the face.
     std::size_t count(std::uint32_t face) const;
@@ -31,7 +31,7 @@ public:
 
 private:
     const cda::Boundary& boundary_;
-    std::vector<cda::Vec3> vertices_;
+    std::vector<Vec3> vertices_;
     // For each face, start of the triangles in `pieces_`; a face without triangles is drawn as
     // outline.
     std::vector<std::uint32_t> first_;

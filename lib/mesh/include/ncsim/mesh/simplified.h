@@ -3,8 +3,9 @@
 // The result of simplify().
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Simplified {
     /// measured.
     double deviation_mm = 0.0;
     /// The triangles of cda::triangulate(boundary).
-    cda::TriangleMesh mesh;
+    TriangleMesh mesh;
 };
 
 }  // namespace ncsim::mesh

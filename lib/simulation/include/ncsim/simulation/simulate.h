@@ -107,7 +107,7 @@ struct Verification {
     std::optional<std::uint64_t> only_motion;
     /// Simulation::tool_position is not the end of the last motion, but the pose with the tip
     /// nearest to this point.
-    std::optional<cda::Vec3> nearest_to;
+    std::optional<Vec3> nearest_to;
     /// The last motion removes nothing. Requires: `only_motion`.
     bool last_removes_nothing = false;
     /// More steps of the tools, anywhere, throw StepLimit.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tests background tasks and parallel sorting.
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include "support/random.h"
 
@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace ncsim::cda {
+namespace ncsim {
 namespace {
 
 TEST(Background, DoesEachTaskOnce) {
@@ -85,4 +85,4 @@ TEST(SortInParallel, IsSortedWhateverTheThreads) {
 }
 
 }  // namespace
-}  // namespace ncsim::cda
+}  // namespace ncsim

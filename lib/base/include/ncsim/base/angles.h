@@ -2,13 +2,13 @@
 //
 // Sine, cosine and arctangent with the same bits on every machine. Standard libraries differ in the
 // last bit, and no output of ncsim may depend on that bit. The functions use only + - × ÷ √ and the
-// exact remainder. tests/trig checks that sources of ncsim do not call std::sin and similar
+// exact remainder. tests/base checks that sources of ncsim do not call std::sin and similar
 // functions, with a list of exceptions.
 #pragma once
 
 #include <numbers>
 
-namespace ncsim::trig {
+namespace ncsim {
 
 /// Factor from degrees to radians.
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
@@ -37,6 +37,6 @@ double angle_of(double x, double y);
 
 /// Returns √(x² + y²). std::hypot is not used because its last bit depends on the library.
 /// Guarantees: the error is at most two units in the last place, for all finite `x` and `y`.
-double length_of(double x, double y);
+double hypotenuse(double x, double y);
 
-}  // namespace ncsim::trig
+}  // namespace ncsim

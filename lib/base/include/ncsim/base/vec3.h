@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vectors and boxes of doubles. In lib/cda a double is a length in millimetres in the workpiece
-// frame, right-handed, unless the name states otherwise.
+// Vectors and boxes of doubles: millimetres in the workpiece frame, right-handed, unless the name
+// states otherwise.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace ncsim::cda {
+namespace ncsim {
 
 /// A vector or a point.
 struct Vec3 {
@@ -67,4 +67,4 @@ struct Box {
     }
 };
 
-}  // namespace ncsim::cda
+}  // namespace ncsim

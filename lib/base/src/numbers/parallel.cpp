@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Threads that take tasks from a shared counter.
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include <atomic>
 #include <exception>
 #include <thread>
 
-namespace ncsim::cda {
+namespace ncsim {
 
 struct Background::Shared {
     std::size_t tasks;
@@ -57,4 +57,4 @@ void in_parallel(std::size_t threads, std::size_t tasks,
     Background(all - 1, tasks, [&work](std::size_t i) { work(i); }).finish();
 }
 
-}  // namespace ncsim::cda
+}  // namespace ncsim

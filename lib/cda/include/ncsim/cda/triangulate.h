@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangle meshes, for file formats that support only triangles.
+// Division of faces into triangles, for file formats that support only triangles.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace ncsim::cda {
-
-/// A triangle mesh, mm, workpiece frame.
-struct TriangleMesh {
-    std::vector<Vec3> vertices;
-    /// Indices into `vertices`, counter-clockwise seen from outside.
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    /// Index of the Boundary face of each triangle.
-    std::vector<std::uint32_t> face;
-};
 
 /// Divides every face into triangles between the face's vertices; the mesh is closed if the
 /// boundary is. The vertices of the boundary come first, in order and unmoved. A few vertices may

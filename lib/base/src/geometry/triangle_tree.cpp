@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Box tree of triangles: construction, nearest triangle, ray casting.
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/base/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace ncsim::cda {
+namespace ncsim {
 
 namespace {
 
@@ -25,7 +25,7 @@ double distance_to_box(Vec3 p, const Box& box) {
 // Returns +1 or -1 if the ray from `p` leaves or enters through the triangle, 0 if the ray misses;
 // empty if rounding decides because the ray is too close to the border or too flat.
 // Source: Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
-std::optional<int> crossing(Vec3 p, Vec3 direction, const Corners& t) {
+std::optional<int> crossing(Vec3 p, Vec3 direction, const TriangleCorners& t) {
     constexpr double kDoubt = 1e-9;
     const Vec3 e1 = t[1] - t[0];
     const Vec3 e2 = t[2] - t[0];
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> all_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
+TriangleCorners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
     const auto& t = mesh.triangles[triangle];
     return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
@@ -67,7 +67,7 @@ double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
     return norm(p - a - t * along);
 }
 
-double distance(Vec3 p, const Corners& t) {
+double distance(Vec3 p, const TriangleCorners& t) {
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
     const auto is_left_of = [&](Vec3 from, Vec3 to) {
         return dot(cross(to - from, p - from), n) >= 0.0;
@@ -106,7 +106,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, std::vector<std::uint32_t> 
     std::vector<Placed> placed;
     placed.reserve(order_.size());
     for (const std::uint32_t t : order_) {
-        const Corners c = corners_of(mesh_, t);
+        const TriangleCorners c = corners_of(mesh_, t);
         placed.push_back({(1.0 / 3.0) * (c[0] + c[1] + c[2]), t});
     }
     build(placed, 0, placed.size());
@@ -198,4 +198,4 @@ bool TriangleTree::contains(Vec3 p) const {
     return winding != 0;
 }
 
-}  // namespace ncsim::cda
+}  // namespace ncsim

@@ -4,27 +4,27 @@
 // boxes, halved at the median of the triangles' centres along the longest side.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/vec3.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace ncsim::cda {
+namespace ncsim {
 
-using Corners = std::array<Vec3, 3>;
+using TriangleCorners = std::array<Vec3, 3>;
 
 /// Returns the corners of a triangle of a mesh, mm.
-Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle);
+TriangleCorners corners_of(const TriangleMesh& mesh, std::uint32_t triangle);
 
 /// Returns the distance of a point and a segment, mm.
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b);
 
 /// Returns the distance of a point and a triangle including border, mm. Triangles without area
 /// count as segments.
-double distance(Vec3 p, const Corners& triangle);
+double distance(Vec3 p, const TriangleCorners& triangle);
 
 /// Index of the triangles of a mesh. Requires: the mesh outlives the index.
 class TriangleTree {
@@ -91,4 +91,4 @@ private:
 /// A negative answer is exact; a positive answer may be wrong by rounding.
 bool meets_segment(const Box& box, Vec3 a, Vec3 b);
 
-}  // namespace ncsim::cda
+}  // namespace ncsim

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ncsim::cda {
+namespace ncsim {
 
 /// A partition of the numbers below `size` into sets; the least number represents a set. The result
 /// does not depend on the order of unite() calls.
@@ -26,4 +26,4 @@ private:
     std::size_t sets_;
 };
 
-}  // namespace ncsim::cda
+}  // namespace ncsim

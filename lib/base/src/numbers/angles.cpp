@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Trigonometric functions as Taylor series with exact argument reduction.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace ncsim::trig {
+namespace ncsim {
 
 namespace {
 
@@ -116,7 +116,7 @@ double angle_of(double x, double y) {
     return y < 0.0 ? -angle : angle;
 }
 
-double length_of(double x, double y) {
+double hypotenuse(double x, double y) {
     const double square = x * x + y * y;
     if (square > 1e-200 && std::isfinite(square)) return std::sqrt(square);
     // x² + y² overflows or underflows. Scaling by a power of two is exact.
@@ -128,4 +128,4 @@ double length_of(double x, double y) {
     return std::ldexp(std::sqrt(u * u + v * v), scale);
 }
 
-}  // namespace ncsim::trig
+}  // namespace ncsim

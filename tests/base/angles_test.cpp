@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tests sines, cosines, angles and lengths for exact values and against the C library.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-namespace ncsim::trig {
+namespace ncsim {
 namespace {
 
 TEST(SinCos, IsExactForQuarterTurns) {
@@ -117,23 +117,23 @@ TEST(AngleOf, UndoesSinCos) {
 }
 
 TEST(LengthOf, IsExactForWholeNumbersThatHaveOne) {
-    EXPECT_EQ(length_of(0.0, 0.0), 0.0);
-    EXPECT_EQ(length_of(-3.0, 4.0), 5.0);
-    EXPECT_EQ(length_of(0.0, -0.1), 0.1);
-    EXPECT_EQ(length_of(20e6, 21e6), 29e6);
+    EXPECT_EQ(hypotenuse(0.0, 0.0), 0.0);
+    EXPECT_EQ(hypotenuse(-3.0, 4.0), 5.0);
+    EXPECT_EQ(hypotenuse(0.0, -0.1), 0.1);
+    EXPECT_EQ(hypotenuse(20e6, 21e6), 29e6);
 }
 
 TEST(LengthOf, IsFiniteWhereverTheLengthIs) {
     for (const int scale : {-1070, -600, -331, -330, 0, 500, 510, 1015}) {
         SCOPED_TRACE(scale);
-        EXPECT_EQ(length_of(std::ldexp(-3.0, scale), std::ldexp(4.0, scale)),
+        EXPECT_EQ(hypotenuse(std::ldexp(-3.0, scale), std::ldexp(4.0, scale)),
                   std::ldexp(5.0, scale));
-        EXPECT_EQ(length_of(0.0, std::ldexp(1.0, scale)), std::ldexp(1.0, scale));
+        EXPECT_EQ(hypotenuse(0.0, std::ldexp(1.0, scale)), std::ldexp(1.0, scale));
     }
-    EXPECT_EQ(length_of(1.0, -std::numeric_limits<double>::infinity()),
+    EXPECT_EQ(hypotenuse(1.0, -std::numeric_limits<double>::infinity()),
               std::numeric_limits<double>::infinity());
-    EXPECT_TRUE(std::isnan(length_of(1.0, std::nan(""))));
+    EXPECT_TRUE(std::isnan(hypotenuse(1.0, std::nan(""))));
 }
 
 }  // namespace
-}  // namespace ncsim::trig
+}  // namespace ncsim

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Union-find with path halving.
-#include "ncsim/cda/disjoint_sets.h"
+#include "ncsim/base/disjoint_sets.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace ncsim::cda {
+namespace ncsim {
 
 DisjointSets::DisjointSets(std::size_t size) : parent_(size), sets_(size) {
     std::iota(parent_.begin(), parent_.end(), 0U);
@@ -26,4 +26,4 @@ void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
     --sets_;
 }
 
-}  // namespace ncsim::cda
+}  // namespace ncsim

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Hash mixing and a random generator that give the same numbers on every machine.
+// Hash mixing with the same numbers on every machine.
 #pragma once
 
 #include <cstdint>
 
-namespace ncsim::cda {
+namespace ncsim {
 
 /// Mixes `v` into the hash `h`; the result is the same on every machine and in every run. Source:
 /// the finalizer of splitmix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
@@ -17,19 +17,4 @@ constexpr std::uint64_t mix(std::uint64_t h, std::uint64_t v) {
     return h ^ (h >> 31);
 }
 
-/// The random generator splitmix64. The sequence of a seed is the same everywhere, unlike
-/// std::shuffle.
-class SplitMix {
-public:
-    explicit SplitMix(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        const std::uint64_t result = mix(0, state_);
-        state_ += 0x9e3779b97f4a7c15U;
-        return result;
-    }
-
-private:
-    std::uint64_t state_;
-};
-
-}  // namespace ncsim::cda
+}  // namespace ncsim

@@ -3,7 +3,8 @@
 // Answers that every model derives from its boundary.
 #include "ncsim/cda/workpiece.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include <array>
 #include <vector>

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace ncsim::cda {
+namespace ncsim {
 
 /// Returns `threads`, or the number of hardware threads if `threads` is 0; at least 1.
 std::size_t thread_count(std::size_t threads);
@@ -122,4 +122,4 @@ std::vector<std::uint32_t> filter_indices(std::size_t threads, std::uint32_t cou
     return all;
 }
 
-}  // namespace ncsim::cda
+}  // namespace ncsim
