@@ -7,6 +7,7 @@
 #include "ncsim/brep/section.h"
 
 #include "ncsim/base/angles.h"
+#include "ncsim/base/number_text.h"
 
 #include "geometry/cut_walk.h"
 #include "geometry/no_index.h"
@@ -14,8 +15,6 @@
 #include "topology/crossings.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -661,19 +660,14 @@ std::optional<SectionPlane> parse_section_plane(std::string_view text) {
     const std::size_t axis = kAxes.find(static_cast<char>(text[0] | 0x20));
     if (axis == std::string_view::npos) return std::nullopt;
     text.remove_prefix(2);
-    SectionPlane plane{static_cast<int>(axis), 0.0};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), plane.at);
+    const auto at = number_in<double>(text);
     constexpr double kFar = 1e6;  // mm; no program reaches this
-    if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(plane.at) < kFar))
-        return std::nullopt;
-    return plane;
+    if (!at || !(std::abs(*at) < kFar)) return std::nullopt;
+    return SectionPlane{static_cast<int>(axis), *at};
 }
 
 std::string name_of(const SectionPlane& plane) {
-    std::array<char, 32> digits{};
-    auto* const end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), plane.at + 0.0).ptr;
-    return std::string(1, "xyz"[plane.axis]) + '=' + std::string(digits.data(), end);
+    return std::string(1, "xyz"[plane.axis]) + '=' + shortest(plane.at + 0.0);
 }
 
 std::optional<Section> section_of(const Part& part, const SectionPlane& plane) {

@@ -4,10 +4,12 @@
 // of this table.
 #include "ncsim/brep/surface_text.h"
 
+#include "ncsim/base/number_text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <system_error>
 #include <type_traits>
@@ -147,11 +149,7 @@ public:
         number(cosine);
         number(sine);
     }
-    void number(double x) {
-        std::array<char, 32> digits{};
-        char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
-        word({digits.data(), end});
-    }
+    void number(double x) { word(shortest(x)); }
     void count(const std::vector<std::array<double, 6>>& powers) {
         number(static_cast<double>(powers.size()));
     }
@@ -211,10 +209,8 @@ public:
     }
     // Bounds of boxes may be infinite.
     void any_number(double& x) {
-        const std::string_view next = word();
-        const auto read = std::from_chars(next.data(), next.data() + next.size(), x);
-        is_good = is_good && read.ec == std::errc{} && read.ptr == next.data() + next.size() &&
-                  !std::isnan(x);
+        x = number_in<double>(word()).value_or(std::numeric_limits<double>::quiet_NaN());
+        is_good = is_good && !std::isnan(x);
     }
     void count(std::vector<std::array<double, 6>>& powers) {
         constexpr double kMostPowers = 64.0;

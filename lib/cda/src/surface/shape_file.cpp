@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reading and writing of stock files.
+#include "ncsim/base/number_text.h"
 #include "ncsim/cda/polytope.h"
 #include "ncsim/cda/shape.h"
 
@@ -66,13 +67,10 @@ private:
 }  // namespace
 
 void write_shape(std::ostream& out, const Shape& shape) {
-    std::array<char, 32> unit{};  // the shortest text that gives the same number
-    char* const end =
-        std::to_chars(unit.data(), unit.data() + unit.size(), shape.lattice.unit_mm).ptr;
     out << kMagic << '\n';
     for (std::size_t i = 0; i < std::min(shape.assumed.size(), kMostAssumed); ++i)
         out << "assumed " << std::string_view(shape.assumed[i]).substr(0, kLongestAssumed) << '\n';
-    out << "unit " << std::string_view(unit.data(), end) << '\n';
+    out << "unit " << shortest(shape.lattice.unit_mm) << '\n';
     for (const ShapeSource& source : shape.sources) {
         out << "source " << source.text << '\n';
         for (const std::string& surface : source.surfaces)

@@ -3,9 +3,10 @@
 // Names and numbers of coordinate systems.
 #include "ncsim/setup/coordinate_systems.h"
 
+#include "ncsim/base/number_text.h"
+
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 #include <system_error>
 
@@ -23,12 +24,9 @@ std::optional<int> system_named(const std::string& name) {
     }
     constexpr std::string_view kExtended = "G54.1 P";
     if (!name.starts_with(kExtended)) return std::nullopt;
-    int number = 0;
-    const char* end = name.data() + name.size();
-    const auto read = std::from_chars(name.data() + kExtended.size(), end, number);
-    if (read.ec != std::errc{} || read.ptr != end || number < 1 || number > 300)
-        return std::nullopt;
-    return kNamedSystems + number;
+    const auto number = number_in<int>(std::string_view(name).substr(kExtended.size()));
+    if (!number || *number < 1 || *number > 300) return std::nullopt;
+    return kNamedSystems + *number;
 }
 
 std::string name_of_system(int system) {

@@ -3,6 +3,8 @@
 // Reads job files.
 #include "ncsim/setup/job_file.h"
 
+#include "ncsim/base/ascii.h"
+#include "ncsim/base/number_text.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/setup/stock_file.h"
@@ -21,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -469,9 +470,7 @@ private:
 }  // namespace
 
 std::optional<std::string> variable_name(std::string_view text) {
-    std::string name;
-    for (const char c : text)
-        name += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    std::string name = lowercase(text);
     if (name.starts_with("#<") && name.ends_with('>') && name.size() > 3) return name;
     constexpr std::size_t kMostDigits = 5;
     // Q parameters of Klartext and R parameters of SINUMERIK begin at 0.
@@ -485,13 +484,9 @@ std::optional<std::string> variable_name(std::string_view text) {
 
 std::optional<int> compensation_register(std::string_view text) {
     constexpr int kMost = 9999;
-    int number = 0;
-    const char* const end = text.data() + text.size();
     if (text.size() < 2 || (text[0] != 'D' && text[0] != 'd')) return std::nullopt;
-    if (std::from_chars(text.data() + 1, end, number) != std::from_chars_result{end, std::errc{}})
-        return std::nullopt;
-    if (number < 1 || number > kMost) return std::nullopt;
-    return number;
+    const auto number = number_in<int>(text.substr(1));
+    return number && *number >= 1 && *number <= kMost ? number : std::nullopt;
 }
 
 JobFile parse_job_file(const gcode::SourceFile& file) {

@@ -3,13 +3,14 @@
 // Reads OBJ files.
 #include "meshes/obj_mesh.h"
 
+#include "ncsim/base/number_text.h"
+
 #include "meshes/polygons.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,12 +42,9 @@ std::string_view next_line(std::string_view& text) {
 }
 
 template <class Number>
-std::optional<Number> number_in(std::string_view word) {
+std::optional<Number> signed_number(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
-    Number number{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    return number;
+    return number_in<Number>(word);
 }
 
 }  // namespace
@@ -75,7 +73,7 @@ std::vector<Vec3> read_obj(std::string_view bytes) {
         if (key == "v") {
             Vec3 p;
             for (int axis = 0; axis < 3; ++axis) {
-                const auto value = number_in<double>(next_word(line));
+                const auto value = signed_number<double>(next_word(line));
                 if (!value) refuse("a point has three numbers");
                 p[axis] = *value;
             }
@@ -83,7 +81,7 @@ std::vector<Vec3> read_obj(std::string_view bytes) {
         } else if (key == "f") {
             std::vector<std::uint32_t> face;
             for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
-                const auto specified = number_in<std::int64_t>(word.substr(0, word.find('/')));
+                const auto specified = signed_number<std::int64_t>(word.substr(0, word.find('/')));
                 const auto count = static_cast<std::int64_t>(polygons.points.size());
                 // Numbers count from 1, or backwards from the last point, which is -1.
                 if (!specified || *specified == 0 || *specified > count || *specified < -count)

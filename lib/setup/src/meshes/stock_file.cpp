@@ -4,6 +4,8 @@
 #include "ncsim/setup/stock_file.h"
 
 #include "ncsim/base/angles.h"
+#include "ncsim/base/ascii.h"
+#include "ncsim/base/number_text.h"
 #include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/triangulate.h"
@@ -13,8 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -30,10 +30,7 @@ namespace ncsim::setup {
 namespace {
 
 bool ends_with(const std::string& text, std::string_view end) {
-    if (text.size() <= end.size()) return false;
-    return std::equal(
-        end.begin(), end.end(), text.end() - static_cast<std::ptrdiff_t>(end.size()),
-        [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+    return text.size() > end.size() && lowercase(text).ends_with(end);
 }
 
 bool is_saved(const toolpath::StockFile& file, InputSet& inputs) {
@@ -127,12 +124,9 @@ std::optional<std::vector<AxisTurn>> turns_of(std::string_view text) {
         const std::size_t axis =
             turn.size() < 2 ? std::string_view::npos : std::string_view("XYZxyz").find(turn[0]);
         if (axis == std::string_view::npos) return std::nullopt;
-        AxisTurn one{static_cast<int>(axis % 3), 0.0};
-        const char* const last = turn.data() + turn.size();
-        const auto read = std::from_chars(turn.data() + 1, last, one.degrees);
-        if (read.ec != std::errc{} || read.ptr != last || !(std::abs(one.degrees) <= kMost))
-            return std::nullopt;
-        turns.push_back(one);
+        const auto degrees = number_in<double>(turn.substr(1));
+        if (!degrees || !(std::abs(*degrees) <= kMost)) return std::nullopt;
+        turns.push_back({static_cast<int>(axis % 3), *degrees});
         begin = end + 1;
     }
     return turns;

@@ -6,6 +6,7 @@
 #include "meshes/vrml_mesh.h"
 
 #include "ncsim/base/angles.h"
+#include "ncsim/base/number_text.h"
 
 #include "meshes/polygons.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -207,10 +207,9 @@ private:
     Number number() {
         std::string_view word = some_word();
         if (word.starts_with('+')) word.remove_prefix(1);
-        Number value{};
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc{} || end != word.data() + word.size()) refuse("expected a number");
-        return value;
+        const auto value = number_in<Number>(word);
+        if (!value) refuse("expected a number");
+        return *value;
     }
 
     Vec3 vector() {

@@ -27,7 +27,7 @@ std::optional<Vec3> numbers(std::string_view s, char separator, int count,
     if (parts.size() != static_cast<std::size_t>(count)) return std::nullopt;
     Vec3 v;
     for (int axis = 0; axis < count; ++axis) {
-        const std::string_view part = text::trimmed(parts[static_cast<std::size_t>(axis)]);
+        const std::string_view part = trimmed(parts[static_cast<std::size_t>(axis)]);
         const auto q = text::quantity_at(part, 0);
         if (!q || q->end != part.size() || q->unit == Unit::Degree) return std::nullopt;
         if (!unit && q->unit != Unit::None) return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<Vec3> parse_triple(std::string_view text) {
 }
 
 std::optional<Stock> parse_stock_option(std::string_view option, std::string& message) {
-    const std::string upper = text::upper(text::trimmed(option));
+    const std::string upper = uppercase(trimmed(option));
     std::string_view s = upper;
     // The unit after the last number is the unit of all numbers without unit.
     double scale = 1.0;

@@ -568,7 +568,7 @@ private:
     // Reads H28x15,40x25 or H20-32x10.
     std::string read_holder(std::string_view part) {
         for (std::string_view step : text::split(part.substr(1), ',')) {
-            step = text::trimmed(step);
+            step = trimmed(step);
             std::size_t at = 0;
             ToolSegment segment;
             const auto lower = number_at(step, at);
@@ -600,7 +600,7 @@ double dovetail_taper(double degrees) {
 }
 
 std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& message) {
-    const std::string upper = text::upper(option);
+    const std::string upper = uppercase(option);
     const std::string_view s = upper;
     const auto refuse = [&](std::string_view why) {
         message = text::quoted(option) + ": ";
@@ -608,7 +608,7 @@ std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& 
         return std::nullopt;
     };
     const std::size_t equals = s.find('=');
-    std::string_view number = text::trimmed(s.substr(0, equals));
+    std::string_view number = trimmed(s.substr(0, equals));
     if (!number.empty() && number.front() == 'T') number.remove_prefix(1);
     const auto tool = text::quantity_at(number, 0);
     if (equals == std::string_view::npos || !tool || tool->end != number.size() ||
@@ -617,10 +617,10 @@ std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& 
     }
     ToolSpec spec;
     spec.number = static_cast<int>(tool->value);
-    spec.description = std::string(text::trimmed(option.substr(equals + 1)));
+    spec.description = std::string(trimmed(option.substr(equals + 1)));
     OptionReader reader(spec);
     for (const std::string_view part : text::split(s.substr(equals + 1), ':')) {
-        const std::string why = reader.read(text::trimmed(part));
+        const std::string why = reader.read(trimmed(part));
         if (!why.empty()) return refuse(why);
     }
     if (const std::string why = reader.finish(); !why.empty()) return refuse(why);

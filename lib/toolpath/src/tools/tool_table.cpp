@@ -156,7 +156,7 @@ private:
                 return true;
             }
         }
-        const std::string heading = text::upper(text::trimmed(comment.text));
+        const std::string heading = uppercase(trimmed(comment.text));
         if (heading == "REQUIRED TOOLS:") {
             in_list_ = true;
             return true;
