@@ -37,7 +37,7 @@ set(floors_setup files meshes machines job)
 set(floors_app system options run commands check merge)
 
 # A public header is on the floor of the source of its name. FOLDER:HEADER for headers without a source.
-set(headers_base text:ascii text:number_text numbers:int128 numbers:mix geometry:vec3 geometry:triangle_mesh)
+set(headers_base text:ascii text:number_text numbers:int128 numbers:mix numbers:vec2 geometry:vec3 geometry:triangle_mesh)
 set(headers_cda exact:tile_number exact:origin polytope:sweep flat:visitor)
 set(headers_toolpath polytope:tool_pose polytope:side)
 set(headers_brep geometry:facets)

@@ -177,7 +177,7 @@ private:
             !(norm(track.at(0.0) - part_.vertices[edge.from]) <= tolerance_))
             report("a curve misses its end");
         Vec3 last = part_.vertices[begin];
-        MapPoint last_place = map_(last);
+        Vec2 last_place = map_(last);
         ProjectionSeed seed;
         std::uint64_t last_name = begin;
         double last_at = 0.0;
@@ -220,9 +220,9 @@ private:
     // Returns twice the area on the map inside the last loop, from its first segment on.
     double twice_area(std::size_t first) const {
         double sum = 0.0;
-        const MapPoint from = segments_[first].a;
+        const Vec2 from = segments_[first].a;
         for (std::size_t i = first; i < segments_.size(); ++i) {
-            const MapPoint a = segments_[i].a, b = segments_[i].b;
+            const Vec2 a = segments_[i].a, b = segments_[i].b;
             sum += (a.x - from.x) * (b.y - from.y) - (a.y - from.y) * (b.x - from.x);
         }
         return sum;

@@ -32,23 +32,13 @@ constexpr double kNoLength = 1e-6;
 
 struct Sheet {
     Vec3 u, v, normal;
-    FlatPoint operator()(Vec3 p) const { return {dot(u, p), dot(v, p)}; }
+    Vec2 operator()(Vec3 p) const { return {dot(u, p), dot(v, p)}; }
 };
 
 Sheet sheet_of(int axis) {
     if (axis == 0) return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
     if (axis == 1) return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
     return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-}
-
-FlatPoint minus(FlatPoint a, FlatPoint b) {
-    return {a.u - b.u, a.v - b.v};
-}
-double across_of(FlatPoint a, FlatPoint b) {
-    return a.u * b.v - a.v * b.u;
-}
-double length_of(FlatPoint a) {
-    return std::sqrt(a.u * a.u + a.v * a.v);
 }
 
 // Returns the angle passed from `from` to `to`, degrees in (0, 360].
@@ -69,27 +59,26 @@ struct ExtentOf {
     const SectionPiece* piece;
 
     Extent operator()(const FlatLine&) const {
-        const FlatPoint d = minus(piece->to, piece->from);
-        return {0.5 * across_of(piece->from, piece->to), length_of(d)};
+        const Vec2 d = piece->to - piece->from;
+        return {0.5 * cross(piece->from, piece->to), norm(d)};
     }
     Extent operator()(const FlatArc& c) const {
-        const auto angle = [&](FlatPoint p) {
-            const FlatPoint d = minus(p, c.centre);
-            return angle_of(d.u, d.v);
+        const auto angle = [&](Vec2 p) {
+            const Vec2 d = p - c.centre;
+            return angle_of(d.x, d.y);
         };
         const double turn =
             turn_of(angle(piece->from), angle(piece->to), c.is_ccw) * kRadiansPerDegree;
         const double sector = 0.5 * c.radius * c.radius * turn;
-        return {0.5 * across_of(c.centre, minus(piece->to, piece->from)) +
-                    (c.is_ccw ? sector : -sector),
+        return {0.5 * cross(c.centre, piece->to - piece->from) + (c.is_ccw ? sector : -sector),
                 c.radius * turn};
     }
     Extent operator()(const FlatEllipse& e) const {
-        const double major = length_of(e.major);
-        const FlatPoint x{e.major.u / major, e.major.v / major};
-        const auto angle = [&](FlatPoint p) {
-            const FlatPoint d = minus(p, e.centre);
-            return angle_of((d.u * x.u + d.v * x.v) / major, across_of(x, d) / e.minor_radius);
+        const double major = norm(e.major);
+        const Vec2 x{e.major.x / major, e.major.y / major};
+        const auto angle = [&](Vec2 p) {
+            const Vec2 d = p - e.centre;
+            return angle_of((d.x * x.x + d.y * x.y) / major, cross(x, d) / e.minor_radius);
         };
         const double start = angle(piece->from);
         const double turn = turn_of(start, angle(piece->to), e.is_ccw);
@@ -103,19 +92,18 @@ struct ExtentOf {
             const double du = major * t.sin, dv = e.minor_radius * t.cos;
             length += std::sqrt(du * du + dv * dv) * turn * kRadiansPerDegree / kSteps;
         }
-        return {0.5 * across_of(e.centre, minus(piece->to, piece->from)) +
-                    (e.is_ccw ? sector : -sector),
+        return {0.5 * cross(e.centre, piece->to - piece->from) + (e.is_ccw ? sector : -sector),
                 length};
     }
     Extent operator()(const FlatChords& c) const {
         Extent sum;
-        FlatPoint last = piece->from;
-        const auto go = [&](FlatPoint p) {
-            sum.area += 0.5 * across_of(last, p);
-            sum.length += length_of(minus(p, last));
+        Vec2 last = piece->from;
+        const auto go = [&](Vec2 p) {
+            sum.area += 0.5 * cross(last, p);
+            sum.length += norm(p - last);
             last = p;
         };
-        for (const FlatPoint& p : c.between)
+        for (const Vec2& p : c.between)
             go(p);
         go(piece->to);
         return sum;
@@ -481,7 +469,7 @@ private:
                 piece.curve = FlatArc{sheet_(b->centre), x, is_ccw};
             } else {
                 const bool wide = x > y;
-                piece.curve = FlatEllipse{sheet_(b->centre), minus(sheet_(wide ? b->x : b->y), {}),
+                piece.curve = FlatEllipse{sheet_(b->centre), sheet_(wide ? b->x : b->y) - Vec2{},
                                           wide ? y : x, is_ccw};
             }
             return true;
@@ -502,11 +490,11 @@ private:
                 double sign, double a, double b, int depth) const {
         const auto at = [&](double t) { return sheet_(exact.at(branch, from + sign * t)); };
         const double middle = 0.5 * (a + b);
-        const FlatPoint p = at(a), q = at(b), m = at(middle);
-        const FlatPoint chord = minus(q, p);
-        const double length = length_of(chord);
-        const double deviation = length > 0.0 ? std::abs(across_of(chord, minus(m, p))) / length
-                                              : length_of(minus(m, p));
+        const Vec2 p = at(a), q = at(b), m = at(middle);
+        const Vec2 chord = q - p;
+        const double length = norm(chord);
+        const double deviation =
+            length > 0.0 ? std::abs(cross(chord, m - p)) / length : norm(m - p);
         // The curve may bulge more between a and b than in the middle.
         constexpr int kDeepest = 12;
         if (deviation <= 0.5 * kChordsMm || depth == kDeepest) return;
@@ -520,8 +508,8 @@ private:
         section_.length_mm += extent.length;
         // Sine of the angle between surface and plane: if the surface is off by d, the cut is off
         // by d / sine.
-        const auto sine = [&](FlatPoint p) {
-            Vec3 at = p.u * sheet_.u + p.v * sheet_.v + plane_.offset * plane_.normal;
+        const auto sine = [&](Vec2 p) {
+            Vec3 at = p.x * sheet_.u + p.y * sheet_.v + plane_.offset * plane_.normal;
             constexpr double kLeastStep = 0.02;
             return std::max(kLeastStep, norm(ahead(face, at)));
         };
@@ -590,7 +578,7 @@ private:
                 continue;
             }
             a.to = b.to;
-            const bool is_gone = length_of(minus(a.to, a.from)) <= kNoLength;
+            const bool is_gone = norm(a.to - a.from) <= kNoLength;
             if (is_gone) outline[(i + outline.size() - 1) % outline.size()].to = a.to;
             // The later piece is erased first.
             const std::size_t later = std::max(i, next), sooner = std::min(i, next);
@@ -604,9 +592,9 @@ private:
         if (!std::holds_alternative<FlatLine>(a.curve) ||
             !std::holds_alternative<FlatLine>(b.curve))
             return false;
-        const FlatPoint d = minus(a.to, a.from), e = minus(b.to, b.from);
-        return std::abs(across_of(d, e)) <= kNoLength * std::max(length_of(d), length_of(e)) &&
-               d.u * e.u + d.v * e.v < 0.0;
+        const Vec2 d = a.to - a.from, e = b.to - b.from;
+        return std::abs(cross(d, e)) <= kNoLength * std::max(norm(d), norm(e)) &&
+               d.x * e.x + d.y * e.y < 0.0;
     }
 
     // Joins adjacent pieces of the same line or circle with the same origin.
@@ -631,14 +619,14 @@ private:
         if (a.origin != b.origin || a.is_facet != b.is_facet) return false;
         if (std::holds_alternative<FlatLine>(a.curve) &&
             std::holds_alternative<FlatLine>(b.curve)) {
-            const FlatPoint d = minus(a.to, a.from), e = minus(b.to, b.from);
-            return std::abs(across_of(d, e)) <= kSameCurve * std::max(length_of(d), length_of(e)) &&
-                   d.u * e.u + d.v * e.v > 0.0;
+            const Vec2 d = a.to - a.from, e = b.to - b.from;
+            return std::abs(cross(d, e)) <= kSameCurve * std::max(norm(d), norm(e)) &&
+                   d.x * e.x + d.y * e.y > 0.0;
         }
         const auto* c = std::get_if<FlatArc>(&a.curve);
         const auto* d = std::get_if<FlatArc>(&b.curve);
         return c && d && std::abs(c->radius - d->radius) <= kSameCurve &&
-               length_of(minus(c->centre, d->centre)) <= kSameCurve && c->is_ccw == d->is_ccw;
+               norm(c->centre - d->centre) <= kSameCurve && c->is_ccw == d->is_ccw;
     }
 
     const Part& part_;

@@ -32,7 +32,7 @@ double angle_rad(double x, double y) {
 
 // Returns the factors of `u` and `v` in the part of `w` in their plane. Where they are parallel,
 // the factors are the smallest ones if `any` is set, otherwise there is no result.
-std::optional<std::array<double, 2>> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
+std::optional<Vec2> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
     constexpr double kLeastSine = 1e-5, kWeight = 1e-9;
     double uu = dot(u, u), vv = dot(v, v);
     const double uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
@@ -43,7 +43,7 @@ std::optional<std::array<double, 2>> components(Vec3 u, Vec3 v, Vec3 w, bool any
     }
     const double det = uu * vv - uv * uv;
     if (!(det > 0.0)) return std::nullopt;
-    return std::array{(vv * uw - uv * vw) / det, (uu * vw - uv * uw) / det};
+    return Vec2{(vv * uw - uv * vw) / det, (uu * vw - uv * uw) / det};
 }
 
 }  // namespace
@@ -208,10 +208,7 @@ public:
         ParameterCurve result;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             const Node& node = nodes_[i];
-            const auto handle = [&](double width) {
-                return Place{node.at[0] + width / 3.0 * node.slope[0],
-                             node.at[1] + width / 3.0 * node.slope[1]};
-            };
+            const auto handle = [&](double width) { return node.at + width / 3.0 * node.slope; };
             result.points.push_back(i == 0 ? node.at : handle(nodes_[i - 1].t - node.t));
             result.points.push_back(i + 1 == nodes_.size() ? node.at
                                                            : handle(nodes_[i + 1].t - node.t));
@@ -245,7 +242,7 @@ private:
             slopes[i] = *slope;
         }
         const auto& [near, far] = slopes;
-        return Node{t, *at, {2.0 * near[0] - far[0], 2.0 * near[1] - far[1]}};
+        return Node{t, *at, 2.0 * near - far};
     }
 
     std::optional<Place> slope_at(double t, Place at) const {
@@ -257,8 +254,7 @@ private:
     bool add_piece(double t, int halvings) {
         const Node from = nodes_.back();
         const double width = t - from.t;
-        const auto to = node_at(
-            t, from.t, {from.at[0] + width * from.slope[0], from.at[1] + width * from.slope[1]});
+        const auto to = node_at(t, from.t, from.at + width * from.slope);
         if (!to) return false;
         if (is_near(from, *to)) {
             nodes_.push_back(*to);
@@ -272,10 +268,8 @@ private:
         const double width = to.t - from.t;
         return std::ranges::all_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double s) {
             const double r = 1.0 - s;
-            Place at{};
-            for (std::size_t k = 0; k < 2; ++k)
-                at[k] = r * r * (1.0 + 2.0 * s) * from.at[k] + s * r * r * width * from.slope[k] +
-                        s * s * (3.0 - 2.0 * s) * to.at[k] - s * s * r * width * to.slope[k];
+            const Place at = r * r * (1.0 + 2.0 * s) * from.at + s * r * r * width * from.slope +
+                             s * s * (3.0 - 2.0 * s) * to.at - s * s * r * width * to.slope;
             const Vec3 p = curve_.at(from.t + s * width).at;
             const double away = norm(surface_.point(at).at - p);
             if (away <= kOnSurface) return true;

@@ -385,8 +385,7 @@ bool Control::centre(const Block& block) {
     Words words;
     if (!gather(block, words)) return false;
     const PlaneAxes axes = axes_of(plane_);
-    std::array<double, 2> centre =
-        centre_.value_or(std::array<double, 2>{at_[axes.first], at_[axes.second]});
+    Vec2 centre = centre_.value_or(Vec2{at_[axes.first], at_[axes.second]});
     if (!words.axis[axes.first] && !words.axis[axes.second])
         centre = {at_[axes.first], at_[axes.second]};
     for (std::size_t i = 0; i < 2; ++i) {

@@ -677,9 +677,9 @@ bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
     const bool is_climb = value(351, 1.0) >= 0.0;
     const bool is_clockwise = machine_.state().spindle == SpindleTurning::Counterclockwise;
     const bool is_left = is_climb != is_clockwise;  // Climb milling in a bore: counter-clockwise.
-    const PlanePoint centre = point_in_plane();
-    const PlanePoint edge{centre.x + radius, centre.y};
-    const PlanePoint between{centre.x + radius / 2.0, centre.y};
+    const Vec2 centre = point_in_plane();
+    const Vec2 edge{centre.x + radius, centre.y};
+    const Vec2 between{centre.x + radius / 2.0, centre.y};
     const int turn = is_left ? 1 : -1;
     // The helix begins at the clearance; each turn goes down by the infeed.
     return cut({centre, edge, between, turn}, clear, feed) &&

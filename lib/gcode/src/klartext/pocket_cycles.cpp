@@ -95,7 +95,7 @@ bool Control::mill_area(SourceSpan span, double bottom, double clear) {
     area.angle = value(is_slot ? 374 : 224, 0.0);
     const Point start = in_plane();
     area.centre = {start[0], start[1]};
-    const std::optional<std::array<double, 2>> middle = middle_of_area(area);
+    const std::optional<Vec2> middle = middle_of_area(area);
     if (!middle) return fail(Message::BlockNeeds, span, {name, "a position (Q367) from 0 to 4"});
     area.centre = language::point_in(area, (*middle)[0], (*middle)[1]);
     if (m.is_stud && !read_blank(span, m)) return false;

@@ -136,10 +136,9 @@ bool Control::tangential(const Command& command, const Axes& end, AxisMask mask,
 bool Control::set_pole(int code, const Words& words, SourceSpan span) {
     const PlaneAxes axes = axes_of(plane_);
     const std::array<std::size_t, 2> index{axes.first, axes.second};
-    const std::array<double, 2> from =
-        code == 110   ? std::array<double, 2>{at_[axes.first], at_[axes.second]}
-        : code == 112 ? pole_
-                      : std::array<double, 2>{};
+    const Vec2 from = code == 110   ? Vec2{at_[axes.first], at_[axes.second]}
+                      : code == 112 ? pole_
+                                    : Vec2{};
     for (std::size_t i = 0; i < 2; ++i)
         pole_[i] = from[i];
     if (words.polar_radius || words.polar_angle) {

@@ -139,9 +139,9 @@ bool Control::mill_circular_slots_cycle(const CycleCall& call, double radius) {
     const double step = at(12) != 0.0 ? at(12) : 360.0 / *count;
     if (!rise(hole.retract)) return false;
     for (int i = 0; i < *count; ++i) {
-        const PlanePoint from = point_in_plane();
+        const Vec2 from = point_in_plane();
         area.angle = at(11) + i * step;
-        const PlanePoint to = language::middle_of(area);
+        const Vec2 to = language::middle_of(area);
         // VARI 1x: from slot to slot along the circle, with the feed _FFCP.
         const bool is_arc = i > 0 && way == 1;
         const double feed = at(22) > 0.0 ? feed_of(at(22)) : m.feed;

@@ -4,8 +4,9 @@
 #include "polytope/ring_polygon.h"
 
 #include "ncsim/base/angles.h"
+#include "ncsim/base/vec2.h"
 
-#include "polytope/half_plane.h"
+#include "polytope/integer_rounding.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -41,8 +42,8 @@ void measure(RingPolygon& polygon) {
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
         const auto [x, y] = polygon.corners[i];
         const auto [u, v] = polygon.corners[(i + 1) % polygon.corners.size()];
-        const HalfPlaneVec p{static_cast<double>(x), static_cast<double>(y)};
-        const HalfPlaneVec q{static_cast<double>(u), static_cast<double>(v)};
+        const Vec2 p{static_cast<double>(x), static_cast<double>(y)};
+        const Vec2 q{static_cast<double>(u), static_cast<double>(v)};
         polygon.outer = std::max(polygon.outer, norm(p) * (1 + kSlack));
         const double length = norm(q - p);
         if (length > 0) {

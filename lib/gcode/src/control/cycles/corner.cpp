@@ -174,7 +174,7 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     const bool is_flat = stays_in_plane(held.end, next);
     if (!is_flat && held.is_modal) return make_held_line(held.end, nullptr, nullptr);
     if (!is_flat) return refuse("a line or an arc in the plane after it");
-    const auto point = [&](const Axes& p) { return PlanePoint{p[axes.first], p[axes.second]}; };
+    const auto point = [&](const Axes& p) { return Vec2{p[axes.first], p[axes.second]}; };
     PlaneElement first{point(held.state.position), point(held.end), false, {}, 1.0};
     PlaneElement second{point(held.end), point(next), false, {}, 1.0};
     for (const ProgramArc* const element : {held.arc ? &*held.arc : nullptr, arc}) {
@@ -187,8 +187,8 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     }
     if (std::min(first.length(), second.length()) <= kCornerRounding)
         return refuse("two elements that have a length");
-    const PlanePoint a = first.direction_at(first.to);
-    const PlanePoint b = second.direction_at(second.from);
+    const Vec2 a = first.direction_at(first.to);
+    const Vec2 b = second.direction_at(second.from);
     const double dot = a.x * b.x + a.y * b.y;
     const double cross = a.x * b.y - a.y * b.x;
     constexpr double kTangent = 1e-6;  // Centres of tangential arcs are rounded by programmers.
@@ -199,7 +199,7 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     const double side = cross > 0.0 ? 1.0 : -1.0;
     const std::optional<Fillet> found = fillet(first, second, held.size, side);
     if (!found) return refuse("elements that are long enough for it");
-    const auto axes_at = [&](PlanePoint p, PlanePoint limit, const Axes& end) {
+    const auto axes_at = [&](Vec2 p, Vec2 limit, const Axes& end) {
         if (hypotenuse(p.x - limit.x, p.y - limit.y) <= kCornerRounding) return end;
         Axes out = held.end;
         out[axes.first] = p.x;

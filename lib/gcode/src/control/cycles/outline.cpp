@@ -29,7 +29,7 @@ double sweep_of(const OutlineMove& move) {
 
 }  // namespace
 
-PlanePoint point_at(const OutlineMove& move, double share) {
+Vec2 point_at(const OutlineMove& move, double share) {
     if (move.turns == 0) {
         return {move.from.x + share * (move.to.x - move.from.x),
                 move.from.y + share * (move.to.y - move.from.y)};
@@ -41,15 +41,15 @@ PlanePoint point_at(const OutlineMove& move, double share) {
             move.centre.y + x * turn.sin + y * turn.cos};
 }
 
-PlanePoint direction_in_middle(const OutlineMove& move) {
+Vec2 direction_in_middle(const OutlineMove& move) {
     if (move.turns == 0) return {move.to.x - move.from.x, move.to.y - move.from.y};
     const double turn = move.turns > 0 ? 1.0 : -1.0;
-    const PlanePoint middle = point_at(move, 0.5);
+    const Vec2 middle = point_at(move, 0.5);
     return {-turn * (middle.y - move.centre.y), turn * (middle.x - move.centre.x)};
 }
 
-std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& outline, double chord) {
-    std::vector<PlanePoint> points;
+std::vector<Vec2> polygon_of(const std::vector<OutlineMove>& outline, double chord) {
+    std::vector<Vec2> points;
     for (const OutlineMove& move : outline) {
         int pieces = 1;
         if (move.turns != 0) {

@@ -250,7 +250,7 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     // The start of an arc after an error may be wrong, so the arc is no evidence.
     if (!rules_.strict && !centres_.is_settled && log_.errors() == 0) {
         centre(true);
-        const PlanePoint absolute{arc.centre_1, arc.centre_2};
+        const Vec2 absolute{arc.centre_1, arc.centre_2};
         const bool fits_absolute = fits();
         centre(false);
         settle_centres(fits(), fits_absolute,

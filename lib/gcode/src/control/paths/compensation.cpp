@@ -21,10 +21,6 @@ constexpr double kFlat = 1e-5 * kDegrees;
 /// LinuxCNC).
 constexpr double kReversal = 0.05 * kDegrees;
 
-double cross(double ax, double ay, double bx, double by) {
-    return ax * by - ay * bx;
-}
-
 }  // namespace
 
 void Compensation::begin(CutterSide side, double radius, CompensationStart start) {
@@ -213,7 +209,7 @@ bool Compensation::join(const Element& next) {
     const Vec corner = held.to;
     const Vec in = end_tangent(held);
     const Vec out = start_tangent(next);
-    const double turn = angle_of(in.x * out.x + in.y * out.y, cross(in.x, in.y, out.x, out.y));
+    const double turn = angle_of(dot(in, out), cross(in, out));
     const bool is_flat = std::abs(turn) < kFlat;
     if (is_flat || (s_.held_enters && s_.start == CompensationStart::SquareToNext)) {
         if (!is_made) emit(held, offset_point(corner, out));
@@ -261,7 +257,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         const Vec d = start_tangent(line);
         const Vec p = offset_point(line.from, d);
         const double along = (circle.centre.x - p.x) * d.x + (circle.centre.y - p.y) * d.y;
-        const double distance = cross(d.x, d.y, circle.centre.x - p.x, circle.centre.y - p.y);
+        const double distance = cross(d, circle.centre - p);
         const double square = circle.radius * circle.radius - distance * distance;
         if (square < 0.0) return;
         for (const double step : {along - std::sqrt(square), along + std::sqrt(square)}) {
@@ -280,8 +276,8 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         const Vec e = start_tangent(b);
         const Vec p = offset_point(corner, d);
         const Vec q = offset_point(corner, e);
-        const double denominator = cross(d.x, d.y, e.x, e.y);
-        const double step = cross(q.x - p.x, q.y - p.y, e.x, e.y) / denominator;
+        const double denominator = cross(d, e);
+        const double step = cross(q - p, e) / denominator;
         candidates.push_back({p.x + step * d.x, p.y + step * d.y});
     } else if (!a.is_arc || !b.is_arc) {
         line_circle(a.is_arc ? b : a, circle_of(a.is_arc ? a : b));
